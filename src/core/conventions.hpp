@@ -1,0 +1,27 @@
+// The words, units and frames of reference that every file of mien uses.
+//
+// Names     snake_case functions and variables, UpperCamel types, kConstants. A function begins with its verb:
+//           load_ (file to value)   build_ (value to bigger value)   sample_ (value at a time)
+//           deform_ (pose to shape)  append_ (onto a text)            write_ (to a file)
+//           find_ (may be absent)    is_ (a yes or no)
+// Units     A number that has a unit wears it: _mm _s _deg _px. Without a suffix it is a fraction or a count.
+// Space     Right-handed, millimetres: x to the character's left, y up, z forward (out of the face).
+//           Origin: the mid-plane, at pupil height, at the depth of the ear canals.
+// Sides     left and right are the character's own, never the viewer's.
+// Winding   Triangles and quads run counter-clockwise seen from outside. A writer whose format wants it
+//           otherwise turns them round itself.
+// Time      Seconds from the start of the clip; frame k of a clip shows the time k / fps.
+// Words     vertex (of a mesh), point (of the cage), landmark, guide line, area, move, pose, key, in-between,
+//           easing, drawing (one deformed head), ledger (who hit a limit).
+#pragma once
+
+#include <numbers>
+
+namespace mien {
+
+inline constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
+
+// One Loomis unit on the average adult: hairline to brow line, brow line to nose base, nose base to chin.
+inline constexpr double kLoomisUnit_mm = 66.0;
+
+}  // namespace mien

@@ -1,0 +1,35 @@
+// When: the tracks of a clip, sampled at a time. Knows no geometry.
+#pragma once
+
+#include <vector>
+
+#include "config/spec.hpp"
+
+namespace mien {
+
+// What the figure and the camera do at one moment.
+struct Moment {
+  Pose pose;
+  TurnKey turn;
+  CameraKey camera;
+};
+
+// The share of the way gone when `fraction` (0..1) of the time is gone. ease(e, 0) = 0 and ease(e, 1) = 1 exactly,
+// but for hold, which stays at 0 until 1. Never leaves 0..1.
+double ease(Easing easing, double fraction);
+
+// A clip ready to be sampled: keys sorted, blinks placed.
+struct Performance {
+  ClipSpec clip;
+  std::vector<double> blinks_s;  // shut moments, ascending: asked for and, seeded, the clip's own
+};
+
+Performance build_performance(const ClipSpec& clip);
+
+// Exactly a key's values at a key's time (blinks apart), the first key's before it and the last key's after it.
+Moment sample_performance(const Performance& performance, double time_s);
+
+// The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.
+double find_drawing_time_s(const ClipSpec& clip, int frame);
+
+}  // namespace mien
