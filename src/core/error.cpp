@@ -9,7 +9,9 @@ InputError::InputError(std::vector<Diagnostic> found)
       diagnostics(std::move(found)) {}
 
 InputError::InputError(const std::string& message)
-    : std::runtime_error(message), diagnostics{Diagnostic{{}, message, {}, false}} {}
+    : std::runtime_error(message), diagnostics(1) {
+  diagnostics.front().message = message;
+}
 
 std::string format_diagnostic(const Diagnostic& diagnostic) {
   const Place& at = diagnostic.place;

@@ -1,0 +1,159 @@
+#include "core/text.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <vector>
+
+#include "core/error.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::array<double, 10> kPowersOfTen{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+[[noreturn]] void fail_write(const std::filesystem::path& path, int error) {
+  throw RunError(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
+}
+
+bool has_content(const std::filesystem::path& path, std::string_view content) {
+  std::error_code ignored;
+  if (std::filesystem::file_size(path, ignored) != content.size() || ignored) return false;
+  return read_file(path) == content;
+}
+
+// Writes all of `content` to a new file and flushes it; returns 0 or the error number.
+int write_flushed(const std::string& path, std::string_view content) {
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  if (file < 0) return errno;
+  int error = 0;
+  while (!content.empty() && error == 0) {
+    const ssize_t written = ::write(file, content.data(), content.size());
+    if (written >= 0)
+      content.remove_prefix(static_cast<std::size_t>(written));
+    else if (errno != EINTR)
+      error = errno;
+  }
+  if (::close(file) != 0 && error == 0) error = errno;
+  return error;
+}
+
+}  // namespace
+
+void append_number(std::string& text, double value, int decimals) {
+  if (!std::isfinite(value) || std::abs(value) >= 1e9)
+    throw RunError(fmt::format("internal: {} is not a number that can be written", value));
+  const long long scale = static_cast<long long>(kPowersOfTen[decimals]);
+  const long long scaled = std::llround(value * kPowersOfTen[decimals]);
+  if (scaled < 0) text += '-';
+  const long long magnitude = scaled < 0 ? -scaled : scaled;
+
+  std::array<char, 24> digits{};
+  auto end = std::to_chars(digits.data(), digits.data() + digits.size(), magnitude / scale).ptr;
+  text.append(digits.data(), end);
+  long long rest = magnitude % scale;
+  if (rest == 0) return;
+  text += '.';
+  // Padding: 1000 + 7 prints as "1007", whose last three digits are the fraction.
+  end = std::to_chars(digits.data(), digits.data() + digits.size(), scale + rest).ptr;
+  while (end[-1] == '0') --end;
+  text.append(digits.data() + 1, end);
+}
+
+std::string format_number(double value, int decimals) {
+  std::string text;
+  append_number(text, value, decimals);
+  return text;
+}
+
+std::string read_file(const std::filesystem::path& path) {
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error))
+    throw RunError(fmt::format("cannot read {}: it is a folder", path.string()));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw RunError(fmt::format("cannot read {}: {}", path.string(), std::strerror(errno)));
+  std::ostringstream content;
+  content << file.rdbuf();
+  return std::move(content).str();
+}
+
+void write_file(const std::filesystem::path& path, std::string_view content) {
+  if (has_content(path, content)) return;
+  std::error_code error;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+  if (error) fail_write(path, error.value());
+
+  const std::string beside = fmt::format("{}.{}.part", path.string(), ::getpid());
+  int number = write_flushed(beside, content);
+  if (number == 0 && ::rename(beside.c_str(), path.c_str()) != 0) number = errno;
+  if (number == 0) return;
+  ::unlink(beside.c_str());
+  fail_write(path, number);
+}
+
+std::string fill_template(std::string_view text, const std::map<std::string, std::string>& values,
+                          std::string_view origin) {
+  std::string filled;
+  std::set<std::string> used;
+  while (true) {
+    const std::size_t open = text.find("{{");
+    if (open == std::string_view::npos) break;
+    const std::size_t close = text.find("}}", open);
+    if (close == std::string_view::npos)
+      throw RunError(fmt::format("{}: a placeholder is opened with '{{{{' and never closed", origin));
+    const std::string name(text.substr(open + 2, close - open - 2));
+    const auto value = values.find(name);
+    if (value == values.end()) throw RunError(fmt::format("{}: unknown placeholder '{}'", origin, name));
+    filled += text.substr(0, open);
+    filled += value->second;
+    used.insert(name);
+    text.remove_prefix(close + 2);
+  }
+  for (const auto& [name, value] : values)
+    if (!used.contains(name)) throw RunError(fmt::format("{}: placeholder '{}' is missing", origin, name));
+  return filled += text;
+}
+
+std::string find_nearest(std::string_view word, const std::vector<std::string>& names) {
+  std::string nearest;
+  std::size_t least = std::max<std::size_t>(1, word.size() / 3) + 1;
+  for (const std::string& name : names) {
+    // Optimal string alignment: insert, delete, replace, swap neighbours; three rows are enough.
+    std::vector<std::size_t> before(name.size() + 1), above(name.size() + 1), row(name.size() + 1);
+    for (std::size_t j = 0; j <= name.size(); ++j) row[j] = j;
+    for (std::size_t i = 1; i <= word.size(); ++i) {
+      before = above;
+      above = row;
+      row[0] = i;
+      for (std::size_t j = 1; j <= name.size(); ++j) {
+        row[j] = std::min({above[j] + 1, row[j - 1] + 1, above[j - 1] + (word[i - 1] != name[j - 1])});
+        if (i > 1 && j > 1 && word[i - 1] == name[j - 2] && word[i - 2] == name[j - 1])
+          row[j] = std::min(row[j], before[j - 2] + 1);
+      }
+    }
+    if (row[name.size()] < least) {
+      least = row[name.size()];
+      nearest = name;
+    }
+  }
+  return nearest;
+}
+
+std::string hash_hex(std::string_view content) {
+  return fmt::format("{:016x}", XXH64(content.data(), content.size(), 0));
+}
+
+}  // namespace mien
