@@ -1,0 +1,156 @@
+#include "head/cage.hpp"
+
+#include <charconv>
+#include <fmt/format.h>
+#include <fstream>
+#include <functional>
+#include <set>
+
+#include "core/error.hpp"
+
+namespace mien {
+
+namespace {
+
+using Fields = std::vector<std::string>;
+
+Fields split_line(const std::string& line) {
+  Fields fields(1);
+  for (const char c : line)
+    if (c == ',')
+      fields.emplace_back();
+    else if (c != '\r')
+      fields.back() += c;
+  return fields;
+}
+
+// Calls `use(fields)` for each line that is not empty, a comment or the heading; a message it returns is an error.
+void read_table(const std::filesystem::path& file, std::size_t columns, bool has_heading,
+                const std::function<std::string(const Fields&)>& use) {
+  std::ifstream stream(file);
+  if (!stream) throw RunError(fmt::format("cannot read {}", file.string()));
+  std::string line;
+  for (int number = 1; std::getline(stream, line); ++number) {
+    if (line.empty() || line.front() == '#') continue;
+    if (has_heading) {
+      has_heading = false;
+      continue;
+    }
+    const Fields fields = split_line(line);
+    std::string mistake = fields.size() == columns
+                              ? use(fields)
+                              : fmt::format("{} fields; expected {}", fields.size(), columns);
+    if (!mistake.empty()) throw RunError(fmt::format("{}:{}: {}", file.string(), number, mistake));
+  }
+}
+
+std::optional<double> parse_number(const std::string& text) {
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::string parse_point(const Fields& fields, SkinPoint& point) {
+  point.name = fields[0];
+  const auto weight = parse_number(fields[4]);
+  if (!weight) return fmt::format("'{}' is not a number", fields[4]);
+  point.weight = *weight;
+  point.is_hard = fields[5] == "1";
+  if (fields[1].empty() && fields[2].empty() && fields[3].empty()) return {};
+  glm::dvec3 skin{0};
+  for (int axis = 0; axis < 3; ++axis) {
+    const auto value = parse_number(fields[1 + axis]);
+    if (!value) return fmt::format("'{}' is not a number", fields[1 + axis]);
+    skin[axis] = *value;
+  }
+  if (skin.x < 0) return fmt::format("'{}' lies on the other half (x < 0)", point.name);
+  point.skin = skin;
+  return {};
+}
+
+// Points that have no place of their own begin at the average of their neighbours, spread until it settles.
+void place_free_points(Cage& cage, const std::vector<bool>& is_free) {
+  std::vector<std::vector<std::uint32_t>> neighbours(cage.points.size());
+  for (const Quad& quad : cage.quads)
+    for (int i = 0; i < 4; ++i) {
+      neighbours[quad[i]].push_back(quad[(i + 1) % 4]);
+      neighbours[quad[i]].push_back(quad[(i + 3) % 4]);
+    }
+  constexpr int kRounds = 60;  // free runs are at most a few points long; more rounds change nothing visible
+  for (int round = 0; round < kRounds; ++round)
+    for (std::size_t i = 0; i < cage.points.size(); ++i) {
+      if (!is_free[i]) continue;
+      glm::dvec3 sum{0};
+      for (const std::uint32_t k : neighbours[i]) sum += cage.points[k];
+      cage.points[i] = sum / static_cast<double>(neighbours[i].size());
+    }
+}
+
+}  // namespace
+
+bool has_prefix(std::string_view name, std::string_view prefix) { return strip_side(name).starts_with(prefix); }
+
+std::string_view strip_side(std::string_view name) {
+  if (name.starts_with("R:")) name.remove_prefix(2);
+  return name;
+}
+
+HalfHead load_half_head(const std::filesystem::path& folder) {
+  HalfHead half;
+  std::set<std::string> names;
+  read_table(folder / "half_points.csv", 6, true, [&](const Fields& fields) {
+    SkinPoint point;
+    std::string mistake = parse_point(fields, point);
+    if (mistake.empty() && !names.insert(point.name).second)
+      mistake = fmt::format("point '{}' stands twice", point.name);
+    half.points.push_back(std::move(point));
+    return mistake;
+  });
+  std::set<std::pair<std::string, std::string>> edges;
+  read_table(folder / "half_quads.csv", 4, false, [&](const Fields& fields) -> std::string {
+    for (int i = 0; i < 4; ++i) {
+      if (!names.contains(fields[i])) return fmt::format("unknown point '{}'", fields[i]);
+      if (!edges.insert({fields[i], fields[(i + 1) % 4]}).second)
+        return fmt::format("edge {} {} is used twice", fields[i], fields[(i + 1) % 4]);
+    }
+    half.quads.push_back({fields[0], fields[1], fields[2], fields[3]});
+    return {};
+  });
+  return half;
+}
+
+Cage build_cage(const HalfHead& half) {
+  Cage cage;
+  std::vector<bool> is_free;
+  const auto add = [&](const std::string& name, const glm::dvec3& point, bool free) {
+    cage.index.emplace(name, static_cast<std::uint32_t>(cage.points.size()));
+    cage.names.push_back(name);
+    cage.points.push_back(point);
+    is_free.push_back(free);
+  };
+  for (const SkinPoint& p : half.points) add(p.name, p.skin.value_or(glm::dvec3(0)), !p.skin);
+  const auto left_count = static_cast<std::uint32_t>(cage.points.size());
+
+  cage.mirror.resize(left_count);
+  for (std::uint32_t i = 0; i < left_count; ++i) {
+    const bool is_middle = half.points[i].skin && half.points[i].skin->x == 0;
+    cage.mirror[i] = is_middle ? i : static_cast<std::uint32_t>(cage.points.size());
+    if (is_middle) continue;
+    add("R:" + half.points[i].name, cage.points[i] * glm::dvec3(-1, 1, 1), is_free[i]);
+    cage.mirror.push_back(i);
+  }
+  for (const auto& names : half.quads) {
+    Quad quad{};
+    for (int i = 0; i < 4; ++i) quad[i] = cage.index.find(names[i])->second;
+    cage.quads.push_back(quad);
+  }
+  for (std::size_t q = 0; q < half.quads.size(); ++q) {
+    const auto [a, b, c, d] = cage.quads[q];
+    cage.quads.push_back({cage.mirror[a], cage.mirror[d], cage.mirror[c], cage.mirror[b]});
+  }
+  place_free_points(cage, is_free);
+  return cage;
+}
+
+}  // namespace mien
