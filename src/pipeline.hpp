@@ -1,4 +1,5 @@
-// The whole program, one function a command. main.cpp turns arguments into Options and errors into exit statuses.
+// The whole program, one function a command. main.cpp turns arguments into Options and errors into exit
+// statuses.
 #pragma once
 
 #include <filesystem>
@@ -12,29 +13,31 @@ namespace mien {
 
 // What the command line can say. Empty means "as the file says".
 struct Options {
-  std::filesystem::path file;                   // the YAML file (for `new`: the name of the file to make)
-  std::optional<std::filesystem::path> output;  // -o: a folder for render, frames and bust; a file for still and mesh
-  std::optional<std::pair<int, int>> frames;    // --frames A-B: first and last frame, counted from 1
-  std::optional<std::pair<int, int>> size_px;   // --size WxH
-  std::optional<Quality> quality;               // --quality
-  int jobs = 0;                                 // --jobs: processes or threads at once; 0: as many as cores
-  bool is_quiet = false;                        // --quiet: errors only
-  bool is_json = false;                         // --json: one JSON object a line instead of words
-  std::optional<double> at_s;                   // --at, for still and mesh
-  std::optional<std::string> express;           // --express NAME, for still, mesh and bust
-  std::optional<double> camera_angle_deg;       // --angle, for still
+  std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
+  std::optional<std::filesystem::path>
+      output;  // -o: a folder for render, frames and bust; a file for still and mesh
+  std::optional<std::pair<int, int>> frames;   // --frames A-B: first and last frame, counted from 1
+  std::optional<std::pair<int, int>> size_px;  // --size WxH
+  std::optional<Quality> quality;              // --quality
+  int jobs = 0;                                // --jobs: processes or threads at once; 0: as many as cores
+  bool is_quiet = false;                       // --quiet: errors only
+  bool is_json = false;                        // --json: one JSON object a line instead of words
+  std::optional<double> at_s;                  // --at, for still and mesh
+  std::optional<std::string> express;          // --express NAME, for still, mesh and bust
+  std::optional<double> camera_angle_deg;      // --angle, for still
   std::optional<std::filesystem::path> landmarks;  // --landmarks face.json, for mesh
 };
 
-// Each throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted (exit 130). What a
-// user should read (paths, lists, findings) goes to standard output; progress goes to standard error.
+// Each throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted (exit 130).
+// What a user should read (paths, lists, findings) goes to standard output; progress goes to standard error.
 void render_clip(const Options& options);   // scenes, frames and clip into out/<name>/
 void write_frames(const Options& options);  // scenes only
 void render_still(const Options& options);  // one picture
 void write_mesh(const Options& options);    // one head as OBJ; landmarks as JSON
 void write_busts(const Options& options);   // OpenSCAD sources and STL
 void check_file(const Options& options);    // every mistake, or one line that says what the file holds
-void list_kind(const std::string& kind, const Options& options);  // ages, skulls, features, areas, expressions, ...
+void list_kind(const std::string& kind,
+               const Options& options);      // ages, skulls, features, areas, expressions, ...
 void write_starter(const Options& options);  // a commented file to begin with; refuses to overwrite
 void print_schema();                         // the JSON Schema of the YAML file
 

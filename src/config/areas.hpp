@@ -1,5 +1,5 @@
-// The nine areas of the face and their moves, as the language names them (Tezuka's areas; limits as in Yen 1990).
-// Knows words and ranges only; what a move does to the skin is face/'s affair.
+// The nine areas of the face and their moves, as the language names them (Tezuka's areas; limits as in Yen
+// 1990). Knows words and ranges only; what a move does to the skin is face/'s affair.
 #pragma once
 
 #include <array>
@@ -12,11 +12,11 @@ enum class Side { none, left, right };
 
 // One number of a pose. Values are fractions of the area's limit on the head: 0 rest, 1 (or -1) the limit.
 struct MoveInfo {
-  std::string_view area;    // the key's stem: "brow", "lid", "eye", "lips", "corner", "chin"
-  Side side;                // none for lips and chin
-  std::string_view move;    // "up", "out", "turn", "upper", "lower", "side", "press", "down"
-  double low, high;         // the range of the value
-  std::string_view meaning; // one line for `mien list areas`
+  std::string_view area;     // the key's stem: "brow", "lid", "eye", "lips", "corner", "chin"
+  Side side;                 // none for lips and chin
+  std::string_view move;     // "up", "out", "turn", "upper", "lower", "side", "press", "down"
+  double low, high;          // the range of the value
+  std::string_view meaning;  // one line for `mien list areas`
 };
 
 inline constexpr std::array kMoves{
@@ -63,13 +63,20 @@ struct AreaKey {
 };
 
 inline constexpr std::array kAreaKeys{
-    AreaKey{"brows", "brow", Side::none, true},        AreaKey{"brow.left", "brow", Side::left, false},
-    AreaKey{"brow.right", "brow", Side::right, false}, AreaKey{"lids", "lid", Side::none, true},
-    AreaKey{"lid.left", "lid", Side::left, false},     AreaKey{"lid.right", "lid", Side::right, false},
-    AreaKey{"eyes", "eye", Side::none, true},          AreaKey{"eye.left", "eye", Side::left, false},
-    AreaKey{"eye.right", "eye", Side::right, false},   AreaKey{"lips", "lips", Side::none, false},
-    AreaKey{"corners", "corner", Side::none, true},    AreaKey{"corner.left", "corner", Side::left, false},
-    AreaKey{"corner.right", "corner", Side::right, false}, AreaKey{"chin", "chin", Side::none, false},
+    AreaKey{"brows", "brow", Side::none, true},
+    AreaKey{"brow.left", "brow", Side::left, false},
+    AreaKey{"brow.right", "brow", Side::right, false},
+    AreaKey{"lids", "lid", Side::none, true},
+    AreaKey{"lid.left", "lid", Side::left, false},
+    AreaKey{"lid.right", "lid", Side::right, false},
+    AreaKey{"eyes", "eye", Side::none, true},
+    AreaKey{"eye.left", "eye", Side::left, false},
+    AreaKey{"eye.right", "eye", Side::right, false},
+    AreaKey{"lips", "lips", Side::none, false},
+    AreaKey{"corners", "corner", Side::none, true},
+    AreaKey{"corner.left", "corner", Side::left, false},
+    AreaKey{"corner.right", "corner", Side::right, false},
+    AreaKey{"chin", "chin", Side::none, false},
 };
 
 // The nine areas' values at one moment, indexed as kMoves.
@@ -79,8 +86,8 @@ struct Pose {
   bool operator==(const Pose&) const = default;
 };
 
-// What an author set: a value where the author wrote one, nothing elsewhere. A sided key has overridden a plural
-// one already, whatever their order in the file.
+// What an author set: a value where the author wrote one, nothing elsewhere. A sided key has overridden a
+// plural one already, whatever their order in the file.
 struct AreaValues {
   std::array<std::optional<double>, kMoveCount> values{};
 };

@@ -10,16 +10,16 @@
 namespace mien {
 
 // Limits that a file may not pass; each message names the limit.
-inline constexpr std::size_t kMaxFileBytes = 1 << 20;   // larger files are data, not a director's note
-inline constexpr int kMaxDepth = 32;                    // nesting; YAML itself allows a stack overflow
-inline constexpr int kMaxAliases = 100;                 // "billion laughs" need few aliases, notes need none
-inline constexpr int kMaxFrames = 100000;               // over an hour at 24 frames a second
-inline constexpr int kMaxSide_px = 8192;                // POV-Ray's memory, ffmpeg's H.264 limit
+inline constexpr std::size_t kMaxFileBytes = 1 << 20;  // larger files are data, not a director's note
+inline constexpr int kMaxDepth = 32;                   // nesting; YAML itself allows a stack overflow
+inline constexpr int kMaxAliases = 100;                // "billion laughs" need few aliases, notes need none
+inline constexpr int kMaxFrames = 100000;              // over an hour at 24 frames a second
+inline constexpr int kMaxSide_px = 8192;               // POV-Ray's memory, ffmpeg's H.264 limit
 inline constexpr int kMinSide_px = 16;
 
-// Reads `file` and the expression libraries of `data_folder`/configs/expressions. Throws InputError with every
-// mistake of the file at its place (unknown keys with the nearest known one, wrong types, values out of range,
-// duplicate keys, unknown names), RunError if the data folder is broken.
+// Reads `file` and the expression libraries of `data_folder`/configs/expressions. Throws InputError with
+// every mistake of the file at its place (unknown keys with the nearest known one, wrong types, values out of
+// range, duplicate keys, unknown names), RunError if the data folder is broken.
 Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder);
 
 // The expression called `name` ("smile" in the file, then in its library; "tezuka/smile" in that one). Throws

@@ -20,18 +20,18 @@ namespace mien {
 using Mix = std::map<std::string, double>;
 
 struct Look {
-  glm::vec3 skin{0.863f, 0.682f, 0.561f};   // "#dcae8f", srgb 0..1
-  std::optional<glm::vec3> lips;            // empty: made from the skin's colour
-  glm::vec3 iris{0.357f, 0.498f, 0.584f};   // "#5b7f95"
-  glm::vec3 brow{0.227f, 0.165f, 0.125f};   // "#3a2a20"
+  glm::vec3 skin{0.863f, 0.682f, 0.561f};  // "#dcae8f", srgb 0..1
+  std::optional<glm::vec3> lips;           // empty: made from the skin's colour
+  glm::vec3 iris{0.357f, 0.498f, 0.584f};  // "#5b7f95"
+  glm::vec3 brow{0.227f, 0.165f, 0.125f};  // "#3a2a20"
 };
 
 struct HeadSpec {
   Mix age{{"adult", 1.0}};
   Mix skull{{"average", 1.0}};
-  double character = 0;                     // -1 female .. 0 neither .. 1 male
-  std::map<std::string, double> guides;     // guide line -> fraction of head height above the chin
-  std::map<std::string, double> features;   // feature -> -1..1
+  double character = 0;                    // -1 female .. 0 neither .. 1 male
+  std::map<std::string, double> guides;    // guide line -> fraction of head height above the chin
+  std::map<std::string, double> features;  // feature -> -1..1
   Look look;
 };
 
@@ -49,39 +49,39 @@ struct PoseKey {
   double at_s = 0;
   Easing ease = Easing::in_out;  // how the way from the key before to this one is gone
   Pose pose;
-  std::string label;             // "smile 0.8": for messages and charts
+  std::string label;  // "smile 0.8": for messages and charts
 };
 
 struct CameraKey {
   double at_s = 0;
   Easing ease = Easing::in_out;
-  double angle_deg = 0;     // about the head, + shows more of the character's left side
-  double height_deg = 0;    // + looks down from above
-  double distance = 1;      // 1 frames the whole bust at any picture shape; 0.5 is half as far
+  double angle_deg = 0;   // about the head, + shows more of the character's left side
+  double height_deg = 0;  // + looks down from above
+  double distance = 1;    // 1 frames the whole bust at any picture shape; 0.5 is half as far
 };
 
 struct TurnKey {
   double at_s = 0;
   Easing ease = Easing::in_out;
-  double turn_deg = 0;      // head to the character's left (+)
-  double nod_deg = 0;       // chin down (+)
-  double tilt_deg = 0;      // crown toward the character's left shoulder (+)
+  double turn_deg = 0;  // head to the character's left (+)
+  double nod_deg = 0;   // chin down (+)
+  double tilt_deg = 0;  // crown toward the character's left shoulder (+)
 };
 
 struct BlinkSpec {
-  double per_minute = 0;    // 0: no blinks of their own
+  double per_minute = 0;  // 0: no blinks of their own
   std::uint64_t seed = 1;
 };
 
 struct ClipSpec {
   int fps = 24;
-  int draw = 1;                        // each drawing is held for this many frames: ones, twos, threes
-  std::vector<PoseKey> keys;           // by time, at least one: a missing list is one neutral key at 0 s
-  std::vector<CameraKey> camera;       // by time, at least one
-  std::vector<TurnKey> turn;           // by time, at least one
-  std::vector<double> blinks_s;        // blinks asked for at exact times (their shut moment)
+  int draw = 1;                   // each drawing is held for this many frames: ones, twos, threes
+  std::vector<PoseKey> keys;      // by time, at least one: a missing list is one neutral key at 0 s
+  std::vector<CameraKey> camera;  // by time, at least one
+  std::vector<TurnKey> turn;      // by time, at least one
+  std::vector<double> blinks_s;   // blinks asked for at exact times (their shut moment)
   BlinkSpec blink;
-  double length_s = 0;                 // `length:`, else the time of the last key of any track
+  double length_s = 0;  // `length:`, else the time of the last key of any track
 };
 
 enum class Quality { draft, good, best };
@@ -89,21 +89,21 @@ enum class Quality { draft, good, best };
 struct RenderSpec {
   int width_px = 480, height_px = 600;
   Quality quality = Quality::good;
-  std::string background = "studio";   // a background of templates/povray
+  std::string background = "studio";  // a background of templates/povray
 };
 
 struct BustSpec {
-  Expression expression;               // what `express` and `areas` come to; library and name for file names
-  double height_mm = 80;               // whole print, base included
+  Expression expression;  // what `express` and `areas` come to; library and name for file names
+  double height_mm = 80;  // whole print, base included
 };
 
 struct Spec {
-  std::filesystem::path file;          // as given on the command line
-  std::string name;                    // file name without folder and ending: out/<name>/
+  std::filesystem::path file;  // as given on the command line
+  std::string name;            // file name without folder and ending: out/<name>/
   std::string title;
   HeadSpec head;
-  std::string library = "mien";        // where a plain expression name is looked up after the file's own
-  std::vector<Expression> expressions; // all that can be named here: the file's own, then every library's
+  std::string library = "mien";         // where a plain expression name is looked up after the file's own
+  std::vector<Expression> expressions;  // all that can be named here: the file's own, then every library's
   ClipSpec clip;
   RenderSpec render;
   std::vector<BustSpec> busts;

@@ -1,6 +1,7 @@
 // The words, units and frames of reference that every file of mien uses.
 //
-// Names     snake_case functions and variables, UpperCamel types, kConstants. A function begins with its verb:
+// Names     snake_case functions and variables, UpperCamel types, kConstants. A function begins with its
+// verb:
 //           load_ (file to value)   build_ (value to bigger value)   sample_ (value at a time)
 //           deform_ (pose to shape)  append_ (onto a text)            write_ (to a file)
 //           find_ (may be absent)    is_ (a yes or no)

@@ -5,8 +5,8 @@
 
 namespace mien {
 
-// The folder that holds `templates/` and `configs/`: the one above the program's own folder if it has them, else
-// the source folder the program was built from. Throws RunError naming both when neither has them.
+// The folder that holds `templates/` and `configs/`: the one above the program's own folder if it has them,
+// else the source folder the program was built from. Throws RunError naming both when neither has them.
 std::filesystem::path find_data_folder();
 
 }  // namespace mien

@@ -8,8 +8,7 @@ InputError::InputError(std::vector<Diagnostic> found)
     : std::runtime_error(found.empty() ? "wrong input" : format_diagnostic(found.front())),
       diagnostics(std::move(found)) {}
 
-InputError::InputError(const std::string& message)
-    : std::runtime_error(message), diagnostics(1) {
+InputError::InputError(const std::string& message) : std::runtime_error(message), diagnostics(1) {
   diagnostics.front().message = message;
 }
 

@@ -18,7 +18,8 @@ Box find_bounds(const std::vector<glm::vec3>& positions) {
 void update_normals(Mesh& mesh) {
   mesh.normals.assign(mesh.positions.size(), glm::vec3(0));
   for (const auto& [a, b, c] : mesh.triangles) {
-    const glm::vec3 area = glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    const glm::vec3 area =
+        glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
     mesh.normals[a] += area;
     mesh.normals[b] += area;
     mesh.normals[c] += area;
@@ -38,7 +39,8 @@ std::size_t count_open_edges(const std::vector<Triangle>& triangles) {
 
   std::size_t open = 0;
   for (std::size_t i = 0; i < edges.size(); ++i) {
-    const bool doubled = (i > 0 && edges[i - 1] == edges[i]) || (i + 1 < edges.size() && edges[i + 1] == edges[i]);
+    const bool doubled =
+        (i > 0 && edges[i - 1] == edges[i]) || (i + 1 < edges.size() && edges[i + 1] == edges[i]);
     const std::pair back{edges[i].second, edges[i].first};
     if (doubled || !std::binary_search(edges.begin(), edges.end(), back)) ++open;
   }
@@ -58,7 +60,8 @@ void append_mesh(Mesh& mesh, const Mesh& addition) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), addition.positions.begin(), addition.positions.end());
   mesh.normals.insert(mesh.normals.end(), addition.normals.begin(), addition.normals.end());
-  for (const auto& [a, b, c] : addition.triangles) mesh.triangles.push_back({a + first, b + first, c + first});
+  for (const auto& [a, b, c] : addition.triangles)
+    mesh.triangles.push_back({a + first, b + first, c + first});
 }
 
 }  // namespace mien

@@ -11,8 +11,9 @@ namespace mien {
 using Triangle = std::array<std::uint32_t, 3>;
 using Quad = std::array<std::uint32_t, 4>;
 
-// Vertices are stored once and named by index, counter-clockwise seen from outside. Example, a unit square that
-// looks along +z:  positions {(0,0,0),(1,0,0),(1,1,0),(0,1,0)}, triangles {{0,1,2},{0,2,3}}, normals all (0,0,1).
+// Vertices are stored once and named by index, counter-clockwise seen from outside. Example, a unit square
+// that looks along +z:  positions {(0,0,0),(1,0,0),(1,1,0),(0,1,0)}, triangles {{0,1,2},{0,2,3}}, normals all
+// (0,0,1).
 struct Mesh {
   std::vector<glm::vec3> positions;  // mm
   std::vector<glm::vec3> normals;    // unit length, one a vertex; may be empty while a mesh is being built
@@ -26,8 +27,8 @@ struct Box {
 // The smallest box around all vertices; a box of zeros for an empty mesh.
 Box find_bounds(const std::vector<glm::vec3>& positions);
 
-// Area-weighted vertex normals of `mesh.triangles`, written to `mesh.normals`. A vertex whose triangles have no
-// area gets (0, 0, 1), so that a normal is always finite and of unit length.
+// Area-weighted vertex normals of `mesh.triangles`, written to `mesh.normals`. A vertex whose triangles have
+// no area gets (0, 0, 1), so that a normal is always finite and of unit length.
 void update_normals(Mesh& mesh);
 
 // The number of edges that are not used exactly once in each direction: 0 says closed and consistently wound.

@@ -10,7 +10,8 @@
 
 namespace mien {
 
-// A colour of a part's palette. Skin goes from face to lip to mouth in small steps of it, so no border is hard.
+// A colour of a part's palette. Skin goes from face to lip to mouth in small steps of it, so no border is
+// hard.
 struct Shade {
   glm::vec3 srgb{1};  // 0..1 a channel, as in "#rrggbb"
   float gloss = 0;    // 0 matt .. 1 wet; what it means is the material's affair
@@ -18,13 +19,14 @@ struct Shade {
 
 // One part: what of it never changes in a clip.
 struct Part {
-  std::string name;                // "skin", "eye_left", ...: a lower-case identifier, unique in the model
-  std::string material;            // a material of templates/povray/materials.inc: "skin", "sclera", "hair", ...
-  Mesh rest;                       // the neutral shape; its triangles hold for every drawing
-  std::vector<Shade> palette;      // at least one
-  std::vector<std::uint16_t> shade;  // an index into `palette` for each vertex; empty: all vertices take palette[0]
-  bool is_rigid = false;           // true: a drawing gives a transform only; false: it gives positions and normals
-  bool is_printed = true;          // false: too fine for a bust (lashes, tear line, cornea)
+  std::string name;            // "skin", "eye_left", ...: a lower-case identifier, unique in the model
+  std::string material;        // a material of templates/povray/materials.inc: "skin", "sclera", "hair", ...
+  Mesh rest;                   // the neutral shape; its triangles hold for every drawing
+  std::vector<Shade> palette;  // at least one
+  std::vector<std::uint16_t>
+      shade;               // an index into `palette` for each vertex; empty: all vertices take palette[0]
+  bool is_rigid = false;   // true: a drawing gives a transform only; false: it gives positions and normals
+  bool is_printed = true;  // false: too fine for a bust (lashes, tear line, cornea)
 };
 
 struct Model {

@@ -1,7 +1,7 @@
 #include "head/cage.hpp"
 
-#include <charconv>
 #include <fmt/format.h>
+#include <charconv>
 #include <fstream>
 #include <functional>
 #include <set>
@@ -24,7 +24,8 @@ Fields split_line(const std::string& line) {
   return fields;
 }
 
-// Calls `use(fields)` for each line that is not empty, a comment or the heading; a message it returns is an error.
+// Calls `use(fields)` for each line that is not empty, a comment or the heading; a message it returns is an
+// error.
 void read_table(const std::filesystem::path& file, std::size_t columns, bool has_heading,
                 const std::function<std::string(const Fields&)>& use) {
   std::ifstream stream(file);
@@ -89,7 +90,9 @@ void place_free_points(Cage& cage, const std::vector<bool>& is_free) {
 
 }  // namespace
 
-bool has_prefix(std::string_view name, std::string_view prefix) { return strip_side(name).starts_with(prefix); }
+bool has_prefix(std::string_view name, std::string_view prefix) {
+  return strip_side(name).starts_with(prefix);
+}
 
 std::string_view strip_side(std::string_view name) {
   if (name.starts_with("R:")) name.remove_prefix(2);

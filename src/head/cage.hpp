@@ -19,14 +19,15 @@ struct SkinPoint {
   bool is_hard = false;            // the control point itself, not a place on the skin
 };
 
-// The right-hand rules of the half are those of core/conventions.hpp: x >= 0, quads counter-clockwise from outside.
+// The right-hand rules of the half are those of core/conventions.hpp: x >= 0, quads counter-clockwise from
+// outside.
 struct HalfHead {
   std::vector<SkinPoint> points;
   std::vector<std::array<std::string, 4>> quads;
 };
 
-// Reads half_points.csv and half_quads.csv of `folder`. Throws RunError "FILE:LINE: ..." for a malformed line, a
-// point named twice, an unknown name in a quad or a directed edge used twice.
+// Reads half_points.csv and half_quads.csv of `folder`. Throws RunError "FILE:LINE: ..." for a malformed
+// line, a point named twice, an unknown name in a quad or a directed edge used twice.
 HalfHead load_half_head(const std::filesystem::path& folder);
 
 // The whole cage, control points not yet solved: each stands at its skin point (or at the average of its

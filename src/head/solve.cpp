@@ -16,21 +16,23 @@ namespace {
 using Triplet = Eigen::Triplet<double>;
 using Row = std::vector<std::pair<std::uint32_t, double>>;  // (point, weight): a linear form over the cage
 
-// The strength of all fairness against the skin points' weights. Lower: typing noise shows; higher: features melt.
+// The strength of all fairness against the skin points' weights. Lower: typing noise shows; higher: features
+// melt.
 constexpr double kFairness = 0.06;
-constexpr double kThirdDifference = 6.0;   // of kFairness, for each edge inside a broad form
-constexpr double kBroadUmbrella = 0.10;    // what is left there of the umbrella operator, which shrinks
-constexpr double kHardWeight = 1000;       // a hidden control point stays where it was typed
+constexpr double kThirdDifference = 6.0;  // of kFairness, for each edge inside a broad form
+constexpr double kBroadUmbrella = 0.10;   // what is left there of the umbrella operator, which shrinks
+constexpr double kHardWeight = 1000;      // a hidden control point stays where it was typed
 
-// Regions by the first prefix that fits, and their share of kFairness. Neighbouring rows must not differ much, or
-// the weaker one stands out as a ridge.
+// Regions by the first prefix that fits, and their share of kFairness. Neighbouring rows must not differ
+// much, or the weaker one stands out as a ridge.
 struct RegionFairness {
   std::string_view prefix;
   double factor;
 };
 constexpr std::array kRegions{
-    RegionFairness{"cap", 0.8}, RegionFairness{"s", 2.0},  RegionFairness{"q", 3.0}, RegionFairness{"f", 0.8},
-    RegionFairness{"c2", 0.35}, RegionFairness{"c3", 0.35}, RegionFairness{"k", 0.35}, RegionFairness{"n", 0.35},
+    RegionFairness{"cap", 0.8}, RegionFairness{"s", 2.0},   RegionFairness{"q", 3.0},
+    RegionFairness{"f", 0.8},   RegionFairness{"c2", 0.35}, RegionFairness{"c3", 0.35},
+    RegionFairness{"k", 0.35},  RegionFairness{"n", 0.35},
 };
 
 double find_fairness(const SkinPoint& point) {

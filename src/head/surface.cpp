@@ -17,7 +17,8 @@ namespace mien {
 namespace {
 
 namespace Far = OpenSubdiv::Far;
-constexpr int kLevels = 2;  // 16 quads for each of the cage's: smooth at 1000 pixels, quick enough for a frame
+constexpr int kLevels =
+    2;  // 16 quads for each of the cage's: smooth at 1000 pixels, quick enough for a frame
 
 std::unique_ptr<Far::TopologyRefiner> refine_topology(const Cage& cage) {
   std::vector<int> counts(cage.quads.size(), 4), indices;
@@ -127,11 +128,13 @@ Surface build_surface(const Cage& cage) {
   options.generateIntermediateLevels = false;
   options.factorizeIntermediateLevels = true;
   options.generateOffsets = true;
-  const std::unique_ptr<const Far::StencilTable> stencils(Far::StencilTableFactory::Create(*refiner, options));
+  const std::unique_ptr<const Far::StencilTable> stencils(
+      Far::StencilTableFactory::Create(*refiner, options));
 
   Surface surface;
   surface.mirror = cage.mirror;
-  for (int level = 0; level < kLevels; ++level) surface.mirror = mirror_children(*refiner, level, surface.mirror);
+  for (int level = 0; level < kLevels; ++level)
+    surface.mirror = mirror_children(*refiner, level, surface.mirror);
 
   const Far::TopologyLevel& fine = refiner->GetLevel(kLevels);
   const auto count = static_cast<std::uint32_t>(fine.GetNumVertices());
@@ -146,7 +149,8 @@ Surface build_surface(const Cage& cage) {
     for (const auto& [vertex, mask_weight] : limit_mask(fine, static_cast<int>(v))) {
       const Far::Stencil stencil = stencils->GetStencil(static_cast<int>(vertex));
       for (int i = 0; i < stencil.GetSize(); ++i)
-        sum.add(static_cast<std::uint32_t>(stencil.GetVertexIndices()[i]), mask_weight * stencil.GetWeights()[i]);
+        sum.add(static_cast<std::uint32_t>(stencil.GetVertexIndices()[i]),
+                mask_weight * stencil.GetWeights()[i]);
     }
     rows[v] = sum.take();
   }
@@ -166,7 +170,8 @@ Surface build_surface(const Cage& cage) {
   return surface;
 }
 
-void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points, std::vector<glm::vec3>& positions) {
+void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points,
+                    std::vector<glm::vec3>& positions) {
   const std::size_t count = surface.vertex_count();
   positions.resize(count);
   for (std::size_t v = 0; v < count; ++v) {
@@ -191,10 +196,13 @@ std::vector<float> spread_over_surface(const Surface& surface, const std::vector
 std::vector<Triangle> split_quads(const Surface& surface, const std::vector<glm::vec3>& positions) {
   std::vector<Triangle> triangles;
   triangles.reserve(surface.quads.size() * 2);
-  constexpr float kTie = 1e-4f;  // mm: equal diagonals must not be told apart by rounding, or mirror images differ
+  constexpr float kTie =
+      1e-4f;  // mm: equal diagonals must not be told apart by rounding, or mirror images differ
   for (const auto& [a, b, c, d] : surface.quads) {
-    const float ac = glm::distance(positions[a], positions[c]), bd = glm::distance(positions[b], positions[d]);
-    // On a tie the diagonal that leaves the vertex nearer to the mid-plane at the bottom: the same in the mirror.
+    const float ac = glm::distance(positions[a], positions[c]),
+                bd = glm::distance(positions[b], positions[d]);
+    // On a tie the diagonal that leaves the vertex nearer to the mid-plane at the bottom: the same in the
+    // mirror.
     const bool by_ac = std::abs(ac - bd) > kTie ? ac < bd
                                                 : std::abs(positions[a].x) + std::abs(positions[c].x) <
                                                       std::abs(positions[b].x) + std::abs(positions[d].x);

@@ -8,27 +8,28 @@
 
 namespace mien {
 
-// Fine vertex v is the sum over [first[v], first[v + 1]) of weight * control point. Vertex i is cage point i for
-// i below the number of cage points. Fixed for a cage's quads: every head and every pose shares it.
+// Fine vertex v is the sum over [first[v], first[v + 1]) of weight * control point. Vertex i is cage point i
+// for i below the number of cage points. Fixed for a cage's quads: every head and every pose shares it.
 struct Surface {
-  std::vector<std::uint32_t> first;     // one more than there are vertices
-  std::vector<std::uint32_t> point;     // index of the control point
+  std::vector<std::uint32_t> first;  // one more than there are vertices
+  std::vector<std::uint32_t> point;  // index of the control point
   std::vector<float> weight;
-  std::vector<Quad> quads;              // of the fine mesh, counter-clockwise from outside
-  std::vector<std::uint32_t> mirror;    // the fine vertex that is the mirror image
+  std::vector<Quad> quads;            // of the fine mesh, counter-clockwise from outside
+  std::vector<std::uint32_t> mirror;  // the fine vertex that is the mirror image
 
   std::size_t vertex_count() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
-// Two levels of Catmull-Clark (OpenSubdiv), pushed to the limit. The rows of mirror images hold mirrored points in
-// the same order, so a mirrored cage gives bit for bit the mirrored skin.
+// Two levels of Catmull-Clark (OpenSubdiv), pushed to the limit. The rows of mirror images hold mirrored
+// points in the same order, so a mirrored cage gives bit for bit the mirrored skin.
 Surface build_surface(const Cage& cage);
 
 // The skin of `points` (the cage's, deformed), into `positions` (resized).
-void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points, std::vector<glm::vec3>& positions);
+void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points,
+                    std::vector<glm::vec3>& positions);
 
-// The same for one number a control point: a mask, a weight. Values are averages of neighbours, so a mask stays
-// within its range but for a little overshoot nowhere: all weights are positive.
+// The same for one number a control point: a mask, a weight. Values are averages of neighbours, so a mask
+// stays within its range but for a little overshoot nowhere: all weights are positive.
 std::vector<float> spread_over_surface(const Surface& surface, const std::vector<double>& values);
 
 // Each quad as two triangles along its shorter diagonal at `positions`, mirror images alike.

@@ -12,8 +12,8 @@ enum class ProgressStyle { bar, lines, json, quiet };
 // bar if `stream` is a terminal, else lines.
 ProgressStyle find_progress_style(std::FILE* stream, bool is_quiet, bool is_json);
 
-// Counts frames done; shows frames, frames a second and the time left. All writes go to one stream. Not copied.
-// Safe to call from several threads.
+// Counts frames done; shows frames, frames a second and the time left. All writes go to one stream. Not
+// copied. Safe to call from several threads.
 struct Progress {
   Progress(std::FILE* stream, ProgressStyle style, std::string label, int total);
   void advance(bool was_kept);  // one frame more

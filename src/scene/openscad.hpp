@@ -1,4 +1,5 @@
-// OpenSCAD sources: self-contained busts made of closed polyhedra. Faces are turned clockwise-from-outside here.
+// OpenSCAD sources: self-contained busts made of closed polyhedra. Faces are turned clockwise-from-outside
+// here.
 #pragma once
 
 #include <filesystem>
@@ -16,9 +17,9 @@ struct Solid {
 };
 
 struct BustPrint {
-  std::string title;             // written as a comment only, after it was cleaned of line ends
-  double height_mm = 80;         // whole print with its base
-  std::vector<Solid> solids;     // skin first
+  std::string title;          // written as a comment only, after it was cleaned of line ends
+  double height_mm = 80;      // whole print with its base
+  std::vector<Solid> solids;  // skin first
 };
 
 // A customizable source: height, base and wall as Customizer variables, then the solids as literal polyhedra

@@ -16,21 +16,22 @@ struct CameraView {
   double angle_deg = 0;
   double height_deg = 0;
   double distance = 1;
-  glm::vec3 look_at{0, -20, 0};   // mm, the middle of the framed box
-  double frame_width_mm = 240;    // the box that distance 1 just fits, whatever the picture's shape
+  glm::vec3 look_at{0, -20, 0};  // mm, the middle of the framed box
+  double frame_width_mm = 240;   // the box that distance 1 just fits, whatever the picture's shape
   double frame_height_mm = 300;
 };
 
-// The text of scenes/head.inc: materials, lights and background from `templates_folder`, quality settings, each
-// part's shades, faces and (for rigid parts) vertices. Throws RunError on a broken template.
+// The text of scenes/head.inc: materials, lights and background from `templates_folder`, quality settings,
+// each part's shades, faces and (for rigid parts) vertices. Throws RunError on a broken template.
 std::string build_povray_include(const Model& model, const RenderSpec& render,
                                  const std::filesystem::path& templates_folder);
 
 // Appends the text of one frame's file. `width_px` and `height_px` only shape the camera's frame.
-void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing, const CameraView& view);
+void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
+                         const CameraView& view);
 
-// The text of scenes/<name>.ini: `povray <name>.ini` alone renders all `frame_count` frames at this size and quality,
-// to the same names as mien's own driver (frames/f0001.png, ...).
+// The text of scenes/<name>.ini: `povray <name>.ini` alone renders all `frame_count` frames at this size and
+// quality, to the same names as mien's own driver (frames/f0001.png, ...).
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count);
 
 // The command-line options that stand for a quality (anti-aliasing, threads), in POV-Ray's own words.

@@ -1,4 +1,5 @@
-// Wavefront OBJ: one group a part, right-handed millimetres, so that Blender and others open the head as it is.
+// Wavefront OBJ: one group a part, right-handed millimetres, so that Blender and others open the head as it
+// is.
 #pragma once
 
 #include <string>
@@ -8,6 +9,7 @@
 namespace mien {
 
 // "# ..." title line, then for each part: o/g NAME, its v, vn and f lines. Positions to 1e-4 mm.
-void append_wavefront(std::string& text, const Model& model, const Drawing& drawing, const std::string& title);
+void append_wavefront(std::string& text, const Model& model, const Drawing& drawing,
+                      const std::string& title);
 
 }  // namespace mien

@@ -14,8 +14,8 @@ struct Moment {
   CameraKey camera;
 };
 
-// The share of the way gone when `fraction` (0..1) of the time is gone. ease(e, 0) = 0 and ease(e, 1) = 1 exactly,
-// but for hold, which stays at 0 until 1. Never leaves 0..1.
+// The share of the way gone when `fraction` (0..1) of the time is gone. ease(e, 0) = 0 and ease(e, 1) = 1
+// exactly, but for hold, which stays at 0 until 1. Never leaves 0..1.
 double ease(Easing easing, double fraction);
 
 // A clip ready to be sampled: keys sorted, blinks placed.
@@ -26,7 +26,8 @@ struct Performance {
 
 Performance build_performance(const ClipSpec& clip);
 
-// Exactly a key's values at a key's time (blinks apart), the first key's before it and the last key's after it.
+// Exactly a key's values at a key's time (blinks apart), the first key's before it and the last key's after
+// it.
 Moment sample_performance(const Performance& performance, double time_s);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.

@@ -1,0 +1,24 @@
+#include "head/cage.hpp"
+#include "head/head.hpp"
+#include "head/shapes.hpp"
+#include "head/solve.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path& data_folder) {
+  const std::filesystem::path folder = data_folder / "templates/head";
+  const HalfHead half = load_half_head(folder);
+  NeutralHead head;
+  head.cage = build_cage(half);
+  solve_cage(half, head.cage);
+  shape_head(load_head_shapes(folder), spec, head.cage, head.eye);
+
+  head.surface = std::make_shared<const Surface>(build_surface(head.cage));
+  deform_surface(*head.surface, pack_points(head.cage.points), head.skin.positions);
+  update_surface_normals(*head.surface, head.skin.positions, head.skin.normals);
+  head.skin.triangles = split_quads(*head.surface, head.skin.positions);
+  return head;
+}
+
+}  // namespace mien
