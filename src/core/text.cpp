@@ -9,8 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <set>
@@ -56,21 +56,28 @@ int write_flushed(const std::string& path, std::string_view content) {
 void append_number(std::string& text, double value, int decimals) {
   if (!std::isfinite(value) || std::abs(value) >= 1e9)
     throw RunError(fmt::format("internal: {} is not a number that can be written", value));
-  const long long scale = static_cast<long long>(kPowersOfTen[decimals]);
-  const long long scaled = std::llround(value * kPowersOfTen[decimals]);
-  if (scaled < 0) text += '-';
-  const long long magnitude = scaled < 0 ? -scaled : scaled;
+  const bool is_negative = value < 0;
+  // Half away from zero, as std::llround; the cast is several times quicker, and scenes hold millions of numbers.
+  auto rest = static_cast<std::uint64_t>(std::abs(value) * kPowersOfTen[decimals] + 0.5);
+  if (rest == 0) {
+    text += '0';
+    return;
+  }
+  int fraction_digits = decimals;
+  for (; fraction_digits > 0 && rest % 10 == 0; --fraction_digits) rest /= 10;
 
-  std::array<char, 24> digits{};
-  auto end = std::to_chars(digits.data(), digits.data() + digits.size(), magnitude / scale).ptr;
-  text.append(digits.data(), end);
-  long long rest = magnitude % scale;
-  if (rest == 0) return;
-  text += '.';
-  // Padding: 1000 + 7 prints as "1007", whose last three digits are the fraction.
-  end = std::to_chars(digits.data(), digits.data() + digits.size(), scale + rest).ptr;
-  while (end[-1] == '0') --end;
-  text.append(digits.data() + 1, end);
+  // Written from the back: fraction digits, point, then the whole digits, at least one.
+  std::array<char, 24> digits;
+  char* const end = digits.data() + digits.size();
+  char* begin = end;
+  for (int i = 0; i < fraction_digits; ++i, rest /= 10) *--begin = static_cast<char>('0' + rest % 10);
+  if (fraction_digits > 0) *--begin = '.';
+  do {
+    *--begin = static_cast<char>('0' + rest % 10);
+    rest /= 10;
+  } while (rest != 0);
+  if (is_negative) *--begin = '-';
+  text.append(begin, static_cast<std::size_t>(end - begin));
 }
 
 std::string format_number(double value, int decimals) {

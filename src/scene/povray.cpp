@@ -1,0 +1,246 @@
+// POV-Ray 3.7: mesh2 and texture_list as in its reference manual, section 3.4.5.2.4; measured facts are noted where
+// they decided something.
+#include "scene/povray.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "core/conventions.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace mien {
+
+namespace {
+
+// Digits behind the point. A thousandth of a millimetre is a two-hundredth of a pixel in a picture 1000 mm^-1 wide;
+// a thousandth in a normal is 0.06 degrees, below what a highlight shows.
+constexpr int kPositionDecimals = 3;
+constexpr int kNormalDecimals = 3;
+constexpr int kRigidNormalDecimals = 5;  // of parts written once a clip: wet eyes mirror the lights sharply
+constexpr int kMatrixDecimals = 7;
+constexpr int kColourDecimals = 4;
+
+// How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film: nearer
+// makes the nose big, farther flattens the face.
+constexpr double kLensDistance_mm = 900;
+
+struct QualitySettings {
+  int light_samples;      // of the key light, along each side
+  int fill_samples;
+  const char* threshold;  // anti-aliasing: the difference between neighbours that asks for more rays
+  int depth;              // anti-aliasing: at most 4^depth sub-squares a pixel
+};
+
+QualitySettings find_settings(Quality quality) {
+  switch (quality) {
+    case Quality::draft: return {3, 1, "0.2", 1};
+    case Quality::good: return {5, 2, "0.08", 2};
+    case Quality::best: break;
+  }
+  return {9, 3, "0.03", 3};
+}
+
+// POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
+glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
+
+void append_numbers(std::string& text, const glm::vec3& v, int decimals) {
+  append_number(text, v.x, decimals);
+  text += ',';
+  append_number(text, v.y, decimals);
+  text += ',';
+  append_number(text, v.z, decimals);
+}
+
+void append_vector(std::string& text, const glm::vec3& v, int decimals) {
+  text += '<';
+  append_numbers(text, to_povray(v), decimals);
+  text += '>';
+}
+
+void append_vectors(std::string& text, const char* block, const std::vector<glm::vec3>& vectors, int decimals) {
+  text += fmt::format("{} {{ {}", block, vectors.size());
+  for (const glm::vec3& v : vectors) {
+    text += ",\n";
+    append_vector(text, v, decimals);
+  }
+  text += " }\n";
+}
+
+// matrix<> takes the images of x, y and z, then the shift. Both the vertices it moves and where they land are in
+// POV-Ray's space, so each axis is turned over before and after.
+void append_matrix(std::string& text, const glm::mat4& world_from_rest) {
+  text += "matrix <";
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 unit(0);
+    unit[axis] = 1;
+    append_numbers(text, to_povray(glm::mat3(world_from_rest) * to_povray(unit)), kMatrixDecimals);
+    text += ", ";
+  }
+  append_numbers(text, to_povray(glm::vec3(world_from_rest[3])), kPositionDecimals + 1);
+  text += '>';
+}
+
+[[noreturn]] void fail_part(const Part& part, const std::string& what) {
+  throw RunError(fmt::format("internal: part '{}' {}", part.name, what));
+}
+
+void check_part(const Part& part) {
+  const std::size_t count = part.rest.positions.size();
+  if (part.rest.triangles.empty()) fail_part(part, "has no triangles");
+  if (part.palette.empty()) fail_part(part, "has no palette");
+  if (!part.shade.empty() && part.shade.size() != count) fail_part(part, "has not one shade a vertex");
+  for (const std::uint16_t s : part.shade)
+    if (s >= part.palette.size()) fail_part(part, "has a shade outside its palette");
+  for (const Triangle& triangle : part.rest.triangles)
+    for (const std::uint32_t v : triangle)
+      if (v >= count) fail_part(part, "has a triangle outside its vertices");
+  if (part.is_rigid && part.rest.normals.size() != count) fail_part(part, "has not one normal a vertex");
+}
+
+// A shade as a call of its material's macro.
+std::string format_texture(const Part& part, const Shade& shade) {
+  std::string text = part.material + "_texture(srgb <";
+  append_numbers(text, shade.srgb, kColourDecimals);
+  text += ">, " + format_number(shade.gloss, 3) + ")";
+  return text;
+}
+
+// texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray blends three
+// textures over a face; a face of one shade names it once and costs a third.
+void append_surface(std::string& text, const Part& part, bool has_object_macro) {
+  const bool is_shaded = !part.shade.empty() && part.palette.size() > 1;
+  if (is_shaded) {
+    text += fmt::format("texture_list {{ {}", part.palette.size());
+    for (const Shade& shade : part.palette) text += ",\n" + format_texture(part, shade);
+    text += " }\n";
+  }
+  text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
+  for (const auto& [a, b, c] : part.rest.triangles) {
+    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
+    if (!is_shaded) continue;
+    const auto sa = part.shade[a], sb = part.shade[b], sc = part.shade[c];
+    if (sa == sb && sb == sc)
+      fmt::format_to(std::back_inserter(text), ",{}", sa);
+    else
+      fmt::format_to(std::back_inserter(text), ",{},{},{}", sa, sb, sc);
+  }
+  text += " }\n";
+  if (!is_shaded) text += format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]) + "\n";
+  if (has_object_macro) text += part.material + "_object()\n";
+}
+
+// Rigid parts whole, the others as a macro that a frame calls behind its vertices.
+void append_part(std::string& text, const Part& part, const std::string& materials) {
+  check_part(part);
+  const auto has_macro = [&](const char* what) {
+    return materials.find(fmt::format("#macro {}_{}(", part.material, what)) != std::string::npos;
+  };
+  if (!has_macro("texture"))
+    throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
+  if (part.is_rigid) {
+    text += fmt::format("\n#declare part_{} = mesh2 {{\n", part.name);
+    append_vectors(text, "vertex_vectors", part.rest.positions, kPositionDecimals + 1);
+    append_vectors(text, "normal_vectors", part.rest.normals, kRigidNormalDecimals);
+  } else {
+    text += fmt::format("\n#macro surface_of_{}()\n", part.name);
+  }
+  append_surface(text, part, has_macro("object"));
+  text += part.is_rigid ? "}\n" : "#end\n";
+}
+
+void append_camera(std::string& text, const CameraView& view) {
+  const double angle = view.angle_deg * kRadiansPerDegree, height = view.height_deg * kRadiansPerDegree;
+  const glm::vec3 toward_camera(std::sin(angle) * std::cos(height), std::sin(height),
+                                std::cos(angle) * std::cos(height));
+  const double distance_mm = kLensDistance_mm * view.frame_height_mm / CameraView{}.frame_height_mm;
+  text += "stage_camera(";
+  append_vector(text, view.look_at + static_cast<float>(distance_mm * view.distance) * toward_camera, 4);
+  text += ", ";
+  append_vector(text, view.look_at, 4);
+  for (const double length_mm : {distance_mm, view.frame_width_mm, view.frame_height_mm})
+    text += ", " + format_number(length_mm, 4);
+  text += ")\n";
+}
+
+std::string quote_ini(const std::filesystem::path& path) { return '"' + path.generic_string() + '"'; }
+
+}  // namespace
+
+std::string build_povray_include(const Model& model, const RenderSpec& render,
+                                 const std::filesystem::path& templates_folder) {
+  const std::filesystem::path folder = templates_folder / "povray";
+  const std::filesystem::path background = folder / fmt::format("background_{}.inc", render.background);
+  if (render.background.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") != std::string::npos ||
+      !std::filesystem::exists(background))
+    throw RunError(fmt::format("unknown background '{}': {} does not exist", render.background,
+                               background.string()));
+  const std::string materials = read_file(folder / "materials.inc");
+  std::string parts;
+  for (const Part& part : model.parts) append_part(parts, part, materials);
+
+  const QualitySettings settings = find_settings(render.quality);
+  const std::filesystem::path frame = folder / "head.inc";
+  return fill_template(read_file(frame),
+                       {{"key_samples", std::to_string(settings.light_samples)},
+                        {"fill_samples", std::to_string(settings.fill_samples)},
+                        {"materials", materials},
+                        {"lights", read_file(folder / "lights.inc")},
+                        {"background", read_file(background)},
+                        {"parts", parts}},
+                       frame.string());
+}
+
+void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing, const CameraView& view) {
+  if (drawing.parts.size() != model.parts.size()) throw RunError("internal: a drawing has not the model's parts");
+  text += "#include \"head.inc\"\n";
+  append_camera(text, view);
+  for (std::size_t i = 0; i < model.parts.size(); ++i) {
+    const Part& part = model.parts[i];
+    const PartShape& shape = drawing.parts[i];
+    if (part.is_rigid) {
+      text += fmt::format("object {{ part_{} ", part.name);
+      append_matrix(text, shape.world_from_rest);
+      text += " }\n";
+      continue;
+    }
+    const std::size_t count = part.rest.positions.size();
+    if (shape.positions.size() != count || shape.normals.size() != count)
+      fail_part(part, "is drawn with another number of vertices");
+    text += "mesh2 {\n";
+    append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
+    append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
+    text += fmt::format("surface_of_{}() }}\n", part.name);
+  }
+}
+
+std::string build_povray_loop() {
+  return "// The scene of the frame that is being rendered.\n"
+         "#include concat(\"f\", str(frame_number, -4, 0), \".pov\")\n";
+}
+
+std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
+                             const std::filesystem::path& clip_folder) {
+  // POV-Ray glues the frame's number to the stem with as many digits as the last frame has; zeros fill up to four.
+  const std::size_t digits = std::to_string(frame_count).size();
+  const std::string stem = "f" + std::string(digits < 4 ? 4 - digits : 0, '0');
+  std::string text = fmt::format("; From the folder that holds {0}: povray {0}\n",
+                                 (clip_folder / "scenes" / (name + ".ini")).generic_string());
+  text += "Input_File_Name=" + quote_ini(name + ".pov") + "\n";
+  text += "Library_Path=" + quote_ini(clip_folder / "scenes") + "\n";
+  text += "Output_File_Name=" + quote_ini(clip_folder / "frames" / (stem + ".png")) + "\n";
+  text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", frame_count, render.width_px,
+                      render.height_px);
+  text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
+  for (const std::string& option : list_quality_options(render.quality)) text += option + "\n";
+  return text;
+}
+
+std::vector<std::string> list_quality_options(Quality quality) {
+  const QualitySettings settings = find_settings(quality);
+  // Method 2 is the better deal for a face: flat skin is left alone, hairs are cut finer and finer.
+  return {"+AM2", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J"};
+}
+
+}  // namespace mien
