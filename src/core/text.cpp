@@ -57,7 +57,8 @@ void append_number(std::string& text, double value, int decimals) {
   if (!std::isfinite(value) || std::abs(value) >= 1e9)
     throw RunError(fmt::format("internal: {} is not a number that can be written", value));
   const bool is_negative = value < 0;
-  // Half away from zero, as std::llround; the cast is several times quicker, and scenes hold millions of numbers.
+  // Half away from zero, as std::llround; the cast is several times quicker, and scenes hold millions of
+  // numbers.
   auto rest = static_cast<std::uint64_t>(std::abs(value) * kPowersOfTen[decimals] + 0.5);
   if (rest == 0) {
     text += '0';

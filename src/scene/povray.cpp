@@ -1,5 +1,5 @@
-// POV-Ray 3.7: mesh2 and texture_list as in its reference manual, section 3.4.5.2.4; measured facts are noted where
-// they decided something.
+// POV-Ray 3.7: mesh2 and texture_list as in its reference manual, section 3.4.5.2.4; measured facts are noted
+// where they decided something.
 #include "scene/povray.hpp"
 
 #include <fmt/format.h>
@@ -14,20 +14,20 @@ namespace mien {
 
 namespace {
 
-// Digits behind the point. A thousandth of a millimetre is a two-hundredth of a pixel in a picture 1000 mm^-1 wide;
-// a thousandth in a normal is 0.06 degrees, below what a highlight shows.
+// Digits behind the point. A thousandth of a millimetre is a two-hundredth of a pixel in a picture 1000 mm^-1
+// wide; a thousandth in a normal is 0.06 degrees, below what a highlight shows.
 constexpr int kPositionDecimals = 3;
 constexpr int kNormalDecimals = 3;
 constexpr int kRigidNormalDecimals = 5;  // of parts written once a clip: wet eyes mirror the lights sharply
 constexpr int kMatrixDecimals = 7;
 constexpr int kColourDecimals = 4;
 
-// How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film: nearer
-// makes the nose big, farther flattens the face.
+// How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
+// nearer makes the nose big, farther flattens the face.
 constexpr double kLensDistance_mm = 900;
 
 struct QualitySettings {
-  int light_samples;      // of the key light, along each side
+  int light_samples;  // of the key light, along each side
   int fill_samples;
   const char* threshold;  // anti-aliasing: the difference between neighbours that asks for more rays
   int depth;              // anti-aliasing: at most 4^depth sub-squares a pixel
@@ -35,9 +35,12 @@ struct QualitySettings {
 
 QualitySettings find_settings(Quality quality) {
   switch (quality) {
-    case Quality::draft: return {3, 1, "0.2", 1};
-    case Quality::good: return {5, 2, "0.08", 2};
-    case Quality::best: break;
+    case Quality::draft:
+      return {3, 1, "0.2", 1};
+    case Quality::good:
+      return {5, 2, "0.08", 2};
+    case Quality::best:
+      break;
   }
   return {9, 3, "0.03", 3};
 }
@@ -59,7 +62,8 @@ void append_vector(std::string& text, const glm::vec3& v, int decimals) {
   text += '>';
 }
 
-void append_vectors(std::string& text, const char* block, const std::vector<glm::vec3>& vectors, int decimals) {
+void append_vectors(std::string& text, const char* block, const std::vector<glm::vec3>& vectors,
+                    int decimals) {
   text += fmt::format("{} {{ {}", block, vectors.size());
   for (const glm::vec3& v : vectors) {
     text += ",\n";
@@ -68,8 +72,8 @@ void append_vectors(std::string& text, const char* block, const std::vector<glm:
   text += " }\n";
 }
 
-// matrix<> takes the images of x, y and z, then the shift. Both the vertices it moves and where they land are in
-// POV-Ray's space, so each axis is turned over before and after.
+// matrix<> takes the images of x, y and z, then the shift. Both the vertices it moves and where they land are
+// in POV-Ray's space, so each axis is turned over before and after.
 void append_matrix(std::string& text, const glm::mat4& world_from_rest) {
   text += "matrix <";
   for (int axis = 0; axis < 3; ++axis) {
@@ -101,19 +105,18 @@ void check_part(const Part& part) {
 
 // A shade as a call of its material's macro.
 std::string format_texture(const Part& part, const Shade& shade) {
-  std::string text = part.material + "_texture(srgb <";
-  append_numbers(text, shade.srgb, kColourDecimals);
-  text += ">, " + format_number(shade.gloss, 3) + ")";
-  return text;
+  std::string colour;
+  append_numbers(colour, shade.srgb, kColourDecimals);
+  return fmt::format("{}_texture(srgb <{}>, {})", part.material, colour, format_number(shade.gloss, 3));
 }
 
-// texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray blends three
-// textures over a face; a face of one shade names it once and costs a third.
+// texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray blends
+// three textures over a face; a face of one shade names it once and costs a third.
 void append_surface(std::string& text, const Part& part, bool has_object_macro) {
   const bool is_shaded = !part.shade.empty() && part.palette.size() > 1;
   if (is_shaded) {
     text += fmt::format("texture_list {{ {}", part.palette.size());
-    for (const Shade& shade : part.palette) text += ",\n" + format_texture(part, shade);
+    for (const Shade& shade : part.palette) text += fmt::format(",\n{}", format_texture(part, shade));
     text += " }\n";
   }
   text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
@@ -127,8 +130,9 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
       fmt::format_to(std::back_inserter(text), ",{},{},{}", sa, sb, sc);
   }
   text += " }\n";
-  if (!is_shaded) text += format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]) + "\n";
-  if (has_object_macro) text += part.material + "_object()\n";
+  if (!is_shaded)
+    text += fmt::format("{}\n", format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
+  if (has_object_macro) text += fmt::format("{}_object()\n", part.material);
 }
 
 // Rigid parts whole, the others as a macro that a frame calls behind its vertices.
@@ -160,11 +164,13 @@ void append_camera(std::string& text, const CameraView& view) {
   text += ", ";
   append_vector(text, view.look_at, 4);
   for (const double length_mm : {distance_mm, view.frame_width_mm, view.frame_height_mm})
-    text += ", " + format_number(length_mm, 4);
+    text += fmt::format(", {}", format_number(length_mm, 4));
   text += ")\n";
 }
 
-std::string quote_ini(const std::filesystem::path& path) { return '"' + path.generic_string() + '"'; }
+std::string quote_ini(const std::filesystem::path& path) {
+  return fmt::format("\"{}\"", path.generic_string());
+}
 
 }  // namespace
 
@@ -174,8 +180,8 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
   const std::filesystem::path background = folder / fmt::format("background_{}.inc", render.background);
   if (render.background.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") != std::string::npos ||
       !std::filesystem::exists(background))
-    throw RunError(fmt::format("unknown background '{}': {} does not exist", render.background,
-                               background.string()));
+    throw RunError(
+        fmt::format("unknown background '{}': {} does not exist", render.background, background.string()));
   const std::string materials = read_file(folder / "materials.inc");
   std::string parts;
   for (const Part& part : model.parts) append_part(parts, part, materials);
@@ -192,9 +198,11 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
                        frame.string());
 }
 
-void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing, const CameraView& view) {
-  if (drawing.parts.size() != model.parts.size()) throw RunError("internal: a drawing has not the model's parts");
-  text += "#include \"head.inc\"\n";
+void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
+                         const CameraView& view) {
+  if (drawing.parts.size() != model.parts.size())
+    throw RunError("internal: a drawing has not the model's parts");
+  text += "#version 3.7;\n#include \"head.inc\"\n";
   append_camera(text, view);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
@@ -216,24 +224,25 @@ void append_povray_frame(std::string& text, const Model& model, const Drawing& d
 }
 
 std::string build_povray_loop() {
-  return "// The scene of the frame that is being rendered.\n"
+  return "#version 3.7;  // the scene of the frame that is being rendered\n"
          "#include concat(\"f\", str(frame_number, -4, 0), \".pov\")\n";
 }
 
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
                              const std::filesystem::path& clip_folder) {
-  // POV-Ray glues the frame's number to the stem with as many digits as the last frame has; zeros fill up to four.
+  // POV-Ray glues the frame's number to the stem with as many digits as the last frame has; zeros fill up to
+  // four.
   const std::size_t digits = std::to_string(frame_count).size();
-  const std::string stem = "f" + std::string(digits < 4 ? 4 - digits : 0, '0');
+  const std::string zeros(digits < 4 ? 4 - digits : 0, '0');
   std::string text = fmt::format("; From the folder that holds {0}: povray {0}\n",
                                  (clip_folder / "scenes" / (name + ".ini")).generic_string());
-  text += "Input_File_Name=" + quote_ini(name + ".pov") + "\n";
-  text += "Library_Path=" + quote_ini(clip_folder / "scenes") + "\n";
-  text += "Output_File_Name=" + quote_ini(clip_folder / "frames" / (stem + ".png")) + "\n";
+  text += fmt::format("Input_File_Name={}\nLibrary_Path={}\nOutput_File_Name={}\n", quote_ini(name + ".pov"),
+                      quote_ini(clip_folder / "scenes"),
+                      quote_ini(clip_folder / fmt::format("frames/f{}.png", zeros)));
   text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", frame_count, render.width_px,
                       render.height_px);
   text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
-  for (const std::string& option : list_quality_options(render.quality)) text += option + "\n";
+  for (const std::string& option : list_quality_options(render.quality)) text += fmt::format("{}\n", option);
   return text;
 }
 

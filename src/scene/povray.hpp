@@ -1,8 +1,8 @@
 // POV-Ray scenes: one include for what never changes in a clip, one small file a frame, one .ini for all.
 // The only place that knows POV-Ray is left-handed: z is negated on the way out.
 //
-// scenes/head.inc    build_povray_include: templates/povray/head.inc with materials, lights, background and parts
-// scenes/f0001.pov   append_povray_frame: the camera, vertices of what deforms, places of what is rigid
+// scenes/head.inc    build_povray_include: templates/povray/head.inc with materials, lights, background and
+// parts scenes/f0001.pov   append_povray_frame: the camera, vertices of what deforms, places of what is rigid
 // scenes/NAME.pov    build_povray_loop: the frame that POV-Ray's own animation loop asks for
 // scenes/NAME.ini    build_povray_ini: `povray out/NAME/scenes/NAME.ini` renders them all
 #pragma once
@@ -26,23 +26,25 @@ struct CameraView {
   double frame_height_mm = 300;
 };
 
-// The text of scenes/head.inc: materials, lights and background from `templates_folder`/povray, quality settings,
-// each part's shades, faces and (for rigid parts) vertices. A material is the macro NAME_texture(Colour, Gloss) of
-// materials.inc; NAME_object(), where there is one, adds words to the object, such as no_shadow. Throws RunError on
-// a broken template, an unknown material or background, and a part that does not fit together.
+// The text of scenes/head.inc: materials, lights and background from `templates_folder`/povray, quality
+// settings, each part's shades, faces and (for rigid parts) vertices. A material is the macro
+// NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds words to the object,
+// such as no_shadow. Throws RunError on a broken template, an unknown material or background, and a part that
+// does not fit together.
 std::string build_povray_include(const Model& model, const RenderSpec& render,
                                  const std::filesystem::path& templates_folder);
 
-// Appends the text of one frame's file. The picture's shape is not asked: POV-Ray fits the camera's box to it.
-// Throws RunError if the drawing does not fit the model or holds a number that is not finite.
-void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing, const CameraView& view);
+// Appends the text of one frame's file. The picture's shape is not asked: POV-Ray fits the camera's box to
+// it. Throws RunError if the drawing does not fit the model or holds a number that is not finite.
+void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
+                         const CameraView& view);
 
 // The text of scenes/<name>.pov, which includes the scene of the frame that is being rendered ("f0007.pov").
 std::string build_povray_loop();
 
 // The text of scenes/<name>.ini: POV-Ray alone renders all `frame_count` frames at this size and quality to
-// frames/f0001.png, ..., mien's own names. `clip_folder` holds scenes/ and frames/, as seen from the folder in which
-// povray will be started ("out/hello"), since POV-Ray takes no path relative to an .ini.
+// frames/f0001.png, ..., mien's own names. `clip_folder` holds scenes/ and frames/, as seen from the folder
+// in which povray will be started ("out/hello"), since POV-Ray takes no path relative to an .ini.
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
                              const std::filesystem::path& clip_folder);
 

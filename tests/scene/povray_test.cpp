@@ -1,0 +1,227 @@
+#include "scene/povray.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <clocale>
+#include <cmath>
+#include <cstdlib>
+#include <glm/gtc/matrix_transform.hpp>
+#include <limits>
+#include <regex>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+
+namespace mien {
+namespace {
+
+using testing::HasSubstr;
+
+const std::filesystem::path kTemplates = std::filesystem::path(MIEN_SOURCE_DIR) / "templates";
+
+// Corners 0 1 2 3 of a square that looks along +z, one shade different.
+Part build_square(const std::string& name, bool is_rigid) {
+  Part part;
+  part.name = name;
+  part.material = "plain";
+  part.rest.positions = {{-40, -40, 10}, {40, -40, 10}, {40, 40, 10}, {-40, 40, 10}};
+  part.rest.normals.assign(4, {0, 0, 1});
+  part.rest.triangles = {{0, 1, 2}, {0, 2, 3}};
+  part.palette = {Shade{{0.8f, 0.6f, 0.5f}, 0}, Shade{{0.5f, 0.2f, 0.2f}, 1}};
+  part.shade = {0, 0, 0, 1};
+  part.is_rigid = is_rigid;
+  return part;
+}
+
+Drawing draw_at_rest(const Model& model) {
+  Drawing drawing;
+  for (const Part& part : model.parts) {
+    PartShape shape;
+    if (!part.is_rigid) {
+      shape.positions = part.rest.positions;
+      shape.normals = part.rest.normals;
+    }
+    drawing.parts.push_back(shape);
+  }
+  return drawing;
+}
+
+std::string format_frame(const Model& model, const Drawing& drawing, const CameraView& view = {}) {
+  std::string text;
+  append_povray_frame(text, model, drawing, view);
+  return text;
+}
+
+// All numbers behind `start`, up to the first `end`.
+std::vector<double> read_numbers(const std::string& text, const std::string& start, char end) {
+  const std::size_t from = text.find(start);
+  if (from == std::string::npos) return {};
+  const std::string block = text.substr(from + start.size(), text.find(end, from) - from - start.size());
+  const std::regex number("-?[0-9]+(\\.[0-9]+)?");
+  std::vector<double> numbers;
+  for (auto i = std::sregex_iterator(block.begin(), block.end(), number); i != std::sregex_iterator(); ++i)
+    numbers.push_back(std::stod(i->str()));
+  return numbers;
+}
+
+std::string find_error(const Model& model, const RenderSpec& render = {}) {
+  try {
+    build_povray_include(model, render, kTemplates);
+  } catch (const RunError& e) {
+    return e.what();
+  }
+  return "";
+}
+
+TEST(povray, negates_z_of_positions_and_normals_once) {
+  const Model model{{build_square("card", false)}};
+  const std::string frame = format_frame(model, draw_at_rest(model));
+  EXPECT_EQ(read_numbers(frame, "vertex_vectors {", '}'),
+            (std::vector<double>{4, -40, -40, -10, 40, -40, -10, 40, 40, -10, -40, 40, -10}));
+  EXPECT_EQ(read_numbers(frame, "normal_vectors {", '}'),
+            (std::vector<double>{4, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1}));
+}
+
+TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {
+  const Model model{{build_square("card", false)}};
+  const std::vector<double> camera =
+      read_numbers(format_frame(model, draw_at_rest(model)), "stage_camera(", ')');
+  ASSERT_EQ(camera.size(), 9u);
+  EXPECT_LT(camera[2], -800);               // mien's +z is POV-Ray's -z, where the camera stands
+  EXPECT_DOUBLE_EQ(camera[2], -camera[6]);  // at distance 1, as far as the lens says
+  CameraView view;
+  view.angle_deg = 90;
+  const std::vector<double> side =
+      read_numbers(format_frame(model, draw_at_rest(model), view), "stage_camera(", ')');
+  EXPECT_NEAR(side[0], side[6], 1e-3);  // + shows the character's left, which is +x
+  EXPECT_NEAR(side[2], 0, 1e-3);
+}
+
+TEST(povray, turns_a_rigid_part_as_its_vertices_would_be_turned) {
+  const Model model{{build_square("eye_left", true)}};
+  Drawing drawing = draw_at_rest(model);
+  glm::mat4& turn = drawing.parts[0].world_from_rest;
+  turn = glm::translate(glm::mat4(1), {31.5f, -2.0f, 69.5f});
+  turn = glm::rotate(turn, 0.4f, glm::normalize(glm::vec3(0.3f, 1.0f, -0.2f)));
+  const std::vector<double> m = read_numbers(format_frame(model, drawing), "matrix <", '>');
+  ASSERT_EQ(m.size(), 12u);
+
+  const std::vector<double> rest = read_numbers(build_povray_include(model, {}, kTemplates),
+                                                "part_eye_left = mesh2 {\nvertex_vectors {", '}');
+  ASSERT_EQ(rest.size(), 13u);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const double* p = &rest[1 + 3 * i];
+    const glm::vec4 want = turn * glm::vec4(model.parts[0].rest.positions[i], 1);
+    EXPECT_NEAR(p[0] * m[0] + p[1] * m[3] + p[2] * m[6] + m[9], want.x, 1e-3);
+    EXPECT_NEAR(p[0] * m[1] + p[1] * m[4] + p[2] * m[7] + m[10], want.y, 1e-3);
+    EXPECT_NEAR(p[0] * m[2] + p[1] * m[5] + p[2] * m[8] + m[11], -want.z, 1e-3);
+  }
+}
+
+TEST(povray, writes_faces_and_shades_once_in_the_include) {
+  const std::string include = build_povray_include({{build_square("card", false)}}, {}, kTemplates);
+  EXPECT_THAT(include,
+              HasSubstr("#macro surface_of_card()\ntexture_list { 2,\n"
+                        "plain_texture(srgb <0.8,0.6,0.5>, 0),\nplain_texture(srgb <0.5,0.2,0.2>, 1) }\n"
+                        "face_indices { 2,\n<0,1,2>,0,\n<0,2,3>,0,0,1 }\n#end\n"));
+  EXPECT_EQ(include.find("{{"), std::string::npos);
+  Part plain = build_square("card", false);
+  plain.shade.clear();
+  EXPECT_THAT(
+      build_povray_include({{plain}}, {}, kTemplates),
+      HasSubstr("\nface_indices { 2,\n<0,1,2>,\n<0,2,3> }\nplain_texture(srgb <0.8,0.6,0.5>, 0)\n#end\n"));
+}
+
+TEST(povray, says_what_is_wrong_with_a_part) {
+  Part part = build_square("card", false);
+  part.material = "velvet";
+  EXPECT_EQ(find_error({{part}}), "part 'card': unknown material 'velvet'");
+  part = build_square("card", false);
+  part.rest.triangles[0][1] = 4;
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has a triangle outside its vertices");
+  part.rest.triangles.clear();
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has no triangles");
+  part = build_square("card", false);
+  part.shade[0] = 2;
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has a shade outside its palette");
+  part.shade.pop_back();
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one shade a vertex");
+  part.palette.clear();
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has no palette");
+  part = build_square("card", true);
+  part.rest.normals.pop_back();
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one normal a vertex");
+}
+
+TEST(povray, knows_its_backgrounds_only) {
+  RenderSpec render;
+  for (const char* name : {"studio", "light", "dark"}) {
+    render.background = name;
+    EXPECT_EQ(find_error({{build_square("card", false)}}, render), "");
+  }
+  for (const char* name : {"beach", "../background_studio", ""}) {
+    render.background = name;
+    EXPECT_THAT(find_error({{build_square("card", false)}}, render),
+                testing::StartsWith("unknown background '" + std::string(name) + "': "));
+  }
+}
+
+TEST(povray, refuses_a_drawing_that_does_not_fit) {
+  const Model model{{build_square("card", false)}};
+  std::string text;
+  EXPECT_THROW(append_povray_frame(text, model, Drawing{}, {}), RunError);
+  Drawing drawing = draw_at_rest(model);
+  drawing.parts[0].normals.pop_back();
+  EXPECT_THROW(append_povray_frame(text, model, drawing, {}), RunError);
+  drawing = draw_at_rest(model);
+  drawing.parts[0].positions[2].y = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_THROW(append_povray_frame(text, model, drawing, {}), RunError);
+}
+
+TEST(povray, writes_the_same_text_under_any_locale) {
+  const Model model{{build_square("card", false), build_square("eye_left", true)}};
+  const std::string frame = format_frame(model, draw_at_rest(model));
+  const std::string include = build_povray_include(model, {}, kTemplates);
+  std::setlocale(LC_ALL, "de_DE.UTF-8");
+  EXPECT_EQ(format_frame(model, draw_at_rest(model)), frame);
+  EXPECT_EQ(build_povray_include(model, {}, kTemplates), include);
+  std::setlocale(LC_ALL, "C");
+}
+
+TEST(povray, names_the_frames_of_the_ini_as_mien_does) {
+  RenderSpec render;
+  EXPECT_THAT(build_povray_ini(render, "hello", 72, "out/hello"),
+              HasSubstr("Input_File_Name=\"hello.pov\"\nLibrary_Path=\"out/hello/scenes\"\n"
+                        "Output_File_Name=\"out/hello/frames/f00.png\"\n"
+                        "Initial_Frame=1\nFinal_Frame=72\nWidth=480\nHeight=600\n"));
+  EXPECT_THAT(build_povray_ini(render, "hello", 12345, "out/hello"), HasSubstr("frames/f.png\"\n"));
+}
+
+// POV-Ray itself reads what we write: a folder as mien fills it, a picture of two frames out of the .ini.
+TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
+  const std::filesystem::path root = std::filesystem::path(testing::TempDir()) / "mien_povray_test";
+  std::filesystem::remove_all(root);
+  const std::filesystem::path clip = root / "out/two_cards";
+  std::filesystem::create_directories(clip / "frames");
+  const Model model{{build_square("card", false), build_square("eye_left", true)}};
+  RenderSpec render;
+  render.width_px = 32;
+  render.height_px = 40;
+  render.quality = Quality::draft;
+  write_file(clip / "scenes/head.inc", build_povray_include(model, render, kTemplates));
+  write_file(clip / "scenes/cards.pov", build_povray_loop());
+  write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards"));
+  for (const char* name : {"scenes/f0001.pov", "scenes/f0002.pov"})
+    write_file(clip / name, format_frame(model, draw_at_rest(model)));
+  const std::string command =
+      "cd '" + root.string() + "' && povray 'out/two_cards/scenes/cards.ini' > log 2>&1";
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_file(root / "log");
+  EXPECT_EQ(read_file(root / "log").find("Parse Warning"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(clip / "frames/f0001.png"));
+  EXPECT_TRUE(std::filesystem::exists(clip / "frames/f0002.png"));
+  std::filesystem::remove_all(root);
+}
+
+}  // namespace
+}  // namespace mien
