@@ -41,6 +41,9 @@ struct Eye {
 // The skin as a smooth mesh, and where the cage's points came to lie on it: vertex i of the mesh is point i
 // of the cage, moved to the limit surface, for i below the number of cage points.
 struct NeutralHead {
+  std::vector<glm::dvec3>
+      adult_points;  // the average adult's control points, in the same order: the yardstick
+  Eye adult_eye;
   Cage cage;
   std::shared_ptr<const Surface> surface;  // how the skin follows the cage; see head/surface.hpp
   Eye eye;

@@ -234,11 +234,9 @@ void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>
   }
 }
 
-std::vector<glm::vec4> pack_points(const std::vector<glm::dvec3>& points) {
-  std::vector<glm::vec4> packed;
-  packed.reserve(points.size());
-  for (const glm::dvec3& p : points) packed.emplace_back(glm::vec3(p), 0.0f);
-  return packed;
+void pack_points(const std::vector<glm::dvec3>& points, std::vector<glm::vec4>& packed) {
+  packed.resize(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) packed[i] = glm::vec4(glm::vec3(points[i]), 0.0f);
 }
 
 }  // namespace mien

@@ -39,7 +39,7 @@ std::vector<Triangle> split_quads(const Surface& surface, const std::vector<glm:
 void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>& positions,
                             std::vector<glm::vec3>& normals);
 
-// Control points as the four-float rows that deform_surface wants.
-std::vector<glm::vec4> pack_points(const std::vector<glm::dvec3>& points);
+// Control points as the four-float rows that deform_surface wants, into `packed` (resized).
+void pack_points(const std::vector<glm::dvec3>& points, std::vector<glm::vec4>& packed);
 
 }  // namespace mien

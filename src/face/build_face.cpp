@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "core/conventions.hpp"
+#include "core/error.hpp"
+#include "face/face.hpp"
+#include "face/face_data.hpp"
+#include "face/patterns.hpp"
+
+namespace mien {
+
+namespace {
+
+std::uint32_t find_point(const Cage& cage, const std::string& name) {
+  const auto found = cage.index.find(name);
+  if (found == cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
+  return found->second;
+}
+
+// This head's face units over the adult's.
+double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std::string& unit) {
+  if (unit == "eye_separation") return here.eye_separation / adult.eye_separation;
+  if (unit == "eye_nose") return here.eye_nose / adult.eye_nose;
+  if (unit == "mouth_nose") return here.mouth_nose / adult.mouth_nose;
+  if (unit == "mouth_width") return here.mouth_width / adult.mouth_width;
+  if (unit == "iris") return here.iris / adult.iris;
+  throw RunError(fmt::format("unknown face unit '{}'", unit));
+}
+
+struct Scales {
+  FaceUnits here, adult;
+
+  Handles apply(const MoveTable& table, const Handles& handles) const {
+    glm::dvec3 scale;
+    for (int axis = 0; axis < 3; ++axis) scale[axis] = find_unit_ratio(here, adult, table.units[axis]);
+    Handles scaled = handles;
+    for (auto& [name, move] : scaled) move *= scale;
+    return scaled;
+  }
+};
+
+std::size_t require_move(const std::string& area, Side side, const std::string& move) {
+  const auto found = find_move(area, side, move);
+  if (!found) throw RunError(fmt::format("unknown move '{}.{}'", area, move));
+  return *found;
+}
+
+bool is_sided_area(const std::string& area) {
+  return std::any_of(kMoves.begin(), kMoves.end(),
+                     [&](const MoveInfo& info) { return info.area == area && info.side != Side::none; });
+}
+
+// Solves one table's plus or minus side; for a sided move also its mirror image.
+void add_move_fields(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+                     const MoveTable& table, int sign, Face& face) {
+  const Handles& handles = sign > 0 ? table.plus : table.minus;
+  if (handles.empty()) return;
+  PointPatterns patterns = data.anchors.at("always");
+  const PointPatterns& own = data.anchors.at(table.anchors);
+  patterns.insert(patterns.end(), own.begin(), own.end());
+  const std::vector<bool> anchors = find_points(*solver.cage, patterns);
+  Field field =
+      solve_field(solver, scales.apply(table, handles), anchors, table.is_sided ? Reach::left : Reach::both);
+  if (!table.is_sided) {
+    face.moves.push_back({require_move(table.area, Side::none, table.move), sign, std::move(field)});
+    return;
+  }
+  face.moves.push_back(
+      {require_move(table.area, Side::right, table.move), sign, mirror_field(*solver.cage, field)});
+  face.moves.push_back({require_move(table.area, Side::left, table.move), sign, std::move(field)});
+}
+
+void add_corrective(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+                    const CorrectiveTable& corrective, Face& face) {
+  PointPatterns patterns = data.anchors.at("always");
+  const PointPatterns& own = data.anchors.at(corrective.table.anchors);
+  patterns.insert(patterns.end(), own.begin(), own.end());
+  Field field = solve_field(solver, scales.apply(corrective.table, corrective.table.plus),
+                            find_points(*solver.cage, patterns), Reach::left);
+  const auto drivers_of = [&](Side side) {
+    std::vector<std::pair<std::size_t, int>> drivers;
+    for (const Driver& d : corrective.drivers)
+      drivers.emplace_back(require_move(d.area, is_sided_area(d.area) ? side : Side::none, d.move), d.sign);
+    return drivers;
+  };
+  face.correctives.push_back({drivers_of(Side::right), mirror_field(*solver.cage, field)});
+  face.correctives.push_back({drivers_of(Side::left), std::move(field)});
+}
+
+double height_rad(const LidRig& rig, const glm::dvec3& point) {
+  const glm::dvec3 d = point - rig.centre, forward(0, 0, 1);
+  return std::atan2(glm::dot(d, glm::cross(forward, rig.axis)), d.z);
+}
+
+LidRig build_lids(const NeutralHead& head, const LidData& data) {
+  const Cage& cage = head.cage;
+  const auto at = [&](const std::string& name) { return cage.points[find_point(cage, name)]; };
+  const double size = head.eye.radius_mm / head.adult_eye.radius_mm;
+  LidRig rig;
+  rig.centre = head.eye.centre;
+  const glm::dvec3 across = at("E1_8") - at("E1_0");
+  rig.axis = glm::normalize(glm::dvec3(across.x, across.y, 0));
+  for (int column = 0; column <= 8; ++column) {
+    rig.upper_rest_rad[column] = height_rad(rig, at(fmt::format("E1_{}", column)));
+    rig.lower_rest_rad[column] = height_rad(rig, at(fmt::format("E1_{}", column == 0 ? 0 : 16 - column)));
+  }
+  rig.taper = data.column_taper;
+  rig.meeting = data.meeting;
+  rig.least_gap_rad = data.least_gap_deg * kRadiansPerDegree;
+  rig.wide_rad = data.wide_deg * kRadiansPerDegree;
+  rig.raised_rad = data.raised_deg * kRadiansPerDegree;
+  rig.follow_up = data.follow_up;
+  rig.follow_down = data.follow_down;
+  rig.follow_lower = data.follow_lower;
+  for (const auto& [name, share] : data.rows_upper) {
+    LidRing ring;
+    ring.upper_share = share;
+    ring.lower_share = data.rows_lower.at(name);
+    if (const auto least = data.least_radius.find(name); least != data.least_radius.end())
+      ring.least_radius_mm = least->second * size;
+    if (const auto bulge = data.raised_bulge.find(name); bulge != data.raised_bulge.end())
+      ring.bulge = bulge->second * size;
+    for (int column = 0; column < 16; ++column)
+      ring.points[column] = find_point(cage, fmt::format("{}_{}", name, column));
+    rig.rings[0].push_back(ring);
+    for (std::uint32_t& point : ring.points) point = cage.mirror[point];
+    rig.rings[1].push_back(ring);
+  }
+  return rig;
+}
+
+JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const FaceData& data,
+                 const Scales& scales) {
+  const JawData& jaw = data.jaw;
+  std::map<std::string, double> values;
+  const auto add_ring = [&](const std::string& ring, const std::array<double, 13>& columns, double factor) {
+    for (int i = 0; i < 13; ++i) values[fmt::format("{}_{}", ring, i)] = std::min(1.0, columns[i] * factor);
+  };
+  for (const char* ring : {"MB1", "M0", "M1", "M2", "M3", "M4", "MA", "M5"}) add_ring(ring, jaw.columns, 1);
+  add_ring("M6", jaw.columns, jaw.m6_factor);
+  add_ring("MB2", jaw.mb2, 1);
+  for (const auto& [pattern, weight] : jaw.points) {
+    const std::vector<bool> found = find_points(head.cage, {pattern});
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i] && !head.cage.names[i].starts_with("R:")) values[head.cage.names[i]] = weight;
+  }
+  JawRig rig;
+  rig.weights = solve_weights(solver, values, find_points(head.cage, jaw.zero));
+  rig.open_rad = jaw.degrees * kRadiansPerDegree;
+  rig.forward = jaw.forward * (scales.here.mouth_nose / scales.adult.mouth_nose);
+  return rig;
+}
+
+// A point given on the adult, where it is on this head: by the height of the face and the depth of the
+// forehead.
+glm::dvec3 carry_point(const NeutralHead& head, const glm::dvec3& adult) {
+  const std::uint32_t chin = find_point(head.cage, "m12_D1"), brow = find_point(head.cage, "p_g");
+  return {adult.x, adult.y * head.cage.points[chin].y / head.adult_points[chin].y,
+          adult.z * head.cage.points[brow].z / head.adult_points[brow].z};
+}
+
+std::vector<LipColumn> build_lips(const Cage& cage, const FaceData& data) {
+  std::vector<LipColumn> lips;
+  for (const bool is_right : {false, true})
+    for (int i = is_right ? 1 : 0; i < 6;
+         ++i) {  // column 6 is the corner, 0 the middle, which both sides share
+      const auto point = [&](const std::string& ring, int column) {
+        const std::uint32_t p = find_point(cage, fmt::format("{}_{}", ring, column));
+        return is_right ? cage.mirror[p] : p;
+      };
+      LipColumn column;
+      for (const auto& [ring, share] : data.lip_rows) {
+        column.upper.emplace_back(point(ring, i), share);
+        column.lower.emplace_back(point(ring, 12 - i), share);
+      }
+      column.upper_contact = point("M1", i);
+      column.lower_contact = point("M1", 12 - i);
+      column.rest_gap_mm = cage.points[column.upper_contact].y - cage.points[column.lower_contact].y;
+      lips.push_back(std::move(column));
+    }
+  return lips;
+}
+
+// How far each point goes with a turning head: by row down the neck, all the way above it.
+std::vector<double> build_turn_weights(const Cage& cage, const FaceData& data) {
+  std::vector<double> weights(cage.points.size(), 1.0);
+  for (const auto& [row, share] : data.turn_rows) {
+    const std::vector<bool> found = find_points(cage, {"*_" + row});
+    for (std::size_t i = 0; i < found.size(); ++i)
+      if (found[i]) weights[i] = share;
+  }
+  return weights;
+}
+
+}  // namespace
+
+FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, const Eye& eye) {
+  const auto at = [&](const char* name) { return points[find_point(cage, name)]; };
+  return {2 * eye.centre.x, eye.centre.y - at("p_cb").y, at("M6_0").y - at("M1_0").y, 2 * at("M1_6").x,
+          0.954 * eye.radius_mm};
+}
+
+Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
+  const FaceData data = load_face_data(file);
+  const Scales scales{measure_face(head.cage, head.cage.points, head.eye),
+                      measure_face(head.cage, head.adult_points, head.adult_eye)};
+  const FieldSolver solver = build_field_solver(head.cage);
+  Face face;
+  face.units = scales.here;
+  for (const MoveTable& table : data.moves)
+    for (const int sign : {1, -1}) add_move_fields(solver, data, scales, table, sign, face);
+  for (const CorrectiveTable& corrective : data.correctives)
+    add_corrective(solver, data, scales, corrective, face);
+
+  MoveTable corner_in;
+  corner_in.units = {"mouth_width", "mouth_nose", "mouth_width"};
+  corner_in.anchors = "corner";
+  corner_in.plus = data.jaw.corner_in;
+  add_corrective(solver, data, scales, {corner_in, {{"chin", "down", 1}}}, face);
+
+  face.lids = build_lids(head, data.lids);
+  face.eye_up_rad = data.eye_up_deg * kRadiansPerDegree;
+  face.eye_down_rad = data.eye_down_deg * kRadiansPerDegree;
+  face.eye_side_rad = data.eye_side_deg * kRadiansPerDegree;
+  face.jaw = build_jaw(head, solver, data, scales);
+  face.jaw.axis = carry_point(head, data.jaw.axis);
+  face.lips = build_lips(head.cage, data);
+  face.seal_until_mm = data.seal_until_mm * (scales.here.mouth_nose / scales.adult.mouth_nose);
+  face.turn_pivot = carry_point(head, data.turn_pivot);
+  face.turn_weights = build_turn_weights(head.cage, data);
+  return face;
+}
+
+}  // namespace mien

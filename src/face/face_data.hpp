@@ -1,0 +1,73 @@
+// templates/head/areas.yaml as values: what the nine areas do to the adult skin, before it is solved for a
+// head.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "head/fields.hpp"
+
+namespace mien {
+
+using PointPatterns = std::vector<std::string>;
+
+// The handles of one move, both ways. Millimetres on the adult.
+struct MoveTable {
+  std::string area, move;  // "brow", "up"; a corrective has only a name in `move`
+  bool is_sided = false;
+  std::array<std::string, 3> units;  // face units by which x, y, z scale on another head
+  std::string anchors;               // name of an anchor set
+  Handles plus, minus;               // minus may be empty
+};
+
+// One factor of a corrective's product: the value of area.move, its positive or its negative part.
+struct Driver {
+  std::string area, move;
+  int sign = 1;
+};
+
+struct CorrectiveTable {
+  MoveTable table;  // plus only
+  std::vector<Driver> drivers;
+};
+
+struct LidData {
+  std::map<std::string, double> rows_upper, rows_lower;  // ring -> share of the lid's angle
+  std::array<double, 9> column_taper{};
+  double meeting = 0, least_gap_deg = 0, wide_deg = 0, raised_deg = 0;
+  std::map<std::string, glm::dvec3> raised_bulge;  // ring -> mm
+  double follow_up = 0, follow_down = 0, follow_lower = 0;
+  std::map<std::string, double> least_radius;  // ring -> mm from the centre of a ball of 13 mm
+};
+
+struct JawData {
+  glm::dvec3 axis{0};  // a point of it on the adult, mm
+  double degrees = 0;
+  glm::dvec3 forward{0};
+  std::array<double, 13> columns{}, mb2{};
+  double m6_factor = 1;
+  std::vector<std::pair<std::string, double>> points;  // pattern -> weight
+  PointPatterns zero;
+  Handles corner_in;
+};
+
+struct FaceData {
+  std::map<std::string, PointPatterns> anchors;
+  std::vector<MoveTable> moves;
+  std::vector<CorrectiveTable> correctives;
+  LidData lids;
+  double eye_up_deg = 0, eye_down_deg = 0, eye_side_deg = 0;
+  JawData jaw;
+  std::map<std::string, double> lip_rows;  // ring -> share of a push
+  double seal_until_mm = 0;
+  glm::dvec3 turn_pivot{0};
+  std::map<std::string, double> turn_rows;  // row of the neck -> share of the head's turn
+};
+
+// Throws RunError "FILE:LINE: ..." for what it does not understand.
+FaceData load_face_data(const std::filesystem::path& file);
+
+}  // namespace mien

@@ -1,0 +1,106 @@
+#include "frames/figure.hpp"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "core/conventions.hpp"
+#include "head/skin_look.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+namespace {
+
+// The head's own rotation about the top of the neck, by `share` of its angles: world from rest.
+glm::dmat4 find_turn(const glm::dvec3& pivot, const TurnKey& turn, double share) {
+  const double degrees = share * kRadiansPerDegree;
+  glm::dmat4 world = glm::translate(glm::dmat4(1), pivot);
+  world = glm::rotate(world, turn.turn_deg * degrees, glm::dvec3(0, 1, 0));
+  world = glm::rotate(world, turn.nod_deg * degrees, glm::dvec3(1, 0, 0));
+  // The crown toward the character's left (+x) is a turn against the clock about z, which points at the viewer.
+  world = glm::rotate(world, -turn.tilt_deg * degrees, glm::dvec3(0, 0, 1));
+  return glm::translate(world, -pivot);
+}
+
+bool is_turned(const TurnKey& turn) { return turn.turn_deg != 0 || turn.nod_deg != 0 || turn.tilt_deg != 0; }
+
+void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole, std::vector<glm::dvec3>& points) {
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const double share = face.turn_weights[i];
+    if (share == 0) continue;
+    const glm::dmat4 world = share == 1 ? whole : find_turn(face.turn_pivot, turn, share);
+    points[i] = glm::dvec3(world * glm::dvec4(points[i], 1));
+  }
+}
+
+glm::mat4 find_transform(const Figure& figure, Mount mount, const Pose& pose, const glm::dmat4& head_turn) {
+  const auto gaze = [&](Side side) {
+    glm::dvec3 centre = figure.head.eye.centre;
+    if (side == Side::right) centre.x = -centre.x;
+    const glm::dmat4 turned = glm::translate(glm::dmat4(1), centre) * glm::dmat4(find_gaze(figure.face, pose, side));
+    return glm::mat4(head_turn * glm::translate(turned, -centre));
+  };
+  if (mount == Mount::eye_left) return gaze(Side::left);
+  if (mount == Mount::eye_right) return gaze(Side::right);
+  if (mount == Mount::jaw) return glm::mat4(head_turn * find_jaw(figure.face, pose));
+  return glm::mat4(head_turn);
+}
+
+// Hairs: each keeps its shape and stands in the frame of its place on the skin.
+void deform_strands(const HeadPart& bound, const Part& part, const Mesh& rest_skin, const PartShape& skin,
+                    PartShape& shape) {
+  shape.positions.resize(part.rest.positions.size());
+  shape.normals.resize(part.rest.normals.size());
+  for (const Binding& binding : bound.bindings) {
+    const Triangle& triangle = rest_skin.triangles[binding.triangle];
+    const SkinFrame rest = find_skin_frame(rest_skin.positions, rest_skin.normals, triangle, binding.barycentric);
+    const SkinFrame now = find_skin_frame(skin.positions, skin.normals, triangle, binding.barycentric);
+    const glm::mat3 turn = now.axes * glm::transpose(rest.axes);
+    for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
+      shape.positions[i] = now.origin + turn * (part.rest.positions[i] - rest.origin);
+      shape.normals[i] = turn * part.rest.normals[i];
+    }
+  }
+}
+
+}  // namespace
+
+Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder) {
+  Figure figure;
+  figure.head = build_neutral_head(spec, data_folder);
+  figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml");
+  figure.parts.push_back({build_skin_part(figure.head, spec.look), Mount::skin, {}});
+  for (auto* build : {&build_eyes, &build_mouth, &build_hairs})
+    for (HeadPart& part : build(figure.head, spec.look)) figure.parts.push_back(std::move(part));
+  for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
+  return figure;
+}
+
+void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
+                   Drawing& drawing) {
+  drawing.parts.resize(figure.parts.size());
+  const bool is_neutral = pose == Pose{} && !is_turned(turn);
+  const glm::dmat4 head_turn = is_turned(turn) ? find_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
+
+  PartShape& skin = drawing.parts.front();
+  pose_cage(figure.head, figure.face, pose, buffers.points);
+  if (is_turned(turn)) turn_points(figure.face, turn, head_turn, buffers.points);
+  pack_points(buffers.points, buffers.packed);
+  deform_surface(*figure.head.surface, buffers.packed, skin.positions);
+  update_surface_normals(*figure.head.surface, skin.positions, skin.normals);
+
+  for (std::size_t i = 1; i < figure.parts.size(); ++i) {
+    const HeadPart& bound = figure.parts[i];
+    const Part& part = figure.model.parts[i];
+    PartShape& shape = drawing.parts[i];
+    if (bound.mount != Mount::strands) {
+      shape.world_from_rest = find_transform(figure, bound.mount, pose, head_turn);
+    } else if (is_neutral) {
+      shape.positions = part.rest.positions;
+      shape.normals = part.rest.normals;
+    } else {
+      deform_strands(bound, part, figure.head.skin, skin, shape);
+    }
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,36 @@
+// A head that can be posed and drawn: the only place where geometry and time meet.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "config/spec.hpp"
+#include "core/model.hpp"
+#include "face/face.hpp"
+#include "head/head.hpp"
+
+namespace mien {
+
+// All that a clip needs of one head. Built once, shared read-only by all threads.
+struct Figure {
+  NeutralHead head;
+  Face face;
+  std::vector<HeadPart> parts;  // their `part` is moved into `model`: parts[i] carries model.parts[i]
+  Model model;
+};
+
+// The buffers of one thread; contents mean nothing between calls.
+struct DeformBuffers {
+  std::vector<glm::dvec3> points;
+  std::vector<glm::vec4> packed;
+};
+
+// About 0.3 s. Throws RunError for broken data in `data_folder`.
+Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder);
+
+// The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives the
+// rest meshes bit for bit.
+void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
+                   Drawing& drawing);
+
+}  // namespace mien
