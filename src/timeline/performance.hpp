@@ -14,10 +14,6 @@ struct Moment {
   CameraKey camera;
 };
 
-// The share of the way gone when `fraction` (0..1) of the time is gone. ease(e, 0) = 0 and ease(e, 1) = 1
-// exactly, but for hold, which stays at 0 until 1. Never leaves 0..1.
-double ease(Easing easing, double fraction);
-
 // A clip ready to be sampled: keys sorted, blinks placed.
 struct Performance {
   ClipSpec clip;

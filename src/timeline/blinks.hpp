@@ -1,0 +1,29 @@
+// Blinks: where a clip has them, and what one does to a pose.
+#pragma once
+
+#include <vector>
+
+#include "config/spec.hpp"
+
+namespace mien {
+
+// Closing is the quick half. Human figures are 0.066..0.078 s and 0.1..0.24 s (see blinks.cpp); shorter than
+// a frame and the lids would snap, longer and the face looks sleepy.
+inline constexpr double kBlinkClosing_s = 0.080;
+inline constexpr double kBlinkOpening_s = 0.200;
+
+// The least time between two shut moments; nearer, they would melt into one.
+inline constexpr double kBlinkGap_s = kBlinkClosing_s + kBlinkOpening_s + 0.12;
+
+// The shut moments of a clip, ascending: those asked for, and between them the clip's own at
+// `blink.per_minute`, irregular as people's are. Each is the time of a drawing, so that the shut lids are
+// seen on twos and threes too. The same seed gives the same blinks on every machine.
+std::vector<double> place_blinks(const ClipSpec& clip);
+
+// How far the lids are shut at a time: 0 not at all, 1 fully, which they are at each shut moment exactly.
+double find_blink_closure(const std::vector<double>& blinks_s, double time_s);
+
+// Brings both upper lids `closure` of their way to shut (-1). A lid that is lower already stays where it is.
+void close_lids(Pose& pose, double closure);
+
+}  // namespace mien
