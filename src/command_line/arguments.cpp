@@ -1,0 +1,123 @@
+#include "command_line/arguments.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "command_line/values.hpp"
+#include "core/error.hpp"
+
+namespace mien {
+namespace {
+
+// What was typed, before its values are understood.
+struct Typed {
+  const CommandInfo* command = nullptr;  // null: none was named
+  std::vector<std::string> words;        // neither options nor their values; the command's argument first
+  std::vector<std::string> unknown;      // what looks like an option and is none
+  TypedValues values;
+};
+
+// A command that takes only what every command takes: for what stands before the command's name.
+constexpr CommandInfo kNoCommand{Command::text, "", "", "", "", "", ""};
+
+void add_options(CLI::App& app, const CommandInfo& command, TypedValues& values) {
+  app.set_help_flag("");
+  app.allow_extras();  // and judged by read_arguments, since CLI11's own messages suggest nothing
+  for (const OptionInfo* option : list_options(command)) {
+    const std::string name(option->name);
+    const std::string flags = option->letter ? fmt::format("-{},--{}", option->letter, name) : "--" + name;
+    const auto keep = [&values, name](const std::string& value) { values[name] = value; };
+    if (option->value.empty())
+      app.add_flag_callback(flags, [keep] { keep({}); });
+    else
+      app.add_option_function<std::string>(flags, keep)->take_last()->type_name(std::string(option->value));
+  }
+}
+
+Typed read_typed(int argc, const char* const* argv) {
+  std::vector<const char*> words(argv, argv + argc);
+  if (argc > 1 && std::string_view("help") == words[1]) words[1] = "--help";
+  Typed typed;
+  CLI::App app;
+  add_options(app, kNoCommand, typed.values);
+  app.add_flag_callback("-V,--version", [&typed] { typed.values["version"]; });
+  app.require_subcommand(0, 1);  // a second command's name is a word like any other
+  for (const CommandInfo& command : kCommands) {
+    CLI::App* sub = app.add_subcommand(std::string(command.name));
+    add_options(*sub, command, typed.values);
+    sub->callback([&typed, &command] { typed.command = &command; });
+  }
+  try {
+    app.parse(argc, words.data());
+  } catch (const CLI::ParseError& e) {
+    throw InputError(e.what());
+  }
+  for (const std::string& word : app.remaining(true))
+    (word.size() > 1 && word.front() == '-' ? typed.unknown : typed.words).push_back(word);
+  return typed;
+}
+
+std::string describe_unknown_command(const std::string& word) {
+  std::vector<std::string> names;
+  for (const CommandInfo& command : kCommands) names.emplace_back(command.name);
+  return fmt::format("unknown command '{}'{}", word, suggest(word, names));
+}
+
+std::string describe_unknown_option(const CommandInfo& command, const std::string& word) {
+  const std::string option = word.substr(0, word.find('='));
+  std::vector<std::string> names{"--version"};
+  for (const OptionInfo* known : list_options(command)) names.push_back(fmt::format("--{}", known->name));
+  if (std::find(names.begin(), names.end(), option) != names.end())
+    return fmt::format("option '{}' belongs after the command's name", option);
+  return fmt::format("unknown option '{}'{}{}", option,
+                     command.name.empty() ? "" : fmt::format(" of 'mien {}'", command.name),
+                     suggest(option, names));
+}
+
+std::string describe_missing_argument(const CommandInfo& command) {
+  const std::string_view example = command.examples.substr(0, command.examples.find_first_of("\n&"));
+  return fmt::format("'mien {}' needs a {}, as in: {}", command.name, command.argument, example);
+}
+
+// What is wrong with the words themselves, before any value is looked at.
+void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
+  const auto add = [&](std::string message) { mistakes.push_back({{}, std::move(message), {}, false}); };
+  if (!typed.command && !typed.words.empty()) return add(describe_unknown_command(typed.words.front()));
+  for (const std::string& word : typed.unknown)
+    add(describe_unknown_option(typed.command ? *typed.command : kNoCommand, word));
+  // What follows an unknown option may be its value: more words are no mistake of their own then.
+  if (!typed.command || !typed.unknown.empty()) return;
+  const std::size_t wanted = typed.command->argument.empty() ? 0 : 1;
+  if (typed.words.size() < wanted) add(describe_missing_argument(*typed.command));
+  for (std::size_t i = wanted; i < typed.words.size(); ++i)
+    add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
+}
+
+}  // namespace
+
+Request read_arguments(int argc, const char* const* argv) {
+  const Typed typed = read_typed(argc, argv);
+  if (typed.values.contains("version")) return {Command::text, {}, {}, "mien " MIEN_VERSION "\n"};
+  if (typed.values.contains("help"))
+    return {Command::text, {}, {}, typed.command ? build_command_help(*typed.command) : build_help()};
+
+  std::vector<Diagnostic> mistakes;
+  find_wrong_words(typed, mistakes);
+  Request request{typed.command ? typed.command->command : Command::usage,
+                  build_options(typed.values, mistakes),
+                  {},
+                  build_usage()};
+  if (!mistakes.empty()) throw InputError(std::move(mistakes));
+  const std::string word = typed.words.empty() ? "" : typed.words.front();
+  if (request.command == Command::list)
+    request.kind = word;
+  else
+    request.options.file = word;
+  return request;
+}
+
+}  // namespace mien

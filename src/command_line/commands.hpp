@@ -1,0 +1,100 @@
+// The commands and their options as tables: what the parser accepts and what the help says is the same.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace mien {
+
+// `usage` is mien without a command; `text` wants nothing but a text shown: help, or the version.
+enum class Command { usage, text, render, frames, still, mesh, bust, check, list, create, schema };
+
+struct OptionInfo {
+  std::string_view name;   // long name without dashes
+  char letter;             // of its short form; 0: none
+  std::string_view value;  // what follows it; empty: a flag
+  std::string_view meaning;
+};
+
+inline constexpr std::array kOptions{
+    OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, or 1.2"},
+    OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
+    OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
+    OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
+    OptionInfo{"output", 'o', "PATH", "where to write: a folder, or the one file a command makes"},
+    OptionInfo{"frames", 0, "A-B", "only these frames, counted from 1"},
+    OptionInfo{"size", 0, "WxH", "picture size in pixels, over the file's"},
+    OptionInfo{"quality", 0, "WORD", "draft, good or best, over the file's"},
+    OptionInfo{"jobs", 0, "N", "processes at once (default: as many as cores)"},
+    OptionInfo{"quiet", 0, "", "say nothing but errors"},
+    OptionInfo{"json", 0, "", "say everything as one JSON object a line"},
+    OptionInfo{"help", 'h', "", "this text"},
+};
+
+struct CommandInfo {
+  Command command;
+  std::string_view name;
+  std::string_view argument;  // the word it needs; empty: none
+  std::string_view summary;
+  std::string_view details;   // the first paragraph of its own help
+  std::string_view options;   // long names with spaces between, beyond the common ones
+  std::string_view examples;  // lines; without the indent
+};
+
+// Options that every command with a FILE takes, and those that every command takes.
+inline constexpr std::string_view kFileOptions = "output frames size quality jobs";
+inline constexpr std::string_view kAllOptions = "quiet json help";
+
+inline constexpr std::array kCommands{
+    CommandInfo{
+        Command::render, "render", "FILE", "scenes, frames and clip into out/NAME/",
+        "Computes every drawing of the clip, has POV-Ray render it and ffmpeg join the frames. Frames that\n"
+        "are right already are kept: after an interruption the same command goes on where it stopped.",
+        "", "mien render configs/hello.yaml\nmien render configs/hello.yaml --quality draft --size 240x300"},
+    CommandInfo{Command::frames, "frames", "FILE", "scenes only, for POV-Ray alone",
+                "Writes the scenes and an .ini that POV-Ray alone renders to the same frames.", "",
+                "mien frames configs/hello.yaml && povray out/hello/scenes/hello.ini"},
+    CommandInfo{Command::still, "still", "FILE", "one picture, of a time or of an expression",
+                "Renders one picture: the clip at a time, or the head with one expression.",
+                "at express angle",
+                "mien still configs/hello.yaml --at 1.2s -o face.png\n"
+                "mien still configs/hello.yaml --express surprise --angle 30 -o face.png"},
+    CommandInfo{
+        Command::mesh, "mesh", "FILE", "one head as OBJ, its landmarks as JSON",
+        "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), with\n"
+        "one group a part.",
+        "at express landmarks",
+        "mien mesh configs/hello.yaml --express smile -o face.obj --landmarks face.json"},
+    CommandInfo{
+        Command::bust, "bust", "FILE", "OpenSCAD source and STL to print",
+        "Writes each bust of the file, or one with the expression that is given, as an OpenSCAD source that\n"
+        "needs nothing else, and has OpenSCAD make the STL.",
+        "express", "mien bust configs/hello.yaml --express laugh -o busts"},
+    CommandInfo{Command::check, "check", "FILE", "every mistake in the file; writes nothing",
+                "Reads and judges the file. Writes nothing.", "", "mien check configs/hello.yaml"},
+    CommandInfo{Command::list, "list", "KIND", "the words of the language",
+                "Lists one kind of word: ages, skulls, features, areas, expressions, landmarks or qualities.",
+                "", "mien list expressions\nmien list areas --json"},
+    CommandInfo{Command::create, "new", "NAME", "a commented file to begin with",
+                "Writes NAME.yaml with a short performance and a comment on every part of the language.", "",
+                "mien new my_face && mien render my_face.yaml"},
+    CommandInfo{Command::schema, "schema", "", "the JSON Schema of the file, for editors",
+                "Prints the JSON Schema of the YAML file. Editors complete and check with it.", "",
+                "mien schema > mien.schema.json"},
+};
+
+// The table's entry of an option or of a command; nullptr if there is none such.
+const OptionInfo* find_option(std::string_view name);
+const CommandInfo* find_command(std::string_view name);
+
+// The options a command takes, in the order its help tells them.
+std::vector<const OptionInfo*> list_options(const CommandInfo& command);
+
+// "Usage: mien COMMAND ..." in a few lines; all that mien can do; what one command can do.
+std::string build_usage();
+std::string build_help();
+std::string build_command_help(const CommandInfo& command);
+
+}  // namespace mien

@@ -1,0 +1,123 @@
+#include "command_line/values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <string_view>
+
+#include "config/load_spec.hpp"
+#include "core/text.hpp"
+
+namespace mien {
+namespace {
+
+constexpr int kMaxJobs = 1024;  // more processes at once are a typing mistake
+
+// The whole of `text` as a finite number.
+template <typename Number>
+std::optional<Number> read_number(std::string_view text) {
+  Number number{};
+  const char* end = text.data() + text.size();
+  const auto [stop, fault] = std::from_chars(text.data(), end, number);
+  if (fault != std::errc{} || stop != end || !std::isfinite(static_cast<double>(number))) return std::nullopt;
+  return number;
+}
+
+// "1.2s" or "1.2" with the unit "s".
+std::optional<double> read_with_unit(std::string_view text, std::string_view unit) {
+  if (text.ends_with(unit)) text.remove_suffix(unit.size());
+  return read_number<double>(text);
+}
+
+// "48x60" with 'x' between.
+std::optional<std::pair<int, int>> read_pair(std::string_view text, char between) {
+  const std::size_t at = text.find(between);
+  if (at == std::string_view::npos) return std::nullopt;
+  const auto first = read_number<int>(text.substr(0, at));
+  const auto second = read_number<int>(text.substr(at + 1));
+  if (!first || !second) return std::nullopt;
+  return std::pair{*first, *second};
+}
+
+// Each `read_` fills its option and returns what is wrong with `text`; nothing if it is right.
+std::string read_frames(const std::string& text, Options& options) {
+  const auto single = read_number<int>(text);
+  const auto range = single ? std::pair{*single, *single} : read_pair(text, '-');
+  if (!range || range->first < 1 || range->second < range->first)
+    return "is not a range of frames such as 10-20, counted from 1";
+  options.frames = range;
+  return {};
+}
+
+std::string read_size(const std::string& text, Options& options) {
+  const auto size = read_pair(text, 'x');
+  if (!size) return "is not a size such as 480x600";
+  const auto [low, high] = std::minmax(size->first, size->second);
+  if (low < kMinSide_px || high > kMaxSide_px)
+    return fmt::format("has a side outside {}..{} pixels", kMinSide_px, kMaxSide_px);
+  options.size_px = size;
+  return {};
+}
+
+std::string read_quality(const std::string& text, Options& options) {
+  if (text == "draft") options.quality = Quality::draft;
+  if (text == "good") options.quality = Quality::good;
+  if (text == "best") options.quality = Quality::best;
+  return options.quality ? "" : "is not draft, good or best" + suggest(text, {"draft", "good", "best"});
+}
+
+std::string read_jobs(const std::string& text, Options& options) {
+  const auto jobs = read_number<int>(text);
+  if (!jobs || *jobs < 1 || *jobs > kMaxJobs)
+    return fmt::format("is not a whole number within 1..{}", kMaxJobs);
+  options.jobs = *jobs;
+  return {};
+}
+
+std::string read_at(const std::string& text, Options& options) {
+  options.at_s = read_with_unit(text, "s");
+  return options.at_s && *options.at_s >= 0 ? "" : "is not a time in seconds such as 1.2s";
+}
+
+std::string read_angle(const std::string& text, Options& options) {
+  options.camera_angle_deg = read_with_unit(text, "deg");
+  return options.camera_angle_deg ? "" : "is not an angle in degrees such as 30";
+}
+
+std::string read_value(const std::string& name, const std::string& text, Options& options) {
+  if (name == "frames") return read_frames(text, options);
+  if (name == "size") return read_size(text, options);
+  if (name == "quality") return read_quality(text, options);
+  if (name == "jobs") return read_jobs(text, options);
+  if (name == "at") return read_at(text, options);
+  if (name == "angle") return read_angle(text, options);
+  if (name == "quiet") options.is_quiet = true;
+  if (name == "json") options.is_json = true;
+  if (name == "quiet" || name == "json") return {};
+  if (text.empty()) return "is empty";
+  if (name == "output") options.output = text;
+  if (name == "landmarks") options.landmarks = text;
+  if (name == "express") options.express = text;
+  return {};
+}
+
+}  // namespace
+
+std::string suggest(const std::string& word, const std::vector<std::string>& names) {
+  const std::string nearest = find_nearest(word, names);
+  return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
+Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistakes) {
+  Options options;
+  for (const auto& [name, text] : typed)
+    if (const std::string wrong = read_value(name, text, options); !wrong.empty())
+      mistakes.push_back({{}, fmt::format("--{}: '{}' {}", name, text, wrong), {}, false});
+  if (typed.contains("at") && typed.contains("express"))
+    mistakes.push_back({{}, "--at and --express ask for two things; give one of them", {}, false});
+  return options;
+}
+
+}  // namespace mien

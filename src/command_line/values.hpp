@@ -1,0 +1,22 @@
+// The values of options, from what was typed to Options.
+#pragma once
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "core/error.hpp"
+#include "pipeline.hpp"
+
+namespace mien {
+
+// By an option's long name; a flag's value is empty.
+using TypedValues = std::map<std::string, std::string>;
+
+// The nearest of `names` as "; did you mean 'NAME'?"; empty if none is near.
+std::string suggest(const std::string& word, const std::vector<std::string>& names);
+
+// Every value understood. A wrong one is left as it was and told in `mistakes`.
+Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistakes);
+
+}  // namespace mien

@@ -1,0 +1,134 @@
+#include "command_line/arguments.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+
+namespace mien {
+namespace {
+
+Request read(std::vector<const char*> words) {
+  words.insert(words.begin(), "mien");
+  return read_arguments(static_cast<int>(words.size()), words.data());
+}
+
+// The messages of a wrong command line, one a line.
+std::string read_mistakes(const std::vector<const char*>& words) {
+  try {
+    read(words);
+  } catch (const InputError& e) {
+    std::string text;
+    for (const Diagnostic& diagnostic : e.diagnostics) text += diagnostic.message + "\n";
+    return text;
+  }
+  return "none";
+}
+
+TEST(arguments, name_a_command_and_its_file) {
+  const Request request = read({"render", "configs/hello.yaml"});
+  EXPECT_EQ(request.command, Command::render);
+  EXPECT_EQ(request.options.file, "configs/hello.yaml");
+  EXPECT_FALSE(request.options.output || request.options.frames || request.options.size_px);
+  EXPECT_FALSE(request.options.quality || request.options.at_s || request.options.express);
+  EXPECT_EQ(request.options.jobs, 0);
+}
+
+TEST(arguments, set_every_option) {
+  const Options options = read({"render", "a.yaml", "-o", "there", "--frames", "10-20", "--size", "240x300",
+                                "--quality", "draft", "--jobs", "3", "--quiet", "--json"})
+                              .options;
+  EXPECT_EQ(options.output, "there");
+  EXPECT_EQ(options.frames, std::pair(10, 20));
+  EXPECT_EQ(options.size_px, std::pair(240, 300));
+  EXPECT_EQ(options.quality, Quality::draft);
+  EXPECT_EQ(options.jobs, 3);
+  EXPECT_TRUE(options.is_quiet && options.is_json);
+}
+
+TEST(arguments, set_the_options_of_stills_and_meshes) {
+  const Options still = read({"still", "a.yaml", "--at=1.25s", "--angle", "-30deg", "-oface.png"}).options;
+  EXPECT_EQ(still.at_s, 1.25);
+  EXPECT_EQ(still.camera_angle_deg, -30);
+  EXPECT_EQ(still.output, "face.png");
+  const Options mesh = read({"mesh", "a.yaml", "--express", "smile", "--landmarks", "face.json"}).options;
+  EXPECT_EQ(mesh.express, "smile");
+  EXPECT_EQ(mesh.landmarks, "face.json");
+}
+
+TEST(arguments, may_say_a_single_frame_and_a_time_without_unit) {
+  EXPECT_EQ(read({"frames", "a", "--frames", "7"}).options.frames, std::pair(7, 7));
+  EXPECT_EQ(read({"still", "a", "--at", "2"}).options.at_s, 2);
+}
+
+TEST(arguments, give_list_a_kind_and_new_a_name_even_a_commands) {
+  EXPECT_EQ(read({"list", "ages"}).kind, "ages");
+  EXPECT_TRUE(read({"--json", "list", "ages"}).options.is_json);
+  const Request request = read({"new", "render"});
+  EXPECT_EQ(request.command, Command::create);
+  EXPECT_EQ(request.options.file, "render");
+}
+
+TEST(arguments, ask_for_texts) {
+  EXPECT_EQ(read({"--version"}).text, "mien 0.1.0\n");
+  EXPECT_EQ(read({"--version"}).command, Command::text);
+  EXPECT_EQ(read({}).command, Command::usage);
+  EXPECT_EQ(read({"-h"}).text, build_help());
+  EXPECT_EQ(read({"help"}).text, build_help());
+  EXPECT_EQ(read({"still", "--help"}).text, build_command_help(*find_command("still")));
+  EXPECT_EQ(read({"help", "still"}).text, read({"still", "-h"}).text);
+}
+
+TEST(arguments, suggest_the_command_or_option_that_was_meant) {
+  EXPECT_EQ(read_mistakes({"rendr", "x"}), "unknown command 'rendr'; did you mean 'render'?\n");
+  EXPECT_EQ(read_mistakes({"frobnicate"}), "unknown command 'frobnicate'\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "--sze", "48x60"}),
+            "unknown option '--sze' of 'mien render'; did you mean '--size'?\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "--sze=48x60", "-x"}),
+            "unknown option '--sze' of 'mien render'; did you mean '--size'?\nunknown option '-x' of 'mien "
+            "render'\n");
+  EXPECT_EQ(read_mistakes({"--verison"}), "unknown option '--verison'; did you mean '--version'?\n");
+  EXPECT_EQ(read_mistakes({"--size", "48x60", "render", "a"}),
+            "option '--size' belongs after the command's name\n");
+}
+
+TEST(arguments, say_which_word_is_missing_or_too_many) {
+  EXPECT_EQ(read_mistakes({"check"}), "'mien check' needs a FILE, as in: mien check configs/hello.yaml\n");
+  EXPECT_EQ(read_mistakes({"list"}), "'mien list' needs a KIND, as in: mien list expressions\n");
+  EXPECT_EQ(read_mistakes({"check", "a", "b"}), "'b' is one word too many for 'mien check'\n");
+  EXPECT_EQ(read_mistakes({"schema", "a"}), "'a' is one word too many for 'mien schema'\n");
+  EXPECT_EQ(read_mistakes({"still", "a", "--at"}), "--at: 1 required TIME missing\n");
+}
+
+TEST(arguments, tell_every_wrong_value_at_once) {
+  EXPECT_EQ(
+      read_mistakes({"render", "a", "--size", "4x60", "--quality", "god", "--jobs", "0", "--frames", "9-3"}),
+      "--frames: '9-3' is not a range of frames such as 10-20, counted from 1\n"
+      "--jobs: '0' is not a whole number within 1..1024\n"
+      "--quality: 'god' is not draft, good or best; did you mean 'good'?\n"
+      "--size: '4x60' has a side outside 16..8192 pixels\n");
+  EXPECT_EQ(read_mistakes({"still", "a", "--angle", "left"}),
+            "--angle: 'left' is not an angle in degrees such as 30\n");
+  EXPECT_EQ(read_mistakes({"still", "a", "--at", "1e999"}),
+            "--at: '1e999' is not a time in seconds such as 1.2s\n");
+  EXPECT_EQ(read_mistakes({"still", "a", "--at", "-1"}),
+            "--at: '-1' is not a time in seconds such as 1.2s\n");
+  EXPECT_EQ(read_mistakes({"still", "a", "--at", "nan"}),
+            "--at: 'nan' is not a time in seconds such as 1.2s\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "--size", "480x600px"}),
+            "--size: '480x600px' is not a size such as 480x600\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "-o", ""}), "--output: '' is empty\n");
+  EXPECT_EQ(read_mistakes({"mesh", "a", "--at", "1", "--express", "smile"}),
+            "--at and --express ask for two things; give one of them\n");
+}
+
+TEST(commands, are_all_told_by_the_help) {
+  const std::string help = build_help();
+  for (const CommandInfo& command : kCommands) {
+    EXPECT_NE(help.find("\n  " + std::string(command.name) + " "), std::string::npos) << command.name;
+    for (const OptionInfo* option : list_options(command))
+      EXPECT_NE(build_command_help(command).find("--" + std::string(option->name)), std::string::npos);
+  }
+}
+
+}  // namespace
+}  // namespace mien
