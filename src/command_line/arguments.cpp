@@ -85,7 +85,7 @@ std::string describe_missing_argument(const CommandInfo& command) {
 
 // What is wrong with the words themselves, before any value is looked at.
 void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
-  const auto add = [&](std::string message) { mistakes.push_back({{}, std::move(message), {}, false}); };
+  const auto add = [&](std::string message) { add_mistake(mistakes, std::move(message)); };
   if (!typed.command && !typed.words.empty()) return add(describe_unknown_command(typed.words.front()));
   for (const std::string& word : typed.unknown)
     add(describe_unknown_option(typed.command ? *typed.command : kNoCommand, word));

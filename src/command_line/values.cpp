@@ -105,6 +105,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
 
 }  // namespace
 
+void add_mistake(std::vector<Diagnostic>& mistakes, std::string message) {
+  mistakes.emplace_back().message = std::move(message);
+}
+
 std::string suggest(const std::string& word, const std::vector<std::string>& names) {
   const std::string nearest = find_nearest(word, names);
   return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
@@ -114,9 +118,9 @@ Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistake
   Options options;
   for (const auto& [name, text] : typed)
     if (const std::string wrong = read_value(name, text, options); !wrong.empty())
-      mistakes.push_back({{}, fmt::format("--{}: '{}' {}", name, text, wrong), {}, false});
+      add_mistake(mistakes, fmt::format("--{}: '{}' {}", name, text, wrong));
   if (typed.contains("at") && typed.contains("express"))
-    mistakes.push_back({{}, "--at and --express ask for two things; give one of them", {}, false});
+    add_mistake(mistakes, "--at and --express ask for two things; give one of them");
   return options;
 }
 

@@ -13,6 +13,9 @@ namespace mien {
 // By an option's long name; a flag's value is empty.
 using TypedValues = std::map<std::string, std::string>;
 
+// A mistake with no place but the command line.
+void add_mistake(std::vector<Diagnostic>& mistakes, std::string message);
+
 // The nearest of `names` as "; did you mean 'NAME'?"; empty if none is near.
 std::string suggest(const std::string& word, const std::vector<std::string>& names);
 
