@@ -1,0 +1,108 @@
+#include "head/skin_look.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/gtc/constants.hpp>
+
+#include "head/occlusion.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+namespace {
+
+const NeutralHead& average_head() {
+  static const NeutralHead head = build_neutral_head(HeadSpec{}, MIEN_SOURCE_DIR);
+  return head;
+}
+
+Shade find_shade(const Part& skin, const char* point) {
+  return skin.palette[skin.shade[average_head().cage.index.at(point)]];
+}
+
+// A grid of n x n quads in the plane z = 0, and the same with a wall of height 20 mm along x = 0 to its
+// right.
+Mesh build_floor(int n, bool has_wall) {
+  Mesh mesh;
+  for (int j = 0; j <= n; ++j)
+    for (int i = 0; i <= n; ++i) mesh.positions.emplace_back(2 * i - n, 2 * j - n, 0);
+  const auto at = [&](int i, int j) { return static_cast<std::uint32_t>(j * (n + 1) + i); };
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i) {
+      mesh.triangles.push_back({at(i, j), at(i + 1, j), at(i + 1, j + 1)});
+      mesh.triangles.push_back({at(i, j), at(i + 1, j + 1), at(i, j + 1)});
+    }
+  if (has_wall) {
+    const auto v = static_cast<std::uint32_t>(mesh.positions.size());
+    const auto x = static_cast<float>(n);
+    for (const glm::vec3 p : {glm::vec3(x, -x, 0), {x, x, 0}, {x, x, 40}, {x, -x, 40}})
+      mesh.positions.push_back(p);
+    mesh.triangles.push_back({v, v + 1, v + 2});
+    mesh.triangles.push_back({v, v + 2, v + 3});
+  }
+  update_normals(mesh);
+  return mesh;
+}
+
+std::vector<std::uint32_t> mirror_none(const Mesh& mesh) {
+  std::vector<std::uint32_t> mirror(mesh.positions.size());
+  for (std::size_t i = 0; i < mirror.size(); ++i) mirror[i] = static_cast<std::uint32_t>(i);
+  return mirror;
+}
+
+TEST(occlusion, leaves_a_floor_open_and_shuts_the_sky_beside_a_wall) {
+  const Mesh floor = build_floor(20, false), walled = build_floor(20, true);
+  for (const float share : measure_openness(floor, mirror_none(floor))) ASSERT_GT(share, 0.98f);
+  const std::vector<float> open = measure_openness(walled, mirror_none(walled));
+  const std::size_t beside_wall = 10 * 21 + 19, far_away = 10 * 21;
+  // Each vertex is its own mirror image here, so only the half of the sky on the wall's side is asked for.
+  EXPECT_LT(open[beside_wall], 0.3f);
+  EXPECT_GT(open[far_away], 0.8f);
+}
+
+TEST(skin_look, shades_mirror_images_alike) {
+  const Part skin = build_skin_part(average_head(), Look{});
+  ASSERT_EQ(skin.shade.size(), average_head().skin.positions.size());
+  for (std::size_t i = 0; i < skin.shade.size(); ++i) {
+    ASSERT_LT(skin.shade[i], skin.palette.size());
+    ASSERT_EQ(skin.shade[i], skin.shade[average_head().surface->mirror[i]]);
+  }
+}
+
+TEST(skin_look, takes_any_skin_from_very_light_to_very_dark) {
+  for (const glm::vec3 colour : {glm::vec3(0), {0.18f, 0.11f, 0.08f}, {0.97f, 0.89f, 0.83f}, glm::vec3(1)}) {
+    Look look;
+    look.skin = colour;
+    const Part skin = build_skin_part(average_head(), look);
+    EXPECT_LT(skin.palette.size(), 4000u);
+    for (const Shade& shade : skin.palette)
+      for (const float value : {shade.srgb.x, shade.srgb.y, shade.srgb.z, shade.gloss}) {
+        ASSERT_GE(value, 0);
+        ASSERT_LE(value, 1);
+      }
+  }
+}
+
+TEST(skin_look, reddens_lips_and_darkens_the_mouth) {
+  const Part skin = build_skin_part(average_head(), Look{});
+  const auto redness = [&](const char* point) {
+    const Shade shade = find_shade(skin, point);
+    return shade.srgb.x / shade.srgb.y;
+  };
+  EXPECT_GT(redness("M2_0"), 1.2f * redness("p_F2"));
+  EXPECT_GT(redness("p_tip"), 1.05f * redness("p_F2"));
+  EXPECT_LT(find_shade(skin, "MB1_0").srgb.x, 0.6f * find_shade(skin, "p_F2").srgb.x);
+  EXPECT_LT(find_shade(skin, "nd_0").srgb.x, 0.5f * find_shade(skin, "p_F2").srgb.x);
+  EXPECT_GT(find_shade(skin, "M2_12").gloss, find_shade(skin, "q12_C4").gloss);
+}
+
+TEST(skin_look, paints_lips_in_the_colour_that_was_asked_for) {
+  Look look;
+  look.lips = glm::vec3(0.2f, 0.2f, 0.8f);
+  const Shade lip = find_shade(build_skin_part(average_head(), look), "M2_12");
+  EXPECT_GT(lip.srgb.z, 0.6f);
+  EXPECT_LT(lip.srgb.x, 0.3f);
+}
+
+}  // namespace
+}  // namespace mien
