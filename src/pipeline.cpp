@@ -1,0 +1,213 @@
+#include "pipeline.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "clip.hpp"
+#include "config/load_spec.hpp"
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "frames/bust.hpp"
+#include "head/landmarks.hpp"
+#include "render/driver.hpp"
+#include "render/process.hpp"
+#include "render/video.hpp"
+#include "render/work_folder.hpp"
+#include "scene/openscad.hpp"
+#include "scene/wavefront.hpp"
+#include "timeline/drawings.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// One result a line: its path, or {"clip": "out/hello/hello.mp4"}.
+void tell_result(const Options& options, const std::string& kind, const fs::path& path) {
+  if (options.is_json)
+    fmt::print("{}\n", nlohmann::json{{kind, path.string()}}.dump());
+  else if (!options.is_quiet)
+    fmt::print("{:<7} {}\n", kind, path.string());
+}
+
+// The pose that --express asks for, else the clip's at --at or at its beginning.
+Moment find_moment(const Options& options, const Spec& spec) {
+  Moment moment = sample_performance(build_performance(spec.clip), options.at_s.value_or(0));
+  if (options.express) {
+    moment.pose = find_expression(spec, *options.express).pose;
+    if (!options.at_s) {
+      moment.turn = TurnKey{};
+      moment.camera = CameraKey{};
+    }
+  }
+  if (options.camera_angle_deg) moment.camera.angle_deg = *options.camera_angle_deg;
+  return moment;
+}
+
+Drawing draw_moment(const Figure& figure, const Moment& moment) {
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(figure, moment.pose, moment.turn, buffers, drawing);
+  return drawing;
+}
+
+// The clip of all frames, or NAME_A-B.mp4 of those asked for.
+fs::path find_clip_path(const Clip& clip) {
+  const auto& frames = clip.plan.frames;
+  const bool is_whole = static_cast<int>(frames.size()) == clip.frame_count;
+  return clip.files.folder / (is_whole ? clip.files.name + ".mp4"
+                                       : fmt::format("{}_{}-{}.mp4", clip.files.name, frames.front(), frames.back()));
+}
+
+void write_clip(const Clip& clip, const Options& options) {
+  std::vector<fs::path> pictures;
+  for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
+  const fs::path path = find_clip_path(clip);
+  write_video(pictures, clip.spec.clip.fps, path);
+  tell_result(options, "clip", path);
+
+  const int poster = std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
+  write_file(clip.files.folder / "poster.png", read_file(clip.files.picture(poster)));
+  tell_result(options, "poster", clip.files.folder / "poster.png");
+}
+
+// One bust: its source, and the STL that OpenSCAD makes of it, read back and compared with what we meant.
+void write_bust(const NeutralHead& head, const Figure& figure, const BustSpec& bust, const Spec& spec,
+                const fs::path& folder, const fs::path& data, const Options& options) {
+  const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}});
+  const std::string title = fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
+  const BustPrint print = build_bust(head, figure.model, drawing, bust.height_mm, title);
+  const std::string stem = "bust_" + bust.expression.name;
+  const fs::path source = folder / (stem + ".scad"), stl = folder / (stem + ".stl");
+  write_file(source, build_openscad_bust(print, data / "templates"));
+  tell_result(options, "source", source);
+
+  const WorkFolder work(folder);
+  const auto command = list_openscad_command(fs::absolute(source), work.path / (stem + ".stl"));
+  const ProcessResult result = run_process(command, work.path);
+  const std::string complaint = find_openscad_complaint(result.output);
+  if (result.exit_code != 0 || !complaint.empty())
+    throw RunError(format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
+                                  quote_command(command), result.output));
+  verify_print(print, check_stl(work.path / (stem + ".stl")), stem);
+  fs::rename(work.path / (stem + ".stl"), stl);
+  tell_result(options, "stl", stl);
+}
+
+// The busts of the file, or the one that --express names.
+std::vector<BustSpec> find_busts(const Options& options, const Spec& spec) {
+  if (options.express) return {BustSpec{find_expression(spec, *options.express)}};
+  if (spec.busts.empty()) return {BustSpec{find_expression(spec, "neutral")}};
+  return spec.busts;
+}
+
+}  // namespace
+
+void render_clip(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Clip clip = plan_clip(options, data);
+  require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
+  const Figure figure = build_figure(clip.spec.head, data);
+  const std::vector<std::string> keys = write_scenes(clip, figure, options, data);
+  render_pictures(clip, keys, options);
+  write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
+  write_clip(clip, options);
+}
+
+void write_frames(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Clip clip = plan_clip(options, data);
+  write_scenes(clip, build_figure(clip.spec.head, data), options, data);
+  tell_result(options, "scenes", clip.files.scenes());
+}
+
+void render_still(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Spec spec = load_request(options, data);
+  const Moment moment = find_moment(options, spec);
+  require_programs({{"povray", "povray"}});
+  const Figure figure = build_figure(spec.head, data);
+  const fs::path picture = options.output.value_or(fs::path("out") / spec.name / "still.png");
+  const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
+  write_file(work.path / "head.inc", build_povray_include(figure.model, spec.render, data / "templates"));
+  std::string scene;
+  append_povray_frame(scene, figure.model, draw_moment(figure, moment), find_view(figure, moment.camera));
+  write_file(work.path / "still.pov", scene);
+
+  RenderSettings settings;
+  settings.width_px = spec.render.width_px;
+  settings.height_px = spec.render.height_px;
+  settings.povray_options = list_quality_options(spec.render.quality);
+  settings.libraries = {work.path};
+  render_frames({{1, work.path / "still.pov", picture, ""}}, settings, [](int, bool) {});
+  tell_result(options, "picture", picture);
+}
+
+void write_mesh(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Spec spec = load_request(options, data);
+  const Moment moment = find_moment(options, spec);
+  const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
+  if (path.extension() != ".obj")
+    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in .obj", path.string(),
+                                 path.extension().string()));
+  const Figure figure = build_figure(spec.head, data);
+  const Drawing drawing = draw_moment(figure, moment);
+  std::string text;
+  append_wavefront(text, figure.model, drawing, spec.title.empty() ? spec.name : spec.title);
+  write_file(path, text);
+  tell_result(options, "mesh", path);
+  if (!options.landmarks) return;
+  const std::vector<Landmark> landmarks = find_landmarks(figure.head, data / "templates/head/landmarks.yaml");
+  write_file(*options.landmarks,
+             build_landmarks_json(measure_landmarks(figure.head, landmarks, figure.model, drawing)));
+  tell_result(options, "landmarks", *options.landmarks);
+}
+
+void write_busts(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Spec spec = load_request(options, data);
+  const std::vector<BustSpec> busts = find_busts(options, spec);
+  require_programs({{"openscad", "openscad"}});
+  const Figure figure = build_figure(spec.head, data);
+  for (const BustSpec& bust : busts)
+    write_bust(figure.head, figure, bust, spec, find_output(options, spec), data, options);
+}
+
+void check_file(const Options& options) {
+  const fs::path data = find_data_folder();
+  const Clip clip = plan_clip(options, data);
+  if (options.is_quiet) return;
+  const RenderSpec& render = clip.spec.render;
+  if (options.is_json) {
+    fmt::print("{}\n", nlohmann::json{{"file", options.file.string()},
+                                      {"frames", clip.frame_count},
+                                      {"drawings", clip.plan.drawings.size()},
+                                      {"fps", clip.spec.clip.fps},
+                                      {"width", render.width_px},
+                                      {"height", render.height_px},
+                                      {"busts", clip.spec.busts.size()}}
+                           .dump());
+    return;
+  }
+  fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
+             clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px, render.height_px,
+             clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
+}
+
+void write_starter(const Options& options) {
+  fs::path path = options.output.value_or(options.file);
+  if (path.extension() != ".yaml" && path.extension() != ".yml") path += ".yaml";
+  if (fs::exists(path)) throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
+  const fs::path origin = find_data_folder() / "templates/new.yaml";
+  write_file(path, fill_template(read_file(origin), {{"name", path.stem().string()}}, origin.string()));
+  tell_result(options, "file", path);
+}
+
+void print_schema() { fmt::print("{}", read_file(find_data_folder() / "templates/mien.schema.json")); }
+
+}  // namespace mien

@@ -6,7 +6,7 @@
 #include "core/error.hpp"
 #include "face/face.hpp"
 #include "face/face_data.hpp"
-#include "face/patterns.hpp"
+#include "head/patterns.hpp"
 
 namespace mien {
 

@@ -1,4 +1,4 @@
-#include "face/patterns.hpp"
+#include "head/patterns.hpp"
 
 #include <fmt/format.h>
 #include <cctype>

@@ -1,0 +1,128 @@
+#include "head/landmarks.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+
+#include <cmath>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "head/patterns.hpp"
+
+namespace mien {
+
+namespace {
+
+// How far the front of the cornea stands before the centre of a ball of 13 mm.
+constexpr double kCornea_mm = 14.05;
+
+std::uint32_t find_point(const NeutralHead& head, const std::string& name) {
+  const auto found = head.cage.index.find(name);
+  if (found == head.cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
+  return found->second;
+}
+
+double measure(const std::string& rule, const glm::vec3& p) {
+  if (rule == "highest") return p.y;
+  if (rule == "lowest") return -p.y;
+  if (rule == "rearmost") return -p.z;
+  if (rule == "widest") return std::abs(p.x);
+  throw RunError(fmt::format("unknown rule '{}'; expected highest, lowest, rearmost or widest", rule));
+}
+
+// The vertex of the left half (or the mid-plane) that has most of what the rule asks for.
+std::uint32_t find_extreme(const NeutralHead& head, const std::string& rule, const std::string& pattern) {
+  const bool is_any = pattern == "*";
+  const std::vector<bool> among = find_points(head.cage, {pattern});
+  const std::size_t count = is_any ? head.skin.positions.size() : head.cage.points.size();
+  std::uint32_t best = 0;
+  double most = -1e9;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    const glm::vec3& p = head.skin.positions[v];
+    if (p.x < 0 || (!is_any && !among[v])) continue;
+    const double here = measure(rule, p);
+    if (here > most) {
+      most = here;
+      best = v;
+    }
+  }
+  return best;
+}
+
+std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const YAML::Node& node) {
+  std::vector<std::uint32_t> vertices;
+  if (node.IsScalar()) vertices.push_back(find_point(head, node.as<std::string>()));
+  if (node.IsSequence())
+    for (const YAML::Node& name : node) vertices.push_back(find_point(head, name.as<std::string>()));
+  if (node.IsMap())
+    vertices.push_back(find_extreme(head, node.begin()->first.as<std::string>(), node.begin()->second.as<std::string>()));
+  return vertices;
+}
+
+glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model, const Drawing& drawing) {
+  const double sign = side == Side::left ? 1 : -1;
+  const double reach = kCornea_mm / 13.0 * head.eye.radius_mm;
+  const glm::vec3 rest(glm::dvec3(sign * head.eye.centre.x, head.eye.centre.y, head.eye.centre.z + reach));
+  const std::string part = side == Side::left ? "eye_left" : "eye_right";
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (model.parts[i].name == part)
+      return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
+  throw RunError(fmt::format("internal: the model has no part '{}'", part));
+}
+
+}  // namespace
+
+std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesystem::path& file) {
+  try {
+    std::vector<Landmark> landmarks;
+    const YAML::Node root = YAML::LoadFile(file.string());
+    for (const auto& entry : root["middle"])
+      landmarks.push_back({entry.first.as<std::string>(), find_vertices(head, entry.second), false, Side::none});
+    for (const auto& entry : root["sided"]) {
+      const std::string name = entry.first.as<std::string>();
+      if (name == "pupil") {
+        landmarks.push_back({"pupil_l", {}, true, Side::left});
+        landmarks.push_back({"pupil_r", {}, true, Side::right});
+        continue;
+      }
+      const std::vector<std::uint32_t> left = find_vertices(head, entry.second);
+      std::vector<std::uint32_t> right;
+      for (const std::uint32_t v : left) right.push_back(head.cage.mirror[v]);
+      landmarks.push_back({name + "_l", left, false, Side::left});
+      landmarks.push_back({name + "_r", right, false, Side::right});
+    }
+    return landmarks;
+  } catch (const YAML::Exception& e) {
+    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+  }
+}
+
+std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head, const std::vector<Landmark>& landmarks,
+                                                    const Model& model, const Drawing& drawing) {
+  std::map<std::string, glm::dvec3> places;
+  for (const Landmark& landmark : landmarks) {
+    if (landmark.is_pupil) {
+      places[landmark.name] = measure_pupil(head, landmark.side, model, drawing);
+      continue;
+    }
+    glm::dvec3 sum{0};
+    for (const std::uint32_t v : landmark.vertices) sum += glm::dvec3(drawing.parts.front().positions[v]);
+    places[landmark.name] = sum / static_cast<double>(landmark.vertices.size());
+  }
+  return places;
+}
+
+std::string build_landmarks_json(const std::map<std::string, glm::dvec3>& landmarks) {
+  std::string text = "{";
+  for (const auto& [name, place] : landmarks) {
+    text += fmt::format("{}\n  \"{}\": [", text.size() > 1 ? "," : "", name);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (axis > 0) text += ", ";
+      append_number(text, place[axis], 3);
+    }
+    text += "]";
+  }
+  return text + "\n}\n";
+}
+
+}  // namespace mien

@@ -1,0 +1,206 @@
+#include "face/face.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <cmath>
+#include <random>
+
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+namespace {
+
+struct Subject {
+  NeutralHead head;
+  Face face;
+};
+
+Subject build(const std::string& age = "adult", const std::string& skull = "average") {
+  HeadSpec spec;
+  spec.age = {{age, 1.0}};
+  spec.skull = {{skull, 1.0}};
+  Subject subject;
+  subject.head = build_neutral_head(spec, find_data_folder());
+  subject.face = build_face(subject.head, find_data_folder() / "templates/head/areas.yaml");
+  return subject;
+}
+
+const Subject& adult() {
+  static const Subject subject = build();
+  return subject;
+}
+
+void set(Pose& pose, const char* area, Side side, const char* move, double value) {
+  pose.values.at(*find_move(area, side, move)) = value;
+}
+
+glm::dvec3 travel(const Subject& s, const Pose& pose, const char* point) {
+  std::vector<glm::dvec3> points;
+  pose_cage(s.head, s.face, pose, points);
+  const std::uint32_t i = s.head.cage.index.find(point)->second;
+  return points[i] - s.head.cage.points[i];
+}
+
+Pose mirror(const Pose& pose) {
+  Pose mirrored;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    const MoveInfo& m = kMoves[i];
+    const Side other = m.side == Side::none ? Side::none : m.side == Side::left ? Side::right : Side::left;
+    const double sign = m.area == "eye" && m.move == "side" ? -1 : 1;
+    mirrored.values[*find_move(m.area, other, m.move)] = sign * pose.values[i];
+  }
+  return mirrored;
+}
+
+Pose random_pose(std::mt19937& random) {
+  Pose pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
+  return pose;
+}
+
+TEST(face, neutral_pose_is_the_neutral_head_to_the_last_bit) {
+  std::vector<glm::dvec3> points;
+  pose_cage(adult().head, adult().face, Pose{}, points);
+  EXPECT_TRUE(points == adult().head.cage.points);
+}
+
+TEST(face, reaches_its_limits) {
+  struct Limit {
+    const char *area, *move, *point;
+    Side side;
+    double value;
+    int axis;
+    double mm;
+  };
+  const Limit limits[] = {{"brow", "up", "E5_4", Side::left, 1, 1, 12.6},     {"brow", "up", "E5_4", Side::left, -1, 1, -6.8},
+                          {"lips", "upper", "M1_2", Side::none, 1, 1, 7.3},   {"lips", "lower", "M1_10", Side::none, -1, 1, -8.0},
+                          {"corner", "out", "M1_6", Side::left, 1, 0, 7.6},   {"corner", "out", "M1_6", Side::left, -1, 0, -9.2},
+                          {"corner", "up", "M1_6", Side::left, 1, 1, 10.7},   {"corner", "up", "M1_6", Side::left, -1, 1, -8.4}};
+  for (const Limit& limit : limits) {
+    Pose pose;
+    set(pose, limit.area, limit.side, limit.move, limit.value);
+    const double mm = travel(adult(), pose, limit.point)[limit.axis];
+    EXPECT_NEAR(mm / limit.mm, 1, 0.03) << limit.area << "." << limit.move << " " << limit.value;
+  }
+}
+
+TEST(face, a_sided_move_leaves_the_far_side_alone) {
+  for (const char* area : {"brow", "corner"}) {
+    Pose pose;
+    set(pose, area, Side::left, "up", 1);
+    std::vector<glm::dvec3> points;
+    pose_cage(adult().head, adult().face, pose, points);
+    for (std::size_t i = 0; i < points.size(); ++i)
+      if (adult().head.cage.points[i].x < -20)
+        EXPECT_LT(glm::length(points[i] - adult().head.cage.points[i]), 1.0) << area << " " << adult().head.cage.names[i];
+  }
+}
+
+TEST(face, left_is_the_characters_own) {
+  Pose wink;
+  set(wink, "lid", Side::left, "upper", -1);
+  EXPECT_LT(travel(adult(), wink, "E1_4").y, -5);    // x > 0: the character's left
+  EXPECT_EQ(travel(adult(), wink, "R:E1_4").y, 0);
+}
+
+TEST(face, mirrored_poses_give_mirrored_heads) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 20; ++round) {
+    const Pose pose = random_pose(random);
+    std::vector<glm::dvec3> here, there;
+    pose_cage(adult().head, adult().face, pose, here);
+    pose_cage(adult().head, adult().face, mirror(pose), there);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      EXPECT_LT(glm::length(here[i] * glm::dvec3(-1, 1, 1) - there[adult().head.cage.mirror[i]]), 1e-9);
+  }
+}
+
+TEST(face, shut_lids_meet_and_open_ones_never_cross) {
+  for (const char* age : {"infant", "child", "adult"}) {
+    const Subject s = build(age);
+    const double size = s.head.eye.radius_mm / 13;
+    Pose shut;
+    for (const Side side : {Side::left, Side::right}) set(shut, "lid", side, "upper", -1);
+    std::vector<glm::dvec3> points;
+    pose_cage(s.head, s.face, shut, points);
+    for (int i = 1; i < 8; ++i) {
+      const auto at = [&](int column) { return points[s.head.cage.index.find("E1_" + std::to_string(column))->second]; };
+      EXPECT_LT(glm::distance(at(i), at(16 - i)), 0.9 * size) << age << " column " << i;
+    }
+    std::mt19937 random(8);
+    for (int round = 0; round < 100; ++round) {
+      pose_cage(s.head, s.face, random_pose(random), points);
+      for (const char* side : {"", "R:"}) {
+        const auto y = [&](int column) {
+          return points[s.head.cage.index.find(std::string(side) + "E1_" + std::to_string(column))->second].y;
+        };
+        for (int i = 2; i < 7; ++i) EXPECT_GT(y(i) - y(16 - i), -0.2) << age << side << " column " << i;
+      }
+    }
+  }
+}
+
+TEST(face, lids_never_enter_the_ball) {
+  std::mt19937 random(21);
+  std::vector<glm::dvec3> points;
+  std::vector<glm::vec4> packed;
+  std::vector<glm::vec3> skin;
+  const Subject& s = adult();
+  for (int round = 0; round < 100; ++round) {
+    pose_cage(s.head, s.face, random_pose(random), points);
+    pack_points(points, packed);
+    deform_surface(*s.head.surface, packed, skin);
+    for (const char* ring : {"E1_", "E2_", "E3_"})
+      for (int i = 0; i < 16; ++i) {
+        const std::uint32_t v = s.head.cage.index.find(ring + std::to_string(i))->second;
+        EXPECT_GT(glm::length(glm::dvec3(skin[v]) - s.head.eye.centre), s.head.eye.radius_mm) << ring << i;
+      }
+  }
+}
+
+TEST(face, lips_never_cross) {
+  std::mt19937 random(34);
+  std::vector<glm::dvec3> points;
+  const Subject& s = adult();
+  for (int round = 0; round < 200; ++round) {
+    pose_cage(s.head, s.face, random_pose(random), points);
+    for (const LipColumn& column : s.face.lips)
+      EXPECT_GT(points[column.upper_contact].y - points[column.lower_contact].y, column.rest_gap_mm - 1e-6);
+  }
+}
+
+TEST(face, values_move_the_skin_without_pops) {
+  std::mt19937 random(55);
+  const Subject& s = adult();
+  std::vector<glm::dvec3> here, there;
+  for (int round = 0; round < 50; ++round) {
+    Pose pose = random_pose(random);
+    const std::size_t move = random() % kMoveCount;
+    pose.values[move] = std::min(pose.values[move], kMoves[move].high - 0.001);
+    pose_cage(s.head, s.face, pose, here);
+    pose.values[move] += 0.001;
+    pose_cage(s.head, s.face, pose, there);
+    for (std::size_t i = 0; i < here.size(); ++i)
+      ASSERT_LT(glm::distance(here[i], there[i]), 0.12) << kMoves[move].area << "." << kMoves[move].move;
+  }
+}
+
+TEST(face, gaze_and_jaw_turn_the_way_the_words_say) {
+  Pose pose;
+  set(pose, "eye", Side::left, "side", 1);
+  set(pose, "eye", Side::left, "up", 0.5);
+  const glm::dvec3 look = find_gaze(adult().face, pose, Side::left) * glm::dvec3(0, 0, 1);
+  EXPECT_GT(look.x, 0.4);  // toward the character's left
+  EXPECT_GT(look.y, 0.1);
+  set(pose, "chin", Side::none, "down", 1);
+  const glm::dvec4 chin = find_jaw(adult().face, pose) * glm::dvec4(0, -110, 90, 1);
+  EXPECT_LT(chin.y, -130);
+  EXPECT_LT(chin.z, 80);
+}
+
+}  // namespace
+}  // namespace mien
