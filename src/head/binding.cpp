@@ -1,0 +1,182 @@
+// Nearest point of a triangle: Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
+#include "head/binding.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <limits>
+#include <map>
+#include <tuple>
+
+#include "core/error.hpp"
+
+namespace mien {
+
+namespace {
+
+// Barycentric coordinates of the point of triangle a b c that is nearest to p.
+glm::vec3 find_nearest_barycentric(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
+                                   const glm::vec3& c) {
+  const glm::vec3 ab = b - a, ac = c - a;
+  const float d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const float d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const float vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const float d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const float vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const float va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const float w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const float sum = va + vb + vc;
+  if (!(sum > 0)) return {1, 0, 0};  // a triangle without area
+  return {1 - vb / sum - vc / sum, vb / sum, vc / sum};
+}
+
+glm::vec3 blend(const std::vector<glm::vec3>& values, const Triangle& triangle,
+                const glm::vec3& barycentric) {
+  return values[triangle[0]] * barycentric[0] + values[triangle[1]] * barycentric[1] +
+         values[triangle[2]] * barycentric[2];
+}
+
+// Which vertex is the mirror image of which, and which triangle has these three vertices.
+struct MirrorIndex {
+  std::map<std::tuple<float, float, float>, std::uint32_t> vertex_at;
+  std::map<Triangle, std::uint32_t> triangle_of;  // key: vertices in ascending order
+};
+
+Triangle sort_vertices(Triangle triangle) {
+  std::sort(triangle.begin(), triangle.end());
+  return triangle;
+}
+
+MirrorIndex build_mirror_index(const Mesh& skin, const Box& mirrored_box) {
+  const auto is_inside = [&](std::uint32_t v) {
+    const glm::vec3& p = skin.positions[v];
+    return glm::all(glm::greaterThanEqual(p, mirrored_box.low)) &&
+           glm::all(glm::lessThanEqual(p, mirrored_box.high));
+  };
+  MirrorIndex index;
+  for (std::uint32_t v = 0; v < skin.positions.size(); ++v)
+    if (is_inside(v)) index.vertex_at[{skin.positions[v].x, skin.positions[v].y, skin.positions[v].z}] = v;
+  for (std::uint32_t t = 0; t < skin.triangles.size(); ++t) {
+    const Triangle& triangle = skin.triangles[t];
+    if (is_inside(triangle[0]) && is_inside(triangle[1]) && is_inside(triangle[2]))
+      index.triangle_of[sort_vertices(triangle)] = t;
+  }
+  return index;
+}
+
+Binding mirror_binding(const Binding& left, const Mesh& skin, const MirrorIndex& index) {
+  const Triangle& from = skin.triangles[left.triangle];
+  Triangle image{};
+  for (int i = 0; i < 3; ++i) {
+    const glm::vec3& p = skin.positions[from[i]];
+    const auto found = index.vertex_at.find({-p.x, p.y, p.z});
+    if (found == index.vertex_at.end()) throw RunError("the skin is not the mirror image of itself");
+    image[i] = found->second;
+  }
+  const auto found = index.triangle_of.find(sort_vertices(image));
+  if (found == index.triangle_of.end()) throw RunError("the skin is not the mirror image of itself");
+  Binding right{found->second, glm::vec3(0), left.first, left.count};
+  const Triangle& to = skin.triangles[right.triangle];
+  for (int i = 0; i < 3; ++i)
+    right.barycentric[i] =
+        left.barycentric[static_cast<int>(std::find(image.begin(), image.end(), to[i]) - image.begin())];
+  return right;
+}
+
+Box find_mirrored_box(const std::vector<HeadPart>& left, const Mesh& skin) {
+  std::vector<glm::vec3> corners;
+  for (const HeadPart& part : left)
+    for (const Binding& binding : part.bindings)
+      for (const std::uint32_t v : skin.triangles[binding.triangle])
+        corners.push_back({-skin.positions[v].x, skin.positions[v].y, skin.positions[v].z});
+  return find_bounds(corners);
+}
+
+Mount mirror_mount(Mount mount) {
+  if (mount == Mount::eye_left) return Mount::eye_right;
+  if (mount == Mount::eye_right) return Mount::eye_left;
+  return mount;
+}
+
+}  // namespace
+
+SkinFrame find_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
+                          const Triangle& triangle, const glm::vec3& barycentric) {
+  SkinFrame frame;
+  frame.origin = blend(positions, triangle, barycentric);
+  glm::vec3 normal = blend(normals, triangle, barycentric);
+  normal = glm::dot(normal, normal) > 1e-12f ? glm::normalize(normal) : glm::vec3(0, 0, 1);
+  const glm::vec3 edge = positions[triangle[1]] - positions[triangle[0]];
+  glm::vec3 tangent = edge - normal * glm::dot(edge, normal);
+  if (!(glm::dot(tangent, tangent) > 1e-12f)) {  // a collapsed edge: any direction along the skin
+    const glm::vec3 any = std::abs(normal.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    tangent = any - normal * glm::dot(any, normal);
+  }
+  tangent = glm::normalize(tangent);
+  frame.axes = glm::mat3(tangent, glm::cross(normal, tangent), normal);
+  return frame;
+}
+
+SkinPatch build_skin_patch(const Mesh& skin, const Box& box) {
+  SkinPatch patch{&skin, {}, {}, {}};
+  for (std::uint32_t t = 0; t < skin.triangles.size(); ++t) {
+    const auto& [i, j, k] = skin.triangles[t];
+    const glm::vec3 &a = skin.positions[i], &b = skin.positions[j], &c = skin.positions[k];
+    const glm::vec3 low = glm::min(a, glm::min(b, c)), high = glm::max(a, glm::max(b, c));
+    if (glm::any(glm::lessThan(high, box.low)) || glm::any(glm::greaterThan(low, box.high))) continue;
+    const glm::vec3 centre = (a + b + c) / 3.0f;
+    patch.triangles.push_back(t);
+    patch.centres.push_back(centre);
+    patch.radii_mm.push_back(
+        std::max({glm::distance(a, centre), glm::distance(b, centre), glm::distance(c, centre)}));
+  }
+  return patch;
+}
+
+SkinPlace find_nearest_place(const SkinPatch& patch, const glm::vec3& point) {
+  assert(!patch.triangles.empty());
+  const Mesh& skin = *patch.skin;
+  SkinPlace best;
+  float nearest = std::numeric_limits<float>::max();
+  for (std::size_t i = 0; i < patch.triangles.size(); ++i) {
+    if (glm::distance(patch.centres[i], point) - patch.radii_mm[i] >= nearest) continue;
+    const auto& [a, b, c] = skin.triangles[patch.triangles[i]];
+    const glm::vec3 barycentric =
+        find_nearest_barycentric(point, skin.positions[a], skin.positions[b], skin.positions[c]);
+    const glm::vec3 on_skin = blend(skin.positions, skin.triangles[patch.triangles[i]], barycentric);
+    const float distance = glm::distance(on_skin, point);
+    if (distance < nearest) {
+      nearest = distance;
+      best = {patch.triangles[i], barycentric, on_skin, best.normal};
+    }
+  }
+  const glm::vec3 normal = blend(skin.normals, skin.triangles[best.triangle], best.barycentric);
+  best.normal = glm::dot(normal, normal) > 1e-12f ? glm::normalize(normal) : glm::vec3(0, 0, 1);
+  return best;
+}
+
+std::vector<HeadPart> mirror_parts(const std::vector<HeadPart>& left, const Mesh& skin) {
+  const MirrorIndex index = build_mirror_index(skin, find_mirrored_box(left, skin));
+  std::vector<HeadPart> right = left;
+  for (HeadPart& part : right) {
+    const std::string ending = "_left";
+    if (part.part.name.ends_with(ending))
+      part.part.name.replace(part.part.name.size() - ending.size(), ending.size(), "_right");
+    part.mount = mirror_mount(part.mount);
+    for (glm::vec3& p : part.part.rest.positions) p.x = -p.x;
+    for (glm::vec3& n : part.part.rest.normals) n.x = -n.x;
+    for (Triangle& t : part.part.rest.triangles) std::swap(t[1], t[2]);
+    for (Binding& binding : part.bindings) binding = mirror_binding(binding, skin, index);
+  }
+  return right;
+}
+
+}  // namespace mien

@@ -1,0 +1,78 @@
+// The numbers of the parts: templates/head/parts.yaml as plain values. What each means stands there, beside
+// it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <vector>
+
+namespace mien {
+
+struct TearNumbers {
+  double first = 0, last = 0, mix = 0, above_mm = 0, radius_mm = 0;
+  int rings = 0;
+};
+
+struct KnobNumbers {
+  double mix = 0, sink_mm = 0;
+  std::array<double, 3> half_mm{};
+};
+
+struct EyeNumbers {
+  double ball_mm = 0, outward_deg = 0, limbus_mm = 0, pupil_floor_mm = 0, cornea_rise_mm = 0,
+         cornea_edge_mm = 0;
+  std::array<double, 2> iris_edge_mm{}, iris_inner_mm{};  // radius, z
+  int fibres = 0;
+  TearNumbers tear;
+  KnobNumbers caruncle, plica;
+};
+
+struct LashRowNumbers {
+  int count = 0;
+  double from = 0, to = 0, shortest_mm = 0, longest_mm = 0, radius_mm = 0, fan = 0;
+  std::array<double, 2> out{}, up{};  // factors of s and s^2
+};
+
+struct LashNumbers {
+  double root = 0, clump = 0;
+  LashRowNumbers upper, lower;
+};
+
+struct BrowNumbers {
+  int hairs = 0;
+  double radius_mm = 0;
+  std::array<double, 4> lift_mm{};
+  std::vector<double> station, above_mm, half_mm, density, length_mm, lower_angle_deg, upper_angle_deg;
+};
+
+struct TeethRowNumbers {
+  double gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
+};
+
+struct TongueNumbers {
+  double half_mm = 0, tip_mm = 0, top_mm = 0, back_mm = 0;
+};
+
+struct MouthNumbers {
+  double corner_mm = 0, setback_mm = 0, clearance_mm = 0, half_arch_mm = 0, bend_from_mm = 0, bend = 0;
+  std::vector<double> widths_mm, rise_mm;
+  std::array<double, 2> grown_mm{};
+  TeethRowNumbers upper, lower;
+  double scallop_mm = 0, groove_mm = 0, notch_mm = 0, gum_thick_mm = 0;
+  TongueNumbers tongue;
+};
+
+struct PartNumbers {
+  EyeNumbers eye;
+  LashNumbers lashes;
+  BrowNumbers brow;
+  MouthNumbers mouth;
+};
+
+// Throws RunError "FILE: eye.limbus: what is wrong" for a file that lacks a number or holds something else.
+PartNumbers load_part_numbers(const std::filesystem::path& file);
+
+// templates/head/parts.yaml of the data folder.
+PartNumbers load_part_numbers();
+
+}  // namespace mien
