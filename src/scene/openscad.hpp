@@ -7,23 +7,49 @@
 #include <vector>
 
 #include "core/model.hpp"
+#include "scene/stl.hpp"
 
 namespace mien {
 
 // A closed solid of the bust, by name; the source unions them all.
 struct Solid {
   std::string name;  // a lower-case identifier
-  Mesh mesh;         // closed, wound outwards, mm
+  Mesh mesh;         // closed, wound outwards, mm; z up, front toward -y, the character's left at +x
 };
 
+// A figure that stands on z = 0 with its foot around the z axis, and the base it goes with.
 struct BustPrint {
-  std::string title;          // written as a comment only, after it was cleaned of line ends
-  double height_mm = 80;      // whole print with its base
+  std::string title;      // written as a comment only, after it was cleaned
+  double height_mm = 80;  // whole print with its base
+  double base_height_mm =
+      8;  // of the turned base the figure is set on; the figure takes the rest of the height
+  double base_radius_mm = 16;
+  double foot_mm = 6;         // without a base the figure is cut flat at this height, where it is broad
+  double foot_radius_mm = 5;  // of the figure's round underside
   std::vector<Solid> solids;  // skin first
 };
 
-// A customizable source: height, base and wall as Customizer variables, then the solids as literal polyhedra
-// (templates/openscad/bust.scad). Throws RunError if a solid is open, since OpenSCAD would not tell.
+// How deep the figure's foot goes into the base, so that the two are one solid. Less than a layer might not
+// join.
+inline constexpr double kFootSink_mm = 0.6;
+
+// A customizable source (templates/openscad/bust.scad): height and base as Customizer variables, then the
+// solids as literal polyhedra, welded at 1e-4 mm. Throws RunError "solid 'NAME' has N open edges; OpenSCAD
+// would drop it", "solid 'NAME' is inside out", "solid 'NAME' is empty" or "solid name 'NAME' is not a
+// lower-case identifier".
 std::string build_openscad_bust(const BustPrint& bust, const std::filesystem::path& templates_folder);
+
+// The command that makes `stl` from `source`, in OpenSCAD's own words.
+std::vector<std::string> list_openscad_command(const std::filesystem::path& source,
+                                               const std::filesystem::path& stl);
+
+// The first line of OpenSCAD's output that begins with ERROR, WARNING or the like; empty if it is content.
+// Its exit status does not tell: a solid that it cannot use is left out of a union with status 0.
+std::string find_openscad_complaint(const std::string& output);
+
+// Throws RunError "NAME.stl is not one closed part: ..." and the like unless the file's facts are those of
+// `bust`: one closed part, as high as asked within 0.01 mm, standing on z = 0, its volume between the skin's
+// alone and the sum of all.
+void verify_print(const BustPrint& bust, const StlFacts& facts, const std::string& name);
 
 }  // namespace mien

@@ -1,0 +1,16 @@
+// More triangles where detail is to stand, none elsewhere, and no cracks between.
+#pragma once
+
+#include <vector>
+
+#include "core/mesh.hpp"
+
+namespace mien {
+
+// Splits each triangle with a marked corner into four, and its neighbours so that no edge opens.
+// `mesh.normals` are needed: a new vertex is lifted off its edge onto the curve that the normals at both ends
+// suggest (Phong tessellation, Boubekeur and Alexa 2008). `marks` (one a vertex) and normals grow with the
+// mesh: a new vertex is marked if both ends of its edge are. Old vertices keep their index.
+void refine_marked(Mesh& mesh, std::vector<bool>& marks);
+
+}  // namespace mien

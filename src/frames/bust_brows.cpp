@@ -1,0 +1,141 @@
+#include "frames/bust_brows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "core/holes.hpp"
+#include "core/refine.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr float kReach_mm = 2.2f;  // how far round a hair the skin rises: less leaves holes between hairs
+constexpr int kSamples = 6;        // points along a hair
+constexpr int kRefinements = 2;    // of the skin's triangles of 2.5 mm, so that a lock is four of them wide
+
+// A hair as three points: root, middle, tip.
+using Strand = std::array<glm::vec3, 3>;
+
+std::vector<Strand> list_strands(const Mesh& hairs) {
+  std::vector<Strand> strands;
+  for (const Mesh& hair : split_pieces(hairs)) {
+    const std::vector<glm::vec3>& p = hair.positions;
+    strands.push_back({p.front(), p[p.size() / 2], p.back()});
+  }
+  return strands;
+}
+
+glm::vec3 sample_strand(const Strand& strand, float way) {
+  return way < 0.5f ? glm::mix(strand[0], strand[1], 2 * way) : glm::mix(strand[1], strand[2], 2 * way - 1);
+}
+
+// Points in cells of kReach_mm, to find those near a place.
+struct PointGrid {
+  std::map<std::array<int, 3>, std::vector<glm::vec3>> cells;
+
+  static std::array<int, 3> find_cell(const glm::vec3& p) {
+    return {int(std::floor(p.x / kReach_mm)), int(std::floor(p.y / kReach_mm)),
+            int(std::floor(p.z / kReach_mm))};
+  }
+
+  // The sum over the points within reach of a bell that is 1 on a point and 0 at the reach.
+  float sum_around(const glm::vec3& p) const {
+    const auto [x, y, z] = find_cell(p);
+    float sum = 0;
+    for (int i = 0; i < 27; ++i) {
+      const auto cell = cells.find({x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
+      if (cell == cells.end()) continue;
+      for (const glm::vec3& q : cell->second) {
+        const float share = 1 - glm::dot(p - q, p - q) / (kReach_mm * kReach_mm);
+        if (share > 0) sum += share * share;
+      }
+    }
+    return sum;
+  }
+};
+
+PointGrid build_grid(const std::vector<Strand>& strands) {
+  PointGrid grid;
+  for (const Strand& strand : strands)
+    for (int i = 0; i < kSamples; ++i) {
+      const glm::vec3 p = sample_strand(strand, float(i) / (kSamples - 1));
+      grid.cells[PointGrid::find_cell(p)].push_back(p);
+    }
+  return grid;
+}
+
+// What `sum_around` comes to where the brow is full: that of the strand at nine tenths of them.
+float find_full_density(const PointGrid& grid, const std::vector<Strand>& strands) {
+  std::vector<float> densities;
+  for (const Strand& strand : strands) densities.push_back(grid.sum_around(strand[1]));
+  const auto at = densities.begin() + static_cast<std::ptrdiff_t>(densities.size() * 9 / 10);
+  std::nth_element(densities.begin(), at, densities.end());
+  return *at;
+}
+
+float find_distance_mm(const glm::vec3& p, const Strand& strand) {
+  float nearest = INFINITY;
+  for (int i = 0; i < 2; ++i) {
+    const glm::vec3 along = strand[i + 1] - strand[i];
+    const float squared = glm::dot(along, along);
+    const float way = squared > 0 ? std::clamp(glm::dot(p - strand[i], along) / squared, 0.0f, 1.0f) : 0;
+    nearest = std::min(nearest, glm::length(p - strand[i] - way * along));
+  }
+  return nearest;
+}
+
+// Strands that lie at least `apart_mm` from each other, the first ones first: the locks.
+std::vector<Strand> pick_locks(const std::vector<Strand>& strands, float apart_mm) {
+  std::vector<Strand> locks;
+  for (const Strand& strand : strands) {
+    const bool is_free = std::none_of(locks.begin(), locks.end(), [&](const Strand& lock) {
+      return find_distance_mm(strand[1], lock) < apart_mm;
+    });
+    if (is_free) locks.push_back(strand);
+  }
+  return locks;
+}
+
+float smooth_step(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+void refine_under(Mesh& skin, const PointGrid& grid) {
+  for (int i = 0; i < kRefinements; ++i) {
+    update_normals(skin);
+    std::vector<bool> marks;
+    for (const glm::vec3& p : skin.positions) marks.push_back(grid.sum_around(p) > 0);
+    refine_marked(skin, marks);
+  }
+  update_normals(skin);
+}
+
+}  // namespace
+
+void raise_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowRelief& relief) {
+  constexpr float kGroove = 0.45f;  // of the height: how deep the line between two locks is
+  for (const Mesh& brow : hairs) {
+    const std::vector<Strand> strands = list_strands(brow);
+    if (strands.empty()) continue;
+    const PointGrid grid = build_grid(strands);
+    refine_under(skin, grid);
+    const float full = find_full_density(grid, strands);
+    const std::vector<Strand> locks = pick_locks(strands, relief.lock_mm);
+    for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+      glm::vec3& p = skin.positions[v];
+      const float body = smooth_step(0.1f, 0.7f, grid.sum_around(p) / full);
+      if (body <= 0) continue;
+      float nearest = INFINITY;
+      for (const Strand& lock : locks) nearest = std::min(nearest, find_distance_mm(p, lock));
+      const float groove = smooth_step(0.1f, 0.55f, nearest / relief.lock_mm);
+      p += skin.normals[v] * (relief.height_mm * body * (1 - kGroove * groove));
+    }
+  }
+}
+
+}  // namespace mien
