@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/error.hpp"
-#include "core/holes.hpp"
+#include "core/simplify.hpp"
 #include "frames/bust_brows.hpp"
 #include "frames/bust_eyes.hpp"
 #include "frames/bust_pieces.hpp"
@@ -22,7 +22,9 @@ constexpr double kBaseRadius = 15.0 / 80;
 constexpr float kBrow = 0.5f / 80;        // standing out less, it is lost between two layers
 constexpr float kIrisDepth = 0.45f / 80;  // a dish that throws a shadow
 constexpr float kPupilDepth = 1.0f / 80;  // dark in every light
-constexpr float kIrisRadius_mm = 5.7f;    // of the head, if the model has no iris
+// Of the printed surface. Measured: 0.013 mm at most are lost, an eighth of a fine layer, and half of the triangles.
+constexpr double kTolerance_mm = 0.03;
+constexpr float kIrisRadius_mm = 5.7f;  // of the head, if the model has no iris
 
 // One drawing of a model, with its parts findable by name.
 struct Figure {
@@ -142,7 +144,10 @@ BustPrint build_bust(const NeutralHead& head, const Model& model, const Drawing&
 
   print.solids.push_back({"skin", std::move(skin.mesh)});
   std::move(inner.begin(), inner.end(), std::back_inserter(print.solids));
-  for (Solid& solid : print.solids) placing.apply(solid.mesh);
+  for (Solid& solid : print.solids) {
+    placing.apply(solid.mesh);
+    simplify_mesh(solid.mesh, kTolerance_mm);
+  }
   return print;
 }
 

@@ -11,9 +11,9 @@ namespace mien {
 
 namespace {
 
-constexpr int kSpokes = 96;             // around the gaze: the iris' rim looks round at any print size
-constexpr float kPupilPerIris = 0.46f;  // radius; a smaller bore closes up in print
-constexpr float kWall = 0.05f;          // of the iris radius: how far a carved wall leans
+constexpr int kSpokes = 72;            // around the gaze: the iris' rim looks round at any print size
+constexpr float kPupilPerIris = 0.5f;  // radius; a smaller bore closes up in print
+constexpr float kWall = 0.05f;         // of the iris radius: how far a carved wall leans
 constexpr float kPi = std::numbers::pi_v<float>;
 
 float smooth_step(float from, float to, float x) {
@@ -43,12 +43,12 @@ float find_depth_mm(const CarvedEye& eye, float x, float y) {
 // Polar angles of the rings: dense over the carving, with a ring at the foot and head of each wall.
 std::vector<float> list_rings(float iris_angle) {
   std::vector<float> rings;
-  for (int i = 1; i <= 26; ++i) rings.push_back(iris_angle * (1 + kWall) * float(i) / 26);
+  for (int i = 1; i <= 20; ++i) rings.push_back(iris_angle * (1 + kWall) * float(i) / 20);
   for (const float wall : {kPupilPerIris, 1.0f})
     for (const float side : {-kWall, 0.0f, kWall}) rings.push_back(iris_angle * (wall + side));
-  for (int i = 1; i < 18; ++i) {
+  for (int i = 1; i < 9; ++i) {
     const float start = iris_angle * (1 + kWall);
-    rings.push_back(start + (kPi - start) * float(i) / 18);
+    rings.push_back(start + (kPi - start) * float(i) / 9);
   }
   std::sort(rings.begin(), rings.end());
   const float apart = iris_angle * 0.01f;
