@@ -1,8 +1,8 @@
 #include "clip.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "config/load_spec.hpp"
@@ -19,7 +19,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Around the head, as shares of its height from chin to crown: air above, the neck below, ears and air at the sides.
+// Around the head, as shares of its height from chin to crown: air above, the neck below, ears and air at the
+// sides.
 constexpr double kAbove = 0.10, kBelow = 0.25, kWide = 1.08;
 
 int count_jobs(const Options& options) { return options.jobs > 0 ? options.jobs : count_cores(); }
@@ -50,8 +51,8 @@ void write_held_frames(const Clip& clip) {
   for (std::size_t i = 0; i < clip.plan.frames.size(); ++i) {
     const int frame = clip.plan.frames[i], drawn_as = clip.plan.drawn_as[i];
     if (frame == drawn_as) continue;
-    write_file(clip.files.scene(frame), fmt::format("// holds the drawing of frame {}\n#include \"{}.pov\"\n", drawn_as,
-                                                    name_frame(drawn_as)));
+    write_file(clip.files.scene(frame), fmt::format("// holds the drawing of frame {}\n#include \"{}.pov\"\n",
+                                                    drawn_as, name_frame(drawn_as)));
   }
 }
 
@@ -125,7 +126,8 @@ void render_pictures(const Clip& clip, const std::vector<std::string>& keys, con
   const FramePlan& plan = clip.plan;
   std::vector<FrameJob> jobs;
   for (std::size_t i = 0; i < plan.drawings.size(); ++i)
-    jobs.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]), clip.files.picture(plan.drawings[i]), keys[i]});
+    jobs.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]),
+                    clip.files.picture(plan.drawings[i]), keys[i]});
   RenderSettings settings;
   settings.width_px = clip.spec.render.width_px;
   settings.height_px = clip.spec.render.height_px;

@@ -34,8 +34,9 @@ Clip plan_clip(const Options& options, const std::filesystem::path& data_folder)
 // The camera of one moment. Distance 1 frames the whole face and neck of this head, whatever its size.
 CameraView find_view(const Figure& figure, const CameraKey& camera);
 
-// Writes the shared include, a scene for each frame asked for (a held drawing includes the one it repeats) and the
-// .ini. Returns for each drawing of the plan the key of its picture: a hash of all that its pixels depend on.
+// Writes the shared include, a scene for each frame asked for (a held drawing includes the one it repeats)
+// and the .ini. Returns for each drawing of the plan the key of its picture: a hash of all that its pixels
+// depend on.
 std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, const Options& options,
                                       const std::filesystem::path& data_folder);
 

@@ -43,7 +43,8 @@ Rows list_expressions(const std::filesystem::path& data) {
     std::string areas;
     for (std::size_t i = 0; i < kMoveCount; ++i) {
       const std::string area(kMoves[i].area);
-      if (expression.pose.values[i] != 0 && areas.find(area) == areas.npos) areas += (areas.empty() ? "" : ", ") + area;
+      if (expression.pose.values[i] != 0 && areas.find(area) == areas.npos)
+        areas += (areas.empty() ? "" : ", ") + area;
     }
     rows.emplace_back(expression.library + "/" + expression.name, areas);
   }
@@ -68,7 +69,8 @@ Rows list_features(const std::filesystem::path& data) {
   if (!std::filesystem::exists(file)) return rows;
   const YAML::Node features = YAML::LoadFile(file.string())["features"];
   for (const auto& feature : features)
-    rows.emplace_back(feature.first.as<std::string>(), "-1..1  " + feature.second["meaning"].as<std::string>());
+    rows.emplace_back(feature.first.as<std::string>(),
+                      "-1..1  " + feature.second["meaning"].as<std::string>());
   return rows;
 }
 
@@ -83,11 +85,14 @@ Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
     return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
             {"good", "about 3 s: the default"},
             {"best", "about 10 s: for the last run"}};
-  const std::vector<std::string> kinds{"ages", "skulls", "features", "areas", "expressions", "landmarks", "qualities"};
+  const std::vector<std::string> kinds{"ages",        "skulls",    "features", "areas",
+                                       "expressions", "landmarks", "qualities"};
   const std::string near = find_nearest(kind, kinds);
-  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected ages, skulls, features, areas, expressions, "
-                                              "landmarks or qualities", kind)
-                                : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
+  throw InputError(
+      near.empty() ? fmt::format("unknown kind '{}'; expected ages, skulls, features, areas, expressions, "
+                                 "landmarks or qualities",
+                                 kind)
+                   : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
 }
 
 }  // namespace

@@ -59,8 +59,9 @@ Drawing draw_moment(const Figure& figure, const Moment& moment) {
 fs::path find_clip_path(const Clip& clip) {
   const auto& frames = clip.plan.frames;
   const bool is_whole = static_cast<int>(frames.size()) == clip.frame_count;
-  return clip.files.folder / (is_whole ? clip.files.name + ".mp4"
-                                       : fmt::format("{}_{}-{}.mp4", clip.files.name, frames.front(), frames.back()));
+  return clip.files.folder /
+         (is_whole ? clip.files.name + ".mp4"
+                   : fmt::format("{}_{}-{}.mp4", clip.files.name, frames.front(), frames.back()));
 }
 
 void write_clip(const Clip& clip, const Options& options) {
@@ -70,7 +71,8 @@ void write_clip(const Clip& clip, const Options& options) {
   write_video(pictures, clip.spec.clip.fps, path);
   tell_result(options, "clip", path);
 
-  const int poster = std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
+  const int poster =
+      std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
   write_file(clip.files.folder / "poster.png", read_file(clip.files.picture(poster)));
   tell_result(options, "poster", clip.files.folder / "poster.png");
 }
@@ -79,7 +81,8 @@ void write_clip(const Clip& clip, const Options& options) {
 void write_bust(const NeutralHead& head, const Figure& figure, const BustSpec& bust, const Spec& spec,
                 const fs::path& folder, const fs::path& data, const Options& options) {
   const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}});
-  const std::string title = fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
+  const std::string title =
+      fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
   const BustPrint print = build_bust(head, figure.model, drawing, bust.height_mm, title);
   const std::string stem = "bust_" + bust.expression.name;
   const fs::path source = folder / (stem + ".scad"), stl = folder / (stem + ".stl");
@@ -91,8 +94,9 @@ void write_bust(const NeutralHead& head, const Figure& figure, const BustSpec& b
   const ProcessResult result = run_process(command, work.path);
   const std::string complaint = find_openscad_complaint(result.output);
   if (result.exit_code != 0 || !complaint.empty())
-    throw RunError(format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
-                                  quote_command(command), result.output));
+    throw RunError(
+        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
+                       quote_command(command), result.output));
   verify_print(print, check_stl(work.path / (stem + ".stl")), stem);
   fs::rename(work.path / (stem + ".stl"), stl);
   tell_result(options, "stl", stl);
@@ -153,8 +157,8 @@ void write_mesh(const Options& options) {
   const Moment moment = find_moment(options, spec);
   const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
   if (path.extension() != ".obj")
-    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in .obj", path.string(),
-                                 path.extension().string()));
+    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in .obj",
+                                 path.string(), path.extension().string()));
   const Figure figure = build_figure(spec.head, data);
   const Drawing drawing = draw_moment(figure, moment);
   std::string text;
@@ -195,14 +199,15 @@ void check_file(const Options& options) {
     return;
   }
   fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
-             clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px, render.height_px,
-             clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
+             clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
+             render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
 }
 
 void write_starter(const Options& options) {
   fs::path path = options.output.value_or(options.file);
   if (path.extension() != ".yaml" && path.extension() != ".yml") path += ".yaml";
-  if (fs::exists(path)) throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
+  if (fs::exists(path))
+    throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
   const fs::path origin = find_data_folder() / "templates/new.yaml";
   write_file(path, fill_template(read_file(origin), {{"name", path.stem().string()}}, origin.string()));
   tell_result(options, "file", path);

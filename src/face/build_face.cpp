@@ -102,8 +102,12 @@ LidRig build_lids(const NeutralHead& head, const LidData& data) {
   const glm::dvec3 across = at("E1_8") - at("E1_0");
   rig.axis = glm::normalize(glm::dvec3(across.x, across.y, 0));
   for (int column = 0; column <= 8; ++column) {
-    rig.upper_rest_rad[column] = height_rad(rig, at(fmt::format("E1_{}", column)));
-    rig.lower_rest_rad[column] = height_rad(rig, at(fmt::format("E1_{}", column == 0 ? 0 : 16 - column)));
+    const glm::dvec3 upper = at(fmt::format("E1_{}", column));
+    const glm::dvec3 lower = at(fmt::format("E1_{}", column == 0 ? 0 : 16 - column));
+    rig.upper_rest_rad[column] = height_rad(rig, upper);
+    rig.lower_rest_rad[column] = height_rad(rig, lower);
+    rig.upper_along_mm[column] = glm::dot(upper - rig.centre, rig.axis);
+    rig.lower_along_mm[column] = glm::dot(lower - rig.centre, rig.axis);
   }
   rig.taper = data.column_taper;
   rig.meeting = data.meeting;

@@ -52,6 +52,7 @@ struct LidRig {
   glm::dvec3 centre{0};                                      // left eye, mm
   glm::dvec3 axis{1, 0, 0};                                  // left eye, from the inner to the outer corner
   std::array<double, 9> upper_rest_rad{}, lower_rest_rad{};  // margin's height above the axis by column 0..8
+  std::array<double, 9> upper_along_mm{}, lower_along_mm{};  // and how far out along the axis, ascending
   std::array<double, 9> taper{};
   double meeting = 0, least_gap_rad = 0, wide_rad = 0, raised_rad = 0;
   double follow_up = 0, follow_down = 0, follow_lower = 0;

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -27,20 +28,44 @@ double gaze_pitch_rad(const Face& face, const Pose& pose, Side side) {
   return up * (up > 0 ? face.eye_up_rad : face.eye_down_rad);
 }
 
-// How far the upper and the lower margin of one column turn, after all that moves lids has had its say: gaze
-// and the two lids first, then shutting as a share of the way to where the lids would meet; the upper lid
-// wins a conflict.
-glm::dvec2 find_lid_turns(const LidRig& rig, int column, double upper, double lower, double pitch_rad) {
-  const double taper = rig.taper[column];
+using Columns = std::array<double, 9>;
+
+// `height` of one margin, known at `along`, at another place along the axis.
+double sample_margin(const Columns& along, const Columns& height, double at) {
+  std::size_t i = 1;
+  while (i < 8 && along[i] < at) ++i;
+  const double t = std::clamp((at - along[i - 1]) / (along[i] - along[i - 1]), 0.0, 1.0);
+  return glm::mix(height[i - 1], height[i], t);
+}
+
+// How far each column of the two margins turns.
+struct LidTurns {
+  Columns upper{}, lower{};
+};
+
+// Gaze and the two lids first, then shutting as a share of the way to the line where the lids meet. Both
+// margins close on one line, whose height is asked at each column's own place. In a conflict the upper lid
+// wins.
+LidTurns find_lid_turns(const LidRig& rig, double upper, double lower, double pitch_rad) {
   const double follow = pitch_rad * (pitch_rad > 0 ? rig.follow_up : rig.follow_down);
-  double up = rig.upper_rest_rad[column] + taper * (follow + std::max(0.0, upper) * rig.wide_rad);
-  double low = rig.lower_rest_rad[column] + taper * (pitch_rad * rig.follow_lower + lower * rig.raised_rad);
-  low = std::min(low, up - rig.least_gap_rad);
+  Columns up = rig.upper_rest_rad, low = rig.lower_rest_rad;
+  for (int i = 1; i < 8; ++i) up[i] += rig.taper[i] * (follow + std::max(0.0, upper) * rig.wide_rad);
+  for (int i = 1; i < 8; ++i) {
+    low[i] += rig.taper[i] * (pitch_rad * rig.follow_lower + lower * rig.raised_rad);
+    low[i] =
+        std::min(low[i], sample_margin(rig.upper_along_mm, up, rig.lower_along_mm[i]) - rig.least_gap_rad);
+  }
   const double shut = std::max(0.0, -upper);
-  const double meeting = glm::mix(low, up, rig.meeting);
-  up = glm::mix(up, meeting + 0.5 * rig.least_gap_rad, shut);
-  low = glm::mix(low, meeting - 0.5 * rig.least_gap_rad, shut);
-  return {up - rig.upper_rest_rad[column], low - rig.lower_rest_rad[column]};
+  Columns meeting = low;
+  for (int i = 1; i < 8; ++i)
+    meeting[i] = glm::mix(low[i], sample_margin(rig.upper_along_mm, up, rig.lower_along_mm[i]), rig.meeting);
+  LidTurns turns;
+  for (int i = 1; i < 8; ++i) {
+    const double line = sample_margin(rig.lower_along_mm, meeting, rig.upper_along_mm[i]);
+    turns.upper[i] = glm::mix(up[i], line + 0.5 * rig.least_gap_rad, shut) - rig.upper_rest_rad[i];
+    turns.lower[i] = glm::mix(low[i], meeting[i] - 0.5 * rig.least_gap_rad, shut) - rig.lower_rest_rad[i];
+  }
+  return turns;
 }
 
 glm::dvec3 turn_about_axis(const LidRig& rig, const glm::dvec3& arm, double angle_rad) {
@@ -56,15 +81,15 @@ void turn_lids(const NeutralHead& head, const Face& face, const Pose& pose, Side
   const LidRig& rig = face.lids;
   const double upper = value_of(pose, "lid", side, "upper"), lower = value_of(pose, "lid", side, "lower");
   const double pitch = gaze_pitch_rad(face, pose, side);
-  std::array<glm::dvec2, 9> turns{};
-  for (int column = 1; column < 8; ++column) turns[column] = find_lid_turns(rig, column, upper, lower, pitch);
+  const LidTurns turns = find_lid_turns(rig, upper, lower, pitch);
 
   const glm::dvec3 mirror(side == Side::left ? 1 : -1, 1, 1);
   for (const LidRing& ring : rig.rings[side == Side::left ? 0 : 1])
     for (int i = 0; i < 16; ++i) {
       const bool is_upper = i < 8;
       const int column = is_upper ? i : 16 - i;
-      const double angle = is_upper ? turns[column].x * ring.upper_share : turns[column].y * ring.lower_share;
+      const double angle =
+          is_upper ? turns.upper[column] * ring.upper_share : turns.lower[column] * ring.lower_share;
       const std::uint32_t p = ring.points[i];
       if (angle != 0) {
         const glm::dvec3 arm = head.cage.points[p] * mirror - rig.centre;

@@ -59,8 +59,8 @@ TEST(cage, passes_its_skin_points) {
     eye_sum += miss * miss;
     ++eye_count;
   }
-  EXPECT_LT(std::sqrt(square_sum / count), 1.5);      // mm; fairness is meant to overrule the skull's points
-  EXPECT_LT(std::sqrt(eye_sum / eye_count), 0.25);    // lid margins and the lips' contact are exact
+  EXPECT_LT(std::sqrt(square_sum / count), 1.5);    // mm; fairness is meant to overrule the skull's points
+  EXPECT_LT(std::sqrt(eye_sum / eye_count), 0.25);  // lid margins and the lips' contact are exact
 }
 
 TEST(surface, is_an_exact_mirror_image_of_itself) {
@@ -101,9 +101,11 @@ TEST(head, is_open_only_at_neck_eyes_and_the_back_of_the_mouth) {
 
 TEST(head, has_an_adults_size) {
   const Box box = find_bounds(adult().skin.positions);
-  const auto at = [](const char* name) { return adult().skin.positions[adult().cage.index.find(name)->second]; };
-  EXPECT_NEAR(box.high.y - at("m12_D1").y, 228, 3);                    // chin to crown
-  EXPECT_NEAR(2 * adult().eye.centre.x, 63, 0.5);                      // between the pupils
+  const auto at = [](const char* name) {
+    return adult().skin.positions[adult().cage.index.find(name)->second];
+  };
+  EXPECT_NEAR(box.high.y - at("m12_D1").y, 228, 3);                         // chin to crown
+  EXPECT_NEAR(2 * adult().eye.centre.x, 63, 0.5);                           // between the pupils
   EXPECT_NEAR(-at("m12_D1").y / (box.high.y - at("m12_D1").y), 0.5, 0.01);  // eyes at half the height
 }
 
@@ -114,7 +116,8 @@ TEST(head, lids_lie_on_the_ball_on_every_head) {
       for (int i = 0; i < 16; ++i)
         for (const char* ring : {"E0_", "E1_", "E2_"}) {
           const std::uint32_t v = head.cage.index.find(ring + std::to_string(i))->second;
-          const double gap = glm::length(glm::dvec3(head.skin.positions[v]) - head.eye.centre) - head.eye.radius_mm;
+          const double gap =
+              glm::length(glm::dvec3(head.skin.positions[v]) - head.eye.centre) - head.eye.radius_mm;
           EXPECT_GT(gap, 0) << age << " " << skull << " " << ring << i;
           if (ring == std::string("E0_")) EXPECT_LT(gap, 2.6) << age << " " << skull << " " << i;
         }
@@ -172,7 +175,9 @@ TEST(shapes, moves_the_guide_line_that_was_asked_for) {
   HeadSpec spec;
   spec.guides = {{"nose_base", 0.30}};
   const NeutralHead moved = build_neutral_head(spec, find_data_folder());
-  const auto y = [&](const NeutralHead& head) { return head.skin.positions[head.cage.index.find("p_cb")->second].y; };
+  const auto y = [&](const NeutralHead& head) {
+    return head.skin.positions[head.cage.index.find("p_cb")->second].y;
+  };
   EXPECT_NEAR(y(moved) - y(adult()), (0.30 - guides.at("nose_base")) * 228.3, 0.6);
 }
 
@@ -183,9 +188,10 @@ TEST(shapes, refuses_guide_lines_that_cross) {
     build_neutral_head(spec, find_data_folder());
     FAIL();
   } catch (const InputError& e) {
-    EXPECT_STREQ(e.what(),
-                 "guide line 'eye_line' meets the one below it; expected the order mouth_line, nose_base, eye_line, "
-                 "brow_line, hairline from chin to crown on this head");
+    EXPECT_STREQ(
+        e.what(),
+        "guide line 'eye_line' meets the one below it; expected the order mouth_line, nose_base, eye_line, "
+        "brow_line, hairline from chin to crown on this head");
   }
 }
 
