@@ -1,6 +1,7 @@
 // POV-Ray 3.7: options and exit statuses, reference manual 3.2; include files are looked for in the working
 // folder and then in the library paths. Measured on 3.7.0.10: names with blanks or letters outside ASCII
-// break +I, +L and +O; a scene without objects is a warning only; messages are folded at 80 columns.
+// break +I, +L and +O, so that it runs in a work folder and knows
+// all by short relative names.
 #include "render/driver.hpp"
 
 #include <fmt/format.h>
@@ -8,11 +9,11 @@
 #include <algorithm>
 #include <list>
 #include <map>
-#include <regex>
-#include <sstream>
+#include <optional>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "render/povray_output.hpp"
 #include "render/work_folder.hpp"
 
 namespace mien {
@@ -37,6 +38,8 @@ struct Rendering {
 
 // What is the same for every frame of a call.
 struct Run {
+  explicit Run(const RenderSettings& run_settings, const std::filesystem::path& folder);
+
   const RenderSettings& settings;
   WorkFolder work;
   int link_count = 0;
@@ -61,6 +64,12 @@ std::string build_plain_name(const std::filesystem::path& path, Run& run) {
   std::filesystem::create_symlink(std::filesystem::absolute(path), run.work.path / name, error);
   if (error) throw RunError(fmt::format("cannot write in {}: {}", run.work.path.string(), error.message()));
   return name;
+}
+
+Run::Run(const RenderSettings& run_settings, const std::filesystem::path& folder)
+    : settings(run_settings), work(folder) {
+  write_file(work.path / kIniName, kIniText);
+  for (const auto& library : settings.libraries) libraries.push_back(build_plain_name(library, *this));
 }
 
 std::vector<std::string> build_options(const RenderSettings& settings) {
@@ -93,31 +102,6 @@ std::string describe_command(const FrameJob& job, const RenderSettings& settings
                      quote_command(command));
 }
 
-// The lines of POV-Ray's output where the reason of a failure stands: those since the last heading ("====
-// [Parsing...]
-// ===="), or if it thinks that all went well, its warnings.
-std::string find_reason(const ProcessResult& result) {
-  const std::string text = unwrap_povray_output(result.output);
-  if (result.exit_code != 0) {
-    const std::size_t heading = text.rfind("\n==== [");
-    return heading == std::string::npos ? text
-                                        : text.substr(std::min(text.find('\n', heading + 1), text.size()));
-  }
-  std::string warnings;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find("Warning:") != std::string::npos || line.find("Error:") != std::string::npos)
-      warnings += line + '\n';
-  return warnings;
-}
-
-// By POV-Ray's own statistics: nothing bounded, such as a mesh, and nothing without bounds, such as a plane.
-// Its warning "No objects in scene" counts lights as objects.
-bool is_empty_scene(const std::string& output) {
-  static const std::regex kNoObjects("\\nFinite Objects: +0\\nInfinite Objects: +0\\n");
-  return std::regex_search(output, kNoObjects) || output.find("No objects in scene") != std::string::npos;
-}
-
 // What went wrong with an ended frame; empty and `png` filled if nothing did.
 std::string find_fault(const Rendering& rendering, const RenderSettings& settings, std::string& png) {
   const ProcessResult& result = rendering.process.result;
@@ -143,7 +127,7 @@ void finish_rendering(const Rendering& rendering, const Run& run) {
   require_space(run.work.path, pixel_count * kDiskPerPixel, rendering.job->picture);
   throw RunError(format_failure(fmt::format("frame {}: {}", rendering.job->number, fault),
                                 describe_command(*rendering.job, settings),
-                                find_reason(rendering.process.result)));
+                                find_povray_reason(rendering.process.result)));
 }
 
 // Takes those that have ended out of `running`.
@@ -166,29 +150,26 @@ bool has_failed_exit(const Rendering& rendering) { return rendering.process.resu
 
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
                    const FrameDone& done) {
-  if (frames.empty()) return;
-  Run run{settings, WorkFolder(frames.front().picture.parent_path()), 0, {}};
-  write_file(run.work.path / kIniName, kIniText);
-  for (const auto& library : settings.libraries) run.libraries.push_back(build_plain_name(library, run));
-
+  std::optional<Run> run;  // made when the first frame needs it: where all is kept, nothing is written
   const std::size_t jobs = static_cast<std::size_t>(std::max(settings.jobs, 1));
   std::list<Rendering> running, ended;
-  std::map<int, std::string>
-      failures;  // the lowest frame is told, so that it does not hang on which one was first
+  std::map<int, std::string> failures;  // by frame: the first is told, whichever came first
   for (std::size_t next = 0;;) {
     const bool has_failed = !failures.empty() || std::ranges::any_of(ended, has_failed_exit);
     while (!has_failed && running.size() < jobs && next < frames.size()) {
       throw_if_interrupted();
       const FrameJob& job = frames[next++];
-      if (!job.key.empty() && read_picture_key(job.picture) == job.key)
+      if (!job.key.empty() && read_picture_key(job.picture) == job.key) {
         done(job.number, true);
-      else
-        running.push_back(start_rendering(job, next, run));
+        continue;
+      }
+      if (!run) run.emplace(settings, frames.front().picture.parent_path());
+      running.push_back(start_rendering(job, next, *run));
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
     for (const Rendering& rendering : ended) {
       try {
-        finish_rendering(rendering, run);
+        finish_rendering(rendering, *run);
         done(rendering.job->number, false);
       } catch (const RunError& error) {
         failures.emplace(rendering.job->number, error.what());
@@ -198,25 +179,6 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
     ended = take_ended(running);
   }
   if (!failures.empty()) throw RunError(failures.begin()->second);
-}
-
-std::string unwrap_povray_output(const std::string& output) {
-  std::string text;
-  std::size_t column = 0;  // in the last line as POV-Ray printed it
-  for (std::size_t at = 0; at < output.size();) {
-    const std::size_t end = std::min(output.find('\n', at), output.size());
-    const std::string line = output.substr(at, end - at);
-    // A folded line goes on with the blank that it was folded at, and with a word that had no room before it;
-    // a word wider than a line is cut in the middle.
-    const std::size_t word = std::min(line.find(' ', 1), line.size());
-    const bool goes_on = line.size() > 1 && line[0] == ' ' && line[1] != ' ' && column + word > kFold;
-    const bool is_cut = column == kFold && !line.empty() && line[0] != ' ';
-    if (at > 0 && !goes_on && !is_cut) text += '\n';
-    text += line;
-    column = line.size();
-    at = end + 1;
-  }
-  return text;
 }
 
 }  // namespace mien

@@ -39,7 +39,4 @@ using FrameDone = std::function<void(int frame_number, bool was_kept)>;
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
                    const FrameDone& done);
 
-// POV-Ray's messages with the line breaks that it puts in after 80 columns taken out.
-std::string unwrap_povray_output(const std::string& output);
-
 }  // namespace mien

@@ -244,17 +244,5 @@ TEST(driver, tells_a_full_disk_in_one_line) {
   EXPECT_EQ(shoot.count_pictures(), 0);
 }
 
-TEST(driver, unwraps_povrays_lines) {
-  const std::string line76 = "File 'another_rather_long_folder_name/bad.pov' line 4: Parse Error: Expected";
-  const std::string line80 =
-      " 'numeric expression', undeclared identifier 'undeclared_identifier_with_a_very_";
-  ASSERT_EQ(line76.size(), 76u);
-  ASSERT_EQ(line80.size(), 80u);
-  EXPECT_EQ(unwrap_povray_output(line76 + "\n" + line80 + "\nlong_name' found instead\nRender failed\n"),
-            line76 + line80 + "long_name' found instead\nRender failed");
-  EXPECT_EQ(unwrap_povray_output("Parser Options\n  Input file: a\n Short\n"),
-            "Parser Options\n  Input file: a\n Short");
-}
-
 }  // namespace
 }  // namespace mien
