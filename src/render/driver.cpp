@@ -83,8 +83,10 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
   const std::filesystem::path folder = job.scene.parent_path();
   const std::string raw = fmt::format("{}.png", index);
   std::vector<std::string> command{"povray", "+I" + build_plain_name(job.scene, run), "+O" + raw};
-  command.push_back("+L" + build_plain_name(folder.empty() ? "." : folder, run));
-  for (const std::string& library : run.libraries) command.push_back("+L" + library);
+  const std::string scene_folder = build_plain_name(folder.empty() ? "." : folder, run);
+  command.push_back("+L" + scene_folder);
+  for (const std::string& library : run.libraries)
+    if (library != scene_folder) command.push_back("+L" + library);
   for (std::string& option : build_options(run.settings)) command.push_back(std::move(option));
   const std::string ini = fmt::format("POVINI={}", kIniName);
   return {&job, run.work.path / raw, start_process(command, run.work.path, {ini})};
@@ -93,13 +95,15 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
 // The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
 // is gone.
 std::string describe_command(const FrameJob& job, const RenderSettings& settings) {
+  const std::filesystem::path folder = job.scene.has_parent_path() ? job.scene.parent_path() : ".";
   std::vector<std::string> command{"povray", "+I" + job.scene.filename().string()};
-  for (const auto& library : settings.libraries)
-    command.push_back("+L" + std::filesystem::absolute(library).lexically_normal().string());
+  for (const auto& library : settings.libraries) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(library, folder, ignored))
+      command.push_back("+L" + std::filesystem::absolute(library).lexically_normal().string());
+  }
   for (std::string& option : build_options(settings)) command.push_back(std::move(option));
-  const std::filesystem::path folder = job.scene.parent_path();
-  return fmt::format("cd {} && {}", quote_command({folder.empty() ? "." : folder.string()}),
-                     quote_command(command));
+  return fmt::format("cd {} && {}", quote_command({folder.string()}), quote_command(command));
 }
 
 // What went wrong with an ended frame; empty and `png` filled if nothing did.

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cctype>
 #include <cerrno>
 #include <chrono>
@@ -26,8 +27,9 @@ namespace mien {
 
 namespace {
 
-// The one thing a signal handler may touch.
-volatile sig_atomic_t signal_came = 0;
+// The one thing a signal handler may touch, and any thread may ask.
+std::atomic<bool> signal_came = false;
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr std::size_t kOutputKept = 1
                                     << 20;  // bytes; the end of a program's output is what explains a failure
@@ -35,7 +37,7 @@ constexpr int kLastLines = 12;              // lines of output in a message: an 
 constexpr int kPoll_ms = 50;  // how late a signal to another thread or a daemonised child is noticed
 constexpr int kReap_ms = 1;   // between the closed pipe and the ended process
 
-extern "C" void note_signal(int) { signal_came = 1; }
+extern "C" void note_signal(int) { signal_came = true; }
 
 double read_clock_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -138,7 +140,7 @@ bool is_safe_in_shell(char letter) {
 }  // namespace
 
 void install_signal_handlers() {
-  signal_came = 0;
+  signal_came = false;
   struct sigaction action {};
   action.sa_handler = note_signal;
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: poll() shall wake
@@ -147,7 +149,7 @@ void install_signal_handlers() {
 }
 
 void throw_if_interrupted() {
-  if (signal_came != 0) throw Interrupted();
+  if (signal_came) throw Interrupted();
 }
 
 Process::Process(Process&& other) noexcept { *this = std::move(other); }

@@ -14,20 +14,20 @@ ProgressStyle find_progress_style(std::FILE* stream, bool is_quiet, bool is_json
 
 // Counts frames done; shows frames, frames a second and the time left. All writes go to one stream. Not
 // copied. Safe to call from several threads.
-//   bar    redrawn ten times a second at most; erased by finish(), or by the destructor if work ended early,
-//   so that
-//          an error message begins on a clean line. Coloured unless NO_COLOR is set, drawn with lines in
-//          UTF-8.
-//   lines  at each tenth and at least once a minute, but five seconds apart: a log stays short
-//   json   {"event":"frame","stage":"frames","frame":18,"done":18,"total":48,"kept":4} for each frame, and at
-//   the end
-//          {"event":"stage","stage":"frames","rendered":44,"kept":4,"total":48,"seconds":20.9}
+//
+// bar: redrawn ten times a second at most; erased by finish(), or by the destructor if work ended early, so
+// that an error message begins on a clean line. Drawn in UTF-8 where the locale has it, coloured unless
+// NO_COLOR is set.
+//
+// lines: at each tenth and at least once a minute, but five seconds apart, so that a log stays short.
+//
+// json: {"event":"frame","stage":"frames","frame":18,"done":18,"total":48,"kept":4} for each frame, and at
+// the end {"event":"stage","stage":"frames","rendered":44,"kept":4,"total":48,"seconds":20.9}.
 struct Progress {
   Progress(std::FILE* stream, ProgressStyle style, std::string label, int total);
   ~Progress();
-  void advance(bool was_kept,
-               int frame_number = 0);  // one frame more; its number, if there is one, goes into JSON
-  void finish();                       // closes the bar; says how many were rendered and kept, and the time
+  void advance(bool was_kept, int frame_number = 0);  // one frame more; a number above 0 goes into JSON
+  void finish();  // closes the bar; says how many were rendered and kept, and the time
 
   std::FILE* stream;
   ProgressStyle style;

@@ -109,6 +109,7 @@ TEST(driver, passes_the_options_on_and_reads_no_stray_settings) {
   const FakeProgram fake(
       "povray", "echo \"$POVINI\" > ../../said; cat \"$POVINI\" >> ../../said; echo \"$@\" >> ../../said\n");
   shoot.settings.povray_options = {"+AM2", "+A0.1"};
+  shoot.settings.libraries.push_back(shoot.scratch.path / "scenes");  // named once only
   shoot.find_error();
   EXPECT_EQ(read_file(shoot.scratch.path / "said"),
             "povray.ini\nWork_Threads=1\n"

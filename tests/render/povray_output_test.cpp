@@ -33,3 +33,6 @@ TEST(povray_output, tells_an_empty_scene) {
   EXPECT_FALSE(is_empty_scene("-\nFinite Objects:           10\nInfinite Objects:          0\n"));
   EXPECT_TRUE(is_empty_scene("File 'a.pov' line 2: Parse Warning: No objects in scene.\n"));
 }
+
+}  // namespace
+}  // namespace mien
