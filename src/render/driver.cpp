@@ -1,0 +1,188 @@
+// POV-Ray 3.7: options and exit statuses, reference manual 3.2; include files are looked for in the working
+// folder and then in the library paths. Measured on 3.7.0.10: names with blanks or letters outside ASCII
+// break +I, +L and +O, so that it runs in a work folder and knows
+// all by short relative names.
+#include "render/driver.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <list>
+#include <map>
+#include <optional>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "render/povray_output.hpp"
+#include "render/work_folder.hpp"
+
+namespace mien {
+
+namespace {
+
+// Without a file of our own POV-Ray takes any povray.ini that it finds. It wants one line at least.
+constexpr const char* kIniName = "povray.ini";
+constexpr const char* kIniText = "Work_Threads=1\n";
+
+constexpr std::size_t kFold = 80;  // POV-Ray's widest line
+
+// What POV-Ray may need of the disk for one pixel: its state file and the picture.
+constexpr std::size_t kDiskPerPixel = 16;  // bytes
+
+// One frame on its way.
+struct Rendering {
+  const FrameJob* job;
+  std::filesystem::path raw;  // what povray writes
+  Process process;
+};
+
+// What is the same for every frame of a call.
+struct Run {
+  explicit Run(const RenderSettings& run_settings, const std::filesystem::path& folder);
+
+  const RenderSettings& settings;
+  WorkFolder work;
+  int link_count = 0;
+  std::vector<std::string> libraries;  // named as povray, running in the work folder, can read them
+};
+
+bool is_plain(const std::string& name) {
+  return std::ranges::all_of(name, [](char letter) {
+    return (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
+           (letter >= '-' && letter <= '9') || letter == '_';  // '-' to '9' holds . and / and the digits
+  });
+}
+
+// A name of `path` for POV-Ray's command line: relative to the work folder, or a link in it if that is not
+// plain.
+std::string build_plain_name(const std::filesystem::path& path, Run& run) {
+  const std::string relative = std::filesystem::relative(path, run.work.path).string();
+  if (!relative.empty() && is_plain(relative)) return relative;
+  const std::string name =
+      fmt::format("link{}{}", ++run.link_count, path.extension() == ".pov" ? ".pov" : "");
+  std::error_code error;
+  std::filesystem::create_symlink(std::filesystem::absolute(path), run.work.path / name, error);
+  if (error) throw RunError(fmt::format("cannot write in {}: {}", run.work.path.string(), error.message()));
+  return name;
+}
+
+Run::Run(const RenderSettings& run_settings, const std::filesystem::path& folder)
+    : settings(run_settings), work(folder) {
+  write_file(work.path / kIniName, kIniText);
+  for (const auto& library : settings.libraries) libraries.push_back(build_plain_name(library, *this));
+}
+
+std::vector<std::string> build_options(const RenderSettings& settings) {
+  std::vector<std::string> options{fmt::format("+W{}", settings.width_px),
+                                   fmt::format("+H{}", settings.height_px), "-D", "+WT1", "+FN8"};
+  options.insert(options.end(), settings.povray_options.begin(), settings.povray_options.end());
+  return options;
+}
+
+Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
+  const std::filesystem::path folder = job.scene.parent_path();
+  const std::string raw = fmt::format("{}.png", index);
+  std::vector<std::string> command{"povray", "+I" + build_plain_name(job.scene, run), "+O" + raw};
+  const std::string scene_folder = build_plain_name(folder.empty() ? "." : folder, run);
+  command.push_back("+L" + scene_folder);
+  for (const std::string& library : run.libraries)
+    if (library != scene_folder) command.push_back("+L" + library);
+  for (std::string& option : build_options(run.settings)) command.push_back(std::move(option));
+  const std::string ini = fmt::format("POVINI={}", kIniName);
+  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini})};
+}
+
+// The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
+// is gone.
+std::string describe_command(const FrameJob& job, const RenderSettings& settings) {
+  const std::filesystem::path folder = job.scene.has_parent_path() ? job.scene.parent_path() : ".";
+  std::vector<std::string> command{"povray", "+I" + job.scene.filename().string()};
+  for (const auto& library : settings.libraries) {
+    std::error_code ignored;
+    if (!std::filesystem::equivalent(library, folder, ignored))
+      command.push_back("+L" + std::filesystem::absolute(library).lexically_normal().string());
+  }
+  for (std::string& option : build_options(settings)) command.push_back(std::move(option));
+  return fmt::format("cd {} && {}", quote_command({folder.string()}), quote_command(command));
+}
+
+// What went wrong with an ended frame; empty and `png` filled if nothing did.
+std::string find_fault(const Rendering& rendering, const RenderSettings& settings, std::string& png) {
+  const ProcessResult& result = rendering.process.result;
+  if (result.exit_code != 0) return describe_end("povray", result.exit_code);
+  if (is_empty_scene(result.output)) return "povray found no objects in the scene";
+  if (!std::filesystem::exists(rendering.raw)) return "povray wrote no picture";
+  png = read_file(rendering.raw);
+  const std::string fault = find_picture_fault(png, {settings.width_px, settings.height_px});
+  return fault.empty() ? "" : "povray's picture " + fault;
+}
+
+// Puts the finished picture in its place, or throws RunError.
+void finish_rendering(const Rendering& rendering, const Run& run) {
+  const RenderSettings& settings = run.settings;
+  std::string png;
+  const std::string fault = find_fault(rendering, settings, png);
+  std::error_code ignored;
+  std::filesystem::remove(rendering.raw, ignored);
+  std::filesystem::remove(std::filesystem::path(rendering.raw).replace_extension("pov-state"), ignored);
+  if (fault.empty()) return write_file(rendering.job->picture, mark_picture(png, rendering.job->key));
+
+  const std::size_t pixel_count = static_cast<std::size_t>(settings.width_px) * settings.height_px;
+  require_space(run.work.path, pixel_count * kDiskPerPixel, rendering.job->picture);
+  throw RunError(format_failure(fmt::format("frame {}: {}", rendering.job->number, fault),
+                                describe_command(*rendering.job, settings),
+                                find_povray_reason(rendering.process.result)));
+}
+
+// Takes those that have ended out of `running`.
+std::list<Rendering> take_ended(std::list<Rendering>& running) {
+  std::vector<Process*> processes;
+  for (Rendering& rendering : running) processes.push_back(&rendering.process);
+  wait_for_any(processes);
+  std::list<Rendering> ended;
+  for (auto at = running.begin(); at != running.end();) {
+    const auto next = std::next(at);
+    if (at->process.id == 0) ended.splice(ended.end(), running, at);
+    at = next;
+  }
+  return ended;
+}
+
+bool has_failed_exit(const Rendering& rendering) { return rendering.process.result.exit_code != 0; }
+
+}  // namespace
+
+void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
+                   const FrameDone& done) {
+  std::optional<Run> run;  // made when the first frame needs it: where all is kept, nothing is written
+  const std::size_t jobs = static_cast<std::size_t>(std::max(settings.jobs, 1));
+  std::list<Rendering> running, ended;
+  std::map<int, std::string> failures;  // by frame: the first is told, whichever came first
+  for (std::size_t next = 0;;) {
+    const bool has_failed = !failures.empty() || std::ranges::any_of(ended, has_failed_exit);
+    while (!has_failed && running.size() < jobs && next < frames.size()) {
+      throw_if_interrupted();
+      const FrameJob& job = frames[next++];
+      if (!job.key.empty() && read_picture_key(job.picture) == job.key) {
+        done(job.number, true);
+        continue;
+      }
+      if (!run) run.emplace(settings, frames.front().picture.parent_path());
+      running.push_back(start_rendering(job, next, *run));
+    }
+    // Pictures are judged while the frames after them render, so that no core waits for us.
+    for (const Rendering& rendering : ended) {
+      try {
+        finish_rendering(rendering, *run);
+        done(rendering.job->number, false);
+      } catch (const RunError& error) {
+        failures.emplace(rendering.job->number, error.what());
+      }
+    }
+    if (running.empty()) break;
+    ended = take_ended(running);
+  }
+  if (!failures.empty()) throw RunError(failures.begin()->second);
+}
+
+}  // namespace mien

@@ -1,0 +1,28 @@
+// PNG pictures: judged, stripped of their date, marked with the key of what they show.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace mien {
+
+struct PictureSize {
+  int width_px = 0, height_px = 0;
+};
+
+// What is wrong with a PNG file's content as a rendered picture: "does not decode: ...", "is 16x12 pixels,
+// not 32x24", "is all one colour". Empty if nothing is.
+std::string find_picture_fault(std::string_view png, const PictureSize& expected);
+
+// The same picture without date and remarks, so that the same pixels are the same bytes, and with `key` in a
+// text chunk "mien-key". `png` must be whole (see find_picture_fault); throws RunError if it is not.
+std::string mark_picture(std::string_view png, std::string_view key);
+
+// The key inside a finished picture; empty if there is no picture, it does not decode or it has no key.
+std::string read_picture_key(const std::filesystem::path& picture);
+
+// Throws RunError "PATH is not a whole PNG picture: reason" if a chunk is missing, cut or damaged.
+PictureSize read_picture_size(const std::filesystem::path& picture);
+
+}  // namespace mien

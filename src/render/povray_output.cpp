@@ -1,0 +1,55 @@
+// Measured on POV-Ray 3.7.0.10, whose texts are in its source/frontend/defaultrenderfrontend.cpp and console.
+#include "render/povray_output.hpp"
+
+#include <algorithm>
+#include <regex>
+#include <sstream>
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kFold = 80;  // POV-Ray's widest line
+
+}  // namespace
+
+std::string unwrap_povray_output(const std::string& output) {
+  std::string text;
+  std::size_t column = 0;  // in the last line as POV-Ray printed it
+  for (std::size_t at = 0; at < output.size();) {
+    const std::size_t end = std::min(output.find('\n', at), output.size());
+    const std::string line = output.substr(at, end - at);
+    // A folded line goes on with the blank that it was folded at, and with a word that had no room before it;
+    // a word wider than a line is cut in the middle.
+    const std::size_t word = std::min(line.find(' ', 1), line.size());
+    const bool goes_on = line.size() > 1 && line[0] == ' ' && line[1] != ' ' && column + word > kFold;
+    const bool is_cut = column == kFold && !line.empty() && line[0] != ' ';
+    if (at > 0 && !goes_on && !is_cut) text += '\n';
+    text += line;
+    column = line.size();
+    at = end + 1;
+  }
+  return text;
+}
+
+std::string find_povray_reason(const ProcessResult& result) {
+  const std::string text = unwrap_povray_output(result.output);
+  if (result.exit_code != 0) {
+    const std::size_t heading = text.rfind("\n==== [");
+    return heading == std::string::npos ? text
+                                        : text.substr(std::min(text.find('\n', heading + 1), text.size()));
+  }
+  std::string warnings;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (line.find("Warning:") != std::string::npos || line.find("Error:") != std::string::npos)
+      warnings += line + '\n';
+  return warnings;
+}
+
+bool is_empty_scene(const std::string& output) {
+  static const std::regex kNoObjects("\\nFinite Objects: +0\\nInfinite Objects: +0\\n");
+  return std::regex_search(output, kNoObjects) || output.find("No objects in scene") != std::string::npos;
+}
+
+}  // namespace mien

@@ -1,0 +1,86 @@
+#include "render/picture.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "render/process.hpp"
+#include "render/scratch.hpp"
+
+namespace mien {
+namespace {
+
+TEST(picture, says_what_is_wrong_with_a_picture) {
+  const std::string png = build_picture(8, 6);
+  EXPECT_EQ(find_picture_fault(png, {8, 6}), "");
+  EXPECT_EQ(find_picture_fault(png, {6, 8}), "is 8x6 pixels, not 6x8");
+  EXPECT_EQ(find_picture_fault(build_picture(8, 6, {10, 10, 10}, {10, 10, 10}), {8, 6}), "is all one colour");
+  EXPECT_EQ(find_picture_fault(build_picture(8, 6, {10, 10, 10}, {10, 10, 11}), {8, 6}), "");
+  EXPECT_EQ(find_picture_fault("", {8, 6}), "does not decode: the file is empty");
+  EXPECT_EQ(find_picture_fault("P6 8 6 255", {8, 6}), "does not decode: it is not a PNG");
+  EXPECT_EQ(find_picture_fault(png + "x", {8, 6}), "does not decode: something follows its end");
+  std::string damaged = png;
+  damaged[20] ^= 1;  // in the width
+  EXPECT_EQ(find_picture_fault(damaged, {8, 6}), "does not decode: its bytes are damaged");
+}
+
+TEST(picture, takes_no_part_of_a_picture_for_a_whole_one) {
+  const std::string png = build_picture(8, 6);
+  for (std::size_t size = 8; size < png.size(); ++size)
+    EXPECT_EQ(find_picture_fault(png.substr(0, size), {8, 6}), "does not decode: the file is cut short")
+        << size;
+}
+
+TEST(picture, refuses_whole_chunks_without_enough_pixels) {
+  // The header of a tall picture on the pixels of a low one: every checksum is right, yet rows are missing.
+  const std::string tall = build_picture(8, 60), low = build_picture(8, 6);
+  constexpr std::size_t kHeaderEnd = 8 + 25;
+  const std::string mixed = tall.substr(0, kHeaderEnd) + low.substr(kHeaderEnd);
+  EXPECT_TRUE(find_picture_fault(mixed, {8, 60}).starts_with("does not decode: "))
+      << find_picture_fault(mixed, {8, 60});
+}
+
+TEST(picture, carries_its_key_and_no_date) {
+  const Scratch scratch;
+  const auto path = scratch.path / "a.png";
+  write_file(path, mark_picture(mark_picture(build_picture(8, 6), "old"), "0123456789abcdef"));
+  EXPECT_EQ(read_picture_key(path), "0123456789abcdef");
+  const std::string marked = read_file(path);
+  EXPECT_EQ(find_picture_fault(marked, {8, 6}), "");
+  EXPECT_EQ(marked.find("old"), std::string::npos);
+  EXPECT_EQ(mark_picture(marked, "0123456789abcdef"), marked);
+  EXPECT_EQ(find_message<RunError>([] { mark_picture("", "k"); }),
+            "cannot mark a picture: the file is empty");
+}
+
+TEST(picture, drops_dates_and_remarks_of_other_programs) {
+  const Scratch scratch;
+  write_file(scratch.path / "in.png", build_picture(8, 6));
+  ASSERT_EQ(
+      run_process({"convert", "in.png", "-set", "comment", "a remark", "out.png"}, scratch.path).exit_code,
+      0);
+  const std::string png = read_file(scratch.path / "out.png"), marked = mark_picture(png, "k");
+  EXPECT_NE(png.find("tIME"), std::string::npos);
+  EXPECT_NE(png.find("a remark"), std::string::npos);
+  for (const char* left_out : {"tIME", "a remark", "date:create", "zTXt", "iTXt"})
+    EXPECT_EQ(marked.find(left_out), std::string::npos) << left_out;
+  EXPECT_NE(marked.find("gAMA"), std::string::npos);
+}
+
+TEST(picture, has_no_key_unless_it_is_whole) {
+  const Scratch scratch;
+  const auto path = scratch.path / "a.png";
+  EXPECT_EQ(read_picture_key(path), "");
+  EXPECT_EQ(read_picture_key(scratch.path), "");
+  write_file(path, build_picture(8, 6));
+  EXPECT_EQ(read_picture_key(path), "");
+  const std::string marked = mark_picture(build_picture(8, 6), "k");
+  write_file(path, marked.substr(0, marked.size() - 1));
+  EXPECT_EQ(read_picture_key(path), "");
+  EXPECT_EQ(find_message<RunError>([&] { read_picture_size(path); }),
+            path.string() + " is not a whole PNG picture: the file is cut short");
+  write_file(path, marked);
+  EXPECT_EQ(read_picture_size(path).width_px, 8);
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,141 @@
+#include "render/process.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/error.hpp"
+#include "render/scratch.hpp"
+
+namespace mien {
+namespace {
+
+using testing::HasSubstr;
+
+pid_t wait_for_number(const std::filesystem::path& file) {
+  wait_for_lines(file, 1);
+  return std::stoi(read_file(file));
+}
+
+TEST(process, hears_both_streams_and_the_exit_status) {
+  const ProcessResult result = run_process({"sh", "-c", "echo one; echo two >&2; exit 3"}, ".");
+  EXPECT_EQ(result.output, "one\ntwo\n");
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(run_process({"sh", "-c", "kill -SEGV $$"}, ".").exit_code, 128 + SIGSEGV);
+}
+
+TEST(process, runs_in_its_folder_with_its_variables_and_without_input) {
+  const Scratch scratch;
+  ::setenv("MIEN_TEST", "ours", 1);
+  const auto result =
+      run_process({"sh", "-c", "pwd; echo $MIEN_TEST; cat"}, scratch.path, {"MIEN_TEST=theirs"});
+  EXPECT_EQ(result.output, scratch.path.string() + "\ntheirs\n");
+  EXPECT_EQ(run_process({"printenv", "MIEN_TEST"}, "").output, "ours\n");
+}
+
+TEST(process, keeps_the_end_of_a_flood) {
+  const ProcessResult result = run_process({"sh", "-c", "yes | head -c 9000000; echo end"}, ".");
+  EXPECT_LE(result.output.size(), 2u << 20);
+  EXPECT_TRUE(result.output.ends_with("y\nend\n"));
+}
+
+TEST(process, notices_an_end_at_once) {
+  const auto start = std::chrono::steady_clock::now();
+  for (int i = 0; i < 20; ++i) run_process({"true"}, ".");
+  EXPECT_LT(std::chrono::steady_clock::now() - start,
+            std::chrono::seconds(1));  // 3 ms each when nothing else runs
+}
+
+TEST(process, does_not_wait_for_a_grandchild_that_holds_the_output) {
+  const ProcessResult result = run_process({"sh", "-c", "sleep 5 & echo said"}, ".");
+  EXPECT_EQ(result.output, "said\n");
+  EXPECT_LT(result.wall_s, 3);
+}
+
+TEST(process, waits_for_one_of_many) {
+  Process fast = start_process({"sh", "-c", "echo fast"}, "."), slow = start_process({"sleep", "20"}, ".");
+  wait_for_any({&fast, &slow});
+  EXPECT_EQ(fast.id, 0);
+  EXPECT_EQ(fast.result.output, "fast\n");
+  EXPECT_NE(slow.id, 0);
+}
+
+TEST(process, tells_what_cannot_be_started) {
+  EXPECT_EQ(find_message<RunError>([] { run_process({"no-such-program"}, "/tmp"); }),
+            "cannot start no-such-program in /tmp: No such file or directory");
+  EXPECT_EQ(find_message<RunError>([] { run_process({"true"}, "/no/such/folder"); }),
+            "cannot start true in /no/such/folder: No such file or directory");
+}
+
+TEST(process, names_the_package_of_a_missing_program) {
+  EXPECT_NO_THROW(require_programs({{"povray", "povray"}, {"ffprobe", "ffmpeg"}}));
+  EXPECT_EQ(find_message<RunError>([] {
+              require_programs({{"sh", "dash"}, {"povrax", "povray"}});
+            }),
+            "povrax is not installed; install it with: apt-get install povray");
+  const Scratch scratch;
+  std::filesystem::create_directory(scratch.path / "povray");  // a folder is no program
+  const std::string before = std::getenv("PATH");
+  ::setenv("PATH", scratch.path.c_str(), 1);
+  EXPECT_EQ(find_message<RunError>([] {
+              require_programs({{"povray", "povray"}});
+            }),
+            "povray is not installed; install it with: apt-get install povray");
+  ::setenv("PATH", before.c_str(), 1);
+}
+
+TEST(process, ends_children_and_grandchildren_on_a_signal) {
+  const Scratch scratch;
+  install_signal_handlers();
+  std::thread finger([&] {
+    wait_for_number(scratch.path / "id");
+    ::kill(::getpid(), SIGINT);
+  });
+  const std::string script = "sleep 60 & echo $! > id; wait";
+  EXPECT_EQ(find_message<Interrupted>([&] {
+              run_process({"sh", "-c", script}, scratch.path);
+            }),
+            "interrupted; finished frames are kept, run again to go on");
+  finger.join();
+  EXPECT_TRUE(is_gone(std::stoi(read_file(scratch.path / "id"))));
+  EXPECT_THROW(run_process({"true"}, "."), Interrupted);
+  EXPECT_THROW(throw_if_interrupted(), Interrupted);
+  install_signal_handlers();
+  EXPECT_EQ(run_process({"true"}, ".").exit_code, 0);
+}
+
+TEST(process, leaves_no_child_when_we_are_killed) {
+  const Scratch scratch;
+  const pid_t parent = ::fork();
+  if (parent == 0) {
+    run_process({"sh", "-c", "echo $$ > id; exec sleep 60"}, scratch.path);
+    ::_exit(0);
+  }
+  const pid_t child = wait_for_number(scratch.path / "id");
+  ::kill(parent, SIGKILL);
+  ::waitpid(parent, nullptr, 0);
+  EXPECT_TRUE(is_gone(child));
+}
+
+TEST(process, quotes_a_command_for_a_shell) {
+  EXPECT_EQ(quote_command({"povray", "+Imy frames/é.pov", "+A0.1", "", "it's"}),
+            "povray '+Imy frames/é.pov' +A0.1 '' 'it'\\''s'");
+}
+
+TEST(process, tells_a_failure_with_the_command_and_the_last_lines) {
+  EXPECT_EQ(describe_end("povray", 1), "povray failed (exit status 1)");
+  EXPECT_EQ(describe_end("povray", 139), "povray was ended by signal 11 (Segmentation fault)");
+  EXPECT_EQ(describe_end("ffmpeg", 255), "ffmpeg failed (exit status 255)");
+  EXPECT_EQ(format_failure("it failed", "x y", "a\n\n\x1b[31mb\rc\n"),
+            "it failed\n  command: x y\n  a\n  [31mb\n  c");
+  std::string long_output;
+  for (int i = 1; i <= 20; ++i) long_output += std::to_string(i) + "\n";
+  EXPECT_THAT(format_failure("it failed", "x", long_output), HasSubstr("command: x\n  9\n  10\n"));
+}
+
+}  // namespace
+}  // namespace mien

@@ -1,0 +1,133 @@
+#include "render/video.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "render/picture.hpp"
+#include "render/process.hpp"
+#include "render/scratch.hpp"
+
+namespace mien {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+// `count` pictures of a colour that grows redder, in a folder with an odd name.
+struct Reel {
+  explicit Reel(int count, int width = 32, int height = 24) {
+    for (int i = 1; i <= count; ++i) {
+      const Rgb colour{static_cast<unsigned char>(40 * i), 100, 210};
+      pictures.push_back(scratch.path / fmt::format("my frames é %d/f{:04}.png", i));
+      write_file(pictures.back(), build_picture(width, height, colour, colour));
+    }
+  }
+
+  // What ffprobe says of the clip, as "key=value" lines.
+  std::string probe() const {
+    return run_process(
+               {"ffprobe", "-v", "error", "-count_frames", "-show_streams", "-show_format", "clip ö.mp4"},
+               scratch.path)
+        .output;
+  }
+
+  // The first frame's pixels, decoded to RGB.
+  std::string decode() const {
+    return run_process({"ffmpeg", "-v", "error", "-i", "clip ö.mp4", "-frames:v", "1", "-f", "rawvideo",
+                        "-pix_fmt", "rgb24", "-"},
+                       scratch.path)
+        .output;
+  }
+
+  std::string find_error() {
+    return find_message<RunError>([this] { write_video(pictures, 24, clip); });
+  }
+
+  Scratch scratch;
+  std::vector<std::filesystem::path> pictures;
+  std::filesystem::path clip = scratch.path / "clip ö.mp4";
+};
+
+TEST(video, has_the_frames_rate_and_tags_it_should) {
+  Reel reel(3);
+  const auto& p = reel.pictures;
+  write_video({p[0], p[0], p[1], p[1], p[2]}, 24, reel.clip);
+  const std::string facts = reel.probe();
+  for (const char* fact : {"codec_name=h264", "width=32", "height=24", "pix_fmt=yuv420p", "color_range=tv",
+                           "color_space=bt709", "color_transfer=bt709", "color_primaries=bt709",
+                           "r_frame_rate=24/1", "avg_frame_rate=24/1", "nb_read_frames=5"})
+    EXPECT_THAT(facts, HasSubstr(std::string(fact) + "\n"));
+  const std::string bytes = read_file(reel.clip);
+  EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));  // faststart
+  EXPECT_EQ(count_files(reel.scratch.path), 3 + 1 + 1);
+}
+
+TEST(video, shows_the_colours_of_the_pictures) {
+  Reel reel(1);
+  write_video(reel.pictures, 24, reel.clip);
+  const std::string rgb = reel.decode();
+  ASSERT_EQ(rgb.size(), 32u * 24 * 3);
+  EXPECT_NEAR(static_cast<unsigned char>(rgb[0]), 40, 3);
+  EXPECT_NEAR(static_cast<unsigned char>(rgb[1]), 100, 3);
+  EXPECT_NEAR(static_cast<unsigned char>(rgb[2]), 210, 3);
+}
+
+TEST(video, pads_odd_sides_with_the_border_itself) {
+  Reel reel(1, 33, 25);
+  write_video(reel.pictures, 24, reel.clip);
+  EXPECT_THAT(reel.probe(), HasSubstr("width=34\nheight=26\n"));
+  const std::string rgb = reel.decode();
+  ASSERT_EQ(rgb.size(), 34u * 26 * 3);
+  for (std::size_t i = 0; i < rgb.size(); ++i)
+    EXPECT_NEAR(static_cast<unsigned char>(rgb[i]), static_cast<unsigned char>(rgb[i % 3]), 2) << i;
+}
+
+TEST(video, is_the_same_bytes_whatever_the_cores) {
+  Reel reel(4);
+  write_video(reel.pictures, 24, reel.clip);
+  const std::string first = read_file(reel.clip);
+  const FakeProgram fake("ffmpeg", "PATH=${PATH#*:}; exec taskset -c 0 ffmpeg \"$@\"\n");
+  std::filesystem::remove(reel.clip);
+  write_video(reel.pictures, 24, reel.clip);
+  EXPECT_TRUE(read_file(reel.clip) == first);
+}
+
+TEST(video, refuses_pictures_that_ffmpeg_would_pass_over) {
+  Reel reel(3);
+  write_file(reel.pictures[1], read_file(reel.pictures[1]).substr(0, 60));
+  EXPECT_EQ(reel.find_error(),
+            reel.pictures[1].string() + " is not a whole PNG picture: the file is cut short");
+  write_file(reel.pictures[1], "");
+  EXPECT_EQ(reel.find_error(), reel.pictures[1].string() + " is not a whole PNG picture: the file is empty");
+  std::filesystem::remove(reel.pictures[1]);
+  EXPECT_EQ(reel.find_error(), "cannot read " + reel.pictures[1].string() + ": No such file or directory");
+  write_file(reel.pictures[1], build_picture(16, 16));
+  EXPECT_EQ(reel.find_error(), reel.pictures[1].string() + " is 16x16 pixels, but " +
+                                   reel.pictures[0].string() + " is 32x24; a clip needs one size");
+  reel.pictures.clear();
+  EXPECT_EQ(reel.find_error(), "a clip needs one picture at least");
+  EXPECT_FALSE(std::filesystem::exists(reel.clip));
+}
+
+TEST(video, tells_a_failing_ffmpeg_and_keeps_the_old_clip) {
+  Reel reel(1);
+  write_file(reel.clip, "the old clip");
+  {
+    const FakeProgram fake("ffmpeg", "echo 'Unknown encoder libx264' >&2; echo half > clip.mp4; exit 1\n");
+    const std::string error = reel.find_error();
+    EXPECT_THAT(error, StartsWith(reel.clip.string() +
+                                  ": ffmpeg failed (exit status 1)\n  command: ffmpeg -nostdin "));
+    EXPECT_TRUE(error.ends_with("\n  Unknown encoder libx264")) << error;
+  }
+  {
+    const FakeProgram fake("ffprobe", "echo 7\n");
+    EXPECT_EQ(reel.find_error(), "ffmpeg made a clip of 7 frames, not 1: " + reel.clip.string());
+  }
+  EXPECT_EQ(read_file(reel.clip), "the old clip");
+  EXPECT_EQ(count_files(reel.scratch.path), 3);
+}
+
+}  // namespace
+}  // namespace mien
