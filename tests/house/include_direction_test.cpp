@@ -28,10 +28,12 @@ const std::map<std::string, Rooms> kMayUse{
     {"main", {"command_line", "pipeline", "render", "core"}},
 };
 
-// "src/core/mesh.hpp" and "core/mesh.hpp" are of "core"; "src/main.cpp" is of "main".
+// "src/core/mesh.hpp" and "core/mesh.hpp" are of "core"; "src/main.cpp" is of "main". The files beside
+// pipeline.cpp are its own parts.
 std::string find_room(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
-  return path.substr(0, path.find_first_of("/."));
+  const std::string room = path.substr(0, path.find_first_of("/."));
+  return room == "clip" || room == "listing" ? "pipeline" : room;
 }
 
 // "src/core/mesh.cpp:3: core may not include head/head.hpp" for each wrong line.
