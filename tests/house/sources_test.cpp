@@ -1,0 +1,61 @@
+// How each file is written: short, begun with its purpose, silent, and in one format.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <regex>
+#include <set>
+
+#include "house/sources.hpp"
+
+namespace mien {
+namespace {
+
+constexpr std::size_t kMaxLines = 300;  // longer ones hold two things
+
+TEST(house, files_are_short) {
+  for (const SourceFile& source : load_sources("src"))
+    EXPECT_LE(source.lines.size(), kMaxLines) << source.path << " should be two files";
+}
+
+TEST(house, headers_begin_with_their_purpose_and_are_read_once) {
+  for (const SourceFile& source : load_sources("src")) {
+    if (!source.path.ends_with(".hpp")) continue;
+    ASSERT_FALSE(source.lines.empty()) << source.path;
+    EXPECT_TRUE(source.lines.front().starts_with("// ")) << source.path << ":1: the purpose is missing";
+    EXPECT_EQ(std::count(source.lines.begin(), source.lines.end(), "#pragma once"), 1) << source.path;
+  }
+}
+
+TEST(house, only_main_ends_the_program_and_few_print) {
+  static const std::regex kEnds(R"re((^|[^\w.>:])(std::|::)?(exit|_exit|quick_exit|abort|terminate)\s*\()re");
+  static const std::regex kPrints(
+      R"re(std::c(out|err|log)\b|(^|[^\w.>])(std::|fmt::|::)?(f?printf|f?puts|putchar|print|println)\s*\()re");
+  const std::set<std::string> printers{"src/main.cpp", "src/pipeline.cpp", "src/listing.cpp",
+                                       "src/render/progress.cpp"};
+  for (const SourceFile& source : load_sources("src"))
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      const std::string code = source.lines[i].substr(0, source.lines[i].find("//"));
+      EXPECT_FALSE(std::regex_search(code, kEnds)) << source.path << ":" << i + 1 << ": " << code;
+      if (!printers.contains(source.path)) {
+        EXPECT_FALSE(std::regex_search(code, kPrints)) << source.path << ":" << i + 1 << ": " << code;
+      }
+    }
+}
+
+TEST(house, sources_have_one_format) {
+  if (std::system("command -v clang-format >/dev/null") != 0) GTEST_SKIP() << "clang-format is not installed";
+  std::string command = fmt::format("cd '{}' && clang-format --dry-run -Werror", MIEN_SOURCE_DIR);
+  for (const char* folder : {"src", "tests", "bench"})
+    for (const SourceFile& source : load_sources(folder)) command += " " + source.path;
+  EXPECT_EQ(std::system(command.c_str()), 0) << "./run format mends it";
+}
+
+TEST(house, scripts_are_clean) {
+  if (std::system("command -v shellcheck >/dev/null") != 0) GTEST_SKIP() << "shellcheck is not installed";
+  const std::string command = fmt::format("cd '{}' && shellcheck run .ci/run", MIEN_SOURCE_DIR);
+  EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+}  // namespace
+}  // namespace mien
