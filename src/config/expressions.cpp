@@ -1,0 +1,225 @@
+#include "config/expressions.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "config/load_areas.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxNameLength = 64;    // names become file names
+constexpr std::size_t kMaxSuggestions = 100;  // names compared with an unknown one
+
+bool is_plain_word(const std::string& name) {
+  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto is_inner = [&](char c) {
+    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  };
+  return !name.empty() && name.size() <= kMaxNameLength && is_letter(name[0]) &&
+         std::ranges::all_of(name, is_inner);
+}
+
+// The libraries a plain name is looked up in, in order; "" are the file's own expressions.
+Names list_scopes(const ExpressionBook& book, const std::string& of_library) {
+  Names scopes = of_library.empty() ? Names{"", book.library} : Names{of_library};
+  for (const std::string& library : kEverydayLibraries)
+    if (std::ranges::find(scopes, library) == scopes.end()) scopes.push_back(library);
+  return scopes;
+}
+
+void add_unknown_expression(const YamlValue& value, Spot spot, const std::string& name,
+                            const ExpressionBook& book) {
+  std::string message;
+  if (!is_full(*value.findings)) message = describe_unknown_expression(book, name);
+  add_mistake(*value.findings, value.document->source, spot, std::move(message));
+}
+
+// The index in the book of a draft's base, or empty with a mistake told.
+std::optional<std::size_t> find_base(const ExpressionDraft& draft, const ExpressionBook& book) {
+  if (!draft.from) return std::nullopt;
+  const std::string& name = find_node(*draft.from).text;
+  const auto base = find_expression(book, name, book.expressions[draft.expression].library);
+  if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book);
+  return base;
+}
+
+// The weights and expressions of a mix.
+std::vector<std::pair<double, std::size_t>> load_mix(const YamlValue& value, const ExpressionBook& book) {
+  std::vector<std::pair<double, std::size_t>> mix;
+  const YamlMapping entries = load_free_mapping(value, "");
+  if (entries.empty())
+    add_mistake(value, describe_subject(value) + " names no expression; expected one at least");
+  for (const YamlEntry& entry : entries) {
+    const auto index = find_expression(book, entry.key);
+    if (!index) add_unknown_expression(value, entry.spot, entry.key, book);
+    double weight = 0;
+    if (load_number(entry.value, 0, 1, weight) && index) mix.emplace_back(weight, *index);
+  }
+  return mix;
+}
+
+}  // namespace
+
+void append_expressions(ExpressionBook& book, std::vector<Expression> expressions) {
+  for (Expression& expression : expressions) {
+    book.index[expression.library + "/" + expression.name] = book.expressions.size();
+    book.expressions.push_back(std::move(expression));
+  }
+}
+
+std::optional<std::size_t> find_expression(const ExpressionBook& book, const std::string& name,
+                                           const std::string& of_library) {
+  const auto find = [&](const std::string& path) -> std::optional<std::size_t> {
+    const auto found = book.index.find(path);
+    return found == book.index.end() ? std::nullopt : std::optional(found->second);
+  };
+  if (name.find('/') != std::string::npos) return name[0] == '/' ? std::nullopt : find(name);
+  for (const std::string& scope : list_scopes(book, of_library))
+    if (const auto found = find(scope + "/" + name)) return found;
+  return std::nullopt;
+}
+
+std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name) {
+  const std::size_t slash = name.find('/');
+  const std::string library = name.substr(0, slash);
+  if (slash != std::string::npos && std::ranges::find(book.libraries, library) == book.libraries.end())
+    return describe_unknown("library", library, book.libraries);
+
+  Names names;  // as an author would write them here
+  for (const std::string& scope : slash == std::string::npos ? list_scopes(book, "") : Names{library})
+    for (const Expression& expression : book.expressions) {
+      if (names.size() >= kMaxSuggestions) break;
+      const std::string known =
+          slash == std::string::npos ? expression.name : library + "/" + expression.name;
+      if (expression.library == scope && std::ranges::find(names, known) == names.end())
+        names.push_back(known);
+    }
+  if (slash == std::string::npos)
+    for (const std::string& other : book.libraries)
+      if (book.index.contains(other + "/" + name))
+        return fmt::format("unknown expression '{}'; did you mean '{}/{}'?", name, other, name);
+  return describe_unknown("expression", name, names);
+}
+
+void load_drafts(const YamlValue& value, const std::string& library, ExpressionBook& book,
+                 std::vector<ExpressionDraft>& drafts) {
+  Names keys = kExpressionKeys;
+  for (const std::string& key : list_area_keys()) keys.push_back(key);
+  for (const YamlEntry& entry : load_free_mapping(value, "a mapping of names to areas")) {
+    if (!is_plain_word(entry.key)) {
+      add_mistake(
+          *value.findings, value.document->source, entry.spot,
+          fmt::format("'{}' cannot name an expression; expected a letter, then letters, digits, '_' or '-', "
+                      "{} at most",
+                      show_word(entry.key), kMaxNameLength));
+      continue;
+    }
+    const YamlMapping body = load_mapping(entry.value, keys, "areas such as {brows: {up: 0.5}}");
+    ExpressionDraft draft;
+    draft.expression = book.expressions.size();
+    append_expressions(book, {{entry.key, library, {}}});
+    std::string base;
+    if (const YamlValue* from = find_value(body, "from"))
+      if (load_text(*from, "an expression's name", base)) draft.from = *from;
+    if (const YamlValue* strength = find_value(body, "strength")) {
+      load_number(*strength, 0, 1, draft.strength);
+      if (find_value(body, "from") == nullptr)
+        add_mistake(*strength, "'strength' weakens nothing here; expected 'from' beside it");
+    }
+    draft.areas = load_areas(body);
+    drafts.push_back(std::move(draft));
+  }
+}
+
+void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& book) {
+  enum class State { waiting, begun, done };
+  std::vector<State> states(drafts.size(), State::waiting);
+  std::map<std::size_t, std::size_t> draft_of;  // expression -> draft
+  for (std::size_t i = 0; i < drafts.size(); ++i) draft_of[drafts[i].expression] = i;
+
+  for (std::size_t first = 0; first < drafts.size(); ++first) {
+    // Down the chain to what is known (a chain may be long: no recursion), then back up.
+    std::vector<std::pair<std::size_t, Pose>>
+        chain;  // draft, and what it starts from unless the next one gives it
+    for (std::size_t at = first; states[at] == State::waiting;) {
+      states[at] = State::begun;
+      chain.emplace_back(at, Pose{});
+      const auto base = find_base(drafts[at], book);
+      if (!base) break;
+      const auto next = draft_of.find(*base);
+      if (next != draft_of.end() && states[next->second] == State::begun) {
+        const Expression& found = book.expressions[*base];
+        add_mistake(*drafts[at].from,
+                    fmt::format("expression '{}' comes from itself; expected one of another name, or "
+                                "of a library as in 'mien/smile'",
+                                found.name));
+        break;
+      }
+      chain.back().second = book.expressions[*base].pose;
+      if (next != draft_of.end()) at = next->second;
+    }
+    for (std::size_t i = chain.size(); i-- > 0;) {
+      const ExpressionDraft& draft = drafts[chain[i].first];
+      Expression& expression = book.expressions[draft.expression];
+      expression.pose = build_pose(chain[i].second, draft.strength, draft.areas);
+      states[chain[i].first] = State::done;
+      if (i > 0) chain[i - 1].second = expression.pose;
+    }
+  }
+}
+
+Express load_express(const YamlValue& value, const ExpressionBook& book) {
+  Express express;
+  std::vector<std::pair<double, std::size_t>> mix;
+  if (find_node(value).kind == NodeKind::mapping) {
+    mix = load_mix(value, book);
+  } else if (std::string name;
+             load_text(value, "an expression's name or a mix such as {smile: 0.4, fear: 0.6}", name)) {
+    if (const auto index = find_expression(book, name))
+      mix.emplace_back(1.0, *index);
+    else
+      add_unknown_expression(value, value.spot, name, book);
+  }
+  std::vector<PoseShare> shares;
+  for (const auto& [weight, index] : mix) {
+    const Expression& expression = book.expressions[index];
+    if (shares.empty()) express.library = expression.library;
+    if (!shares.empty()) express.label.append(" + "), express.name.append("_");
+    express.label += expression.name;
+    if (find_node(value).kind == NodeKind::mapping) express.label += fmt::format(" {:.3g}", weight);
+    express.name += expression.name;
+    shares.push_back({weight, expression.pose});
+  }
+  express.name.resize(std::min(express.name.size(), kMaxNameLength));
+  express.pose = mix_poses(shares);
+  return express;
+}
+
+Express load_posed(const YamlMapping& entries, const ExpressionBook& book) {
+  Express express;
+  const YamlValue* named = find_value(entries, "express");
+  if (named != nullptr) {
+    express = load_express(*named, book);
+  } else {
+    express.label = express.name = "neutral";
+    if (const auto neutral = find_expression(book, "neutral")) {
+      express.library = book.expressions[*neutral].library;
+      express.pose = book.expressions[*neutral].pose;
+    }
+  }
+  double strength = 1;
+  if (const YamlValue* value = find_value(entries, "strength")) {
+    load_number(*value, 0, 1, strength);
+    if (named == nullptr)
+      add_mistake(*value, "'strength' weakens nothing here; expected 'express' beside it");
+    if (strength != 1) express.label += fmt::format(" {:.3g}", strength);
+  }
+  AreaValues areas;
+  if (const YamlValue* value = find_value(entries, "areas")) areas = load_areas(*value);
+  express.pose = build_pose(express.pose, strength, areas);
+  return express;
+}
+
+}  // namespace mien

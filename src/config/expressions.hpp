@@ -1,0 +1,62 @@
+// Named expressions: where they are looked up, and how a file's `expressions:` becomes poses.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "config/pose_mix.hpp"
+#include "config/spec.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+// All that can be named, and the order in which a plain name is looked up.
+struct ExpressionBook {
+  std::vector<Expression> expressions;
+  std::map<std::string, std::size_t> index;  // "mien/smile", "/sly" for one of the file's own
+  Names libraries;                           // known ones
+  std::string library = "mien";              // the file's `library:`
+};
+
+void append_expressions(ExpressionBook& book, std::vector<Expression> expressions);
+
+// The expression that `name` ("smile", "tezuka/smile") means in the file; in a library file, whose name is
+// given, plain names are looked up in that library first.
+std::optional<std::size_t> find_expression(const ExpressionBook& book, const std::string& name,
+                                           const std::string& of_library = "");
+
+// "unknown expression 'smlie'; did you mean 'smile'?".
+std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name);
+
+// An expression that stands in the book already, but whose pose is still to be made.
+struct ExpressionDraft {
+  std::size_t expression = 0;     // index in the book
+  std::optional<YamlValue> from;  // the name it starts from
+  double strength = 1;            // of what it starts from
+  AreaValues areas;
+};
+
+// Reads `expressions:` into the book and its drafts; `library` is empty for a file's own. The document must
+// outlive the drafts.
+void load_drafts(const YamlValue& value, const std::string& library, ExpressionBook& book,
+                 std::vector<ExpressionDraft>& drafts);
+
+// Makes the poses of the drafts, each after the one it starts from; a circle is a mistake.
+void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& book);
+
+// What `express:` means: a name or a mix of names.
+struct Express {
+  std::string label;    // "smile", "surprise 0.6 + smile 0.4"
+  std::string name;     // for file names: "smile", "surprise_smile"
+  std::string library;  // of the first name
+  Pose pose;
+};
+Express load_express(const YamlValue& value, const ExpressionBook& book);
+
+// `express`, `strength` and `areas` of a key or a bust. Without `express` it is neutral.
+Express load_posed(const YamlMapping& entries, const ExpressionBook& book);
+
+}  // namespace mien

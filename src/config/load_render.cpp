@@ -1,0 +1,60 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "config/load_spec.hpp"
+#include "config/sections.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kLowestBust_mm = 20;    // lower, eyelids are thinner than a nozzle's line
+constexpr double kHighestBust_mm = 400;  // higher than any common printer
+
+void load_size(const YamlValue& value, RenderSpec& render) {
+  const YamlNode& node = find_node(value);
+  const auto size = node.kind == NodeKind::text ? parse_size(node.text) : std::nullopt;
+  if (!size) {
+    add_unexpected(value, "a width and a height such as 480x600");
+    return;
+  }
+  const auto is_right = [](int side_px) { return side_px >= kMinSide_px && side_px <= kMaxSide_px; };
+  if (!is_right(size->first) || !is_right(size->second)) {
+    add_unexpected(value, fmt::format("a width and a height from {} to {} pixels", kMinSide_px, kMaxSide_px));
+    return;
+  }
+  render.width_px = size->first;
+  render.height_px = size->second;
+}
+
+}  // namespace
+
+RenderSpec load_render(const YamlValue& value) {
+  RenderSpec render;
+  const YamlMapping entries = load_mapping(value, kRenderKeys, "a mapping such as {size: 480x600}");
+  if (const YamlValue* size = find_value(entries, "size")) load_size(*size, render);
+  std::string quality;
+  if (const YamlValue* name = find_value(entries, "quality");
+      name != nullptr && load_name(*name, "quality", kQualities, quality))
+    render.quality = static_cast<Quality>(std::ranges::find(kQualities, quality) - kQualities.begin());
+  if (const YamlValue* name = find_value(entries, "background"))
+    load_name(*name, "background", kBackgrounds, render.background);
+  return render;
+}
+
+std::vector<BustSpec> load_busts(const YamlValue& value, const ExpressionBook& book) {
+  std::vector<BustSpec> busts;
+  for (const YamlValue& item : load_list(value, "a list such as [{express: laugh, height: 80mm}]")) {
+    const YamlMapping entries =
+        load_mapping(item, kBustKeys, "a mapping such as {express: laugh, height: 80mm}");
+    const Express express = load_posed(entries, book);
+    BustSpec bust;
+    bust.expression = {express.name, express.library, express.pose};
+    if (const YamlValue* height = find_value(entries, "height"))
+      load_quantity(*height, build_length_measure(), kLowestBust_mm, kHighestBust_mm, bust.height_mm);
+    busts.push_back(std::move(bust));
+  }
+  return busts;
+}
+
+}  // namespace mien

@@ -1,0 +1,180 @@
+#include "config/load_spec.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <deque>
+
+#include "config/expressions.hpp"
+#include "config/sections.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxTitleLength = 200;  // bytes; it is shown in one line
+
+std::optional<YamlDocument> load_document(const std::filesystem::path& file, Findings& findings) {
+  auto source = load_source(file, findings);
+  return source ? scan_document(std::move(*source), findings) : std::nullopt;
+}
+
+// `mien: 1`.
+void check_version(const YamlValue& root, const YamlMapping& entries) {
+  const YamlValue* version = find_value(entries, "mien");
+  if (version == nullptr) {
+    // A slip in the word itself was told as an unknown key.
+    for (const YamlEntry& entry : load_free_mapping(root, ""))
+      if (suggest_name(entry.key, {"mien"}) == "mien") return;
+    add_mistake(root, "'mien: 1' is missing; expected it as the first line");
+    return;
+  }
+  const YamlNode& node = find_node(*version);
+  const auto number = node.is_quoted ? std::nullopt : parse_number(node.text);
+  if (!number)
+    add_unexpected(*version, fmt::format("the version of the language, {}", kLanguageVersion));
+  else if (*number != kLanguageVersion)
+    add_mistake(*version, fmt::format("version {} of the language is not known; expected 'mien: {}'",
+                                      show_word(node.text), kLanguageVersion));
+}
+
+// One line of text: it is written into scenes, as a comment.
+void load_title(const YamlValue& value, std::string& title) {
+  constexpr const char* kExpected = "one line of text, 200 bytes at most";
+  std::string text;
+  if (!load_text(value, kExpected, text)) return;
+  const bool is_one_line =
+      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  if (is_one_line && text.size() <= kMaxTitleLength)
+    title = text;
+  else
+    add_unexpected(value, kExpected);
+}
+
+// The name of out/<name>/: one '_' for each character that is no ASCII letter, digit, '-' or '_'.
+std::string build_name(const std::filesystem::path& file) {
+  std::string name;
+  for (const char c : file.stem().string()) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
+    const bool is_kept = (byte < 0x80 && std::isalnum(byte)) || c == '-' || c == '_';
+    name += is_kept ? c : '_';
+  }
+  if (name.empty()) name.push_back('_');
+  if (name[0] == '-') name[0] = '_';
+  return name;
+}
+
+// The names of the keys of `features:` in the head's data; none if the file does not exist.
+Names load_feature_names(const std::filesystem::path& data_folder, Findings& findings) {
+  const std::filesystem::path file = data_folder / "templates/head/features.yaml";
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return {};
+  Names names;
+  if (const auto document = load_document(file, findings)) {
+    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
+    if (const YamlValue* features = find_value(entries, "features"))
+      for (const YamlEntry& entry : load_free_mapping(*features, "a mapping")) names.push_back(entry.key);
+  }
+  return names;
+}
+
+void load_library(const YamlValue& root, const std::string& name, ExpressionBook& book,
+                  std::vector<ExpressionDraft>& drafts) {
+  const YamlMapping entries = load_mapping(root, kLibraryFileKeys, "a mapping that begins with 'mien: 1'");
+  check_version(root, entries);
+  if (const YamlValue* library = find_required(entries, "library", root, "the file's name, '" + name + "'"))
+    if (std::string word; load_text(*library, "the file's name", word) && word != name)
+      add_mistake(*library, fmt::format("library '{}' stands in another file's name; expected '{}'",
+                                        show_word(word), name));
+  if (const YamlValue* expressions =
+          find_required(entries, "expressions", root, "a mapping of names to areas"))
+    load_drafts(*expressions, name, book, drafts);
+}
+
+void load_sections(const YamlValue& root, const YamlMapping& entries, const Names& features,
+                   ExpressionBook& book, Spec& spec) {
+  if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
+  if (const YamlValue* library = find_value(entries, "library"))
+    load_name(*library, "library", book.libraries, spec.library);
+  book.library = spec.library;
+  if (const YamlValue* expressions = find_value(entries, "expressions")) {
+    std::vector<ExpressionDraft> drafts;
+    load_drafts(*expressions, "", book, drafts);
+    build_drafts(drafts, book);
+  }
+  if (const YamlValue* head = find_value(entries, "head")) spec.head = load_head(*head, features);
+  spec.clip = load_clip(find_value(entries, "clip"), book);
+  if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
+  if (const YamlValue* busts = find_value(entries, "busts")) spec.busts = load_busts(*busts, book);
+  check_version(root, entries);
+}
+
+ExpressionBook build_book(std::vector<Expression> expressions) {
+  ExpressionBook book;
+  for (const Expression& expression : expressions)
+    if (std::ranges::find(book.libraries, expression.library) == book.libraries.end())
+      book.libraries.push_back(expression.library);
+  append_expressions(book, std::move(expressions));
+  return book;
+}
+
+}  // namespace
+
+Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
+  Findings findings;
+  ExpressionBook book = build_book(load_expression_libraries(data_folder / "configs/expressions"));
+  const std::size_t library_count = book.expressions.size();
+  const Names features = load_feature_names(data_folder, findings);
+
+  Spec spec;
+  spec.file = file;
+  spec.name = build_name(file);
+  if (const auto document = load_document(file, findings)) {
+    const YamlValue root = find_root(*document, findings);
+    const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+    if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, features, book, spec);
+  }
+  throw_mistakes(std::move(findings));
+
+  spec.expressions = std::move(book.expressions);
+  std::ranges::rotate(spec.expressions,
+                      spec.expressions.begin() + static_cast<std::ptrdiff_t>(library_count));
+  return spec;
+}
+
+const Expression& find_expression(const Spec& spec, const std::string& name) {
+  ExpressionBook book = build_book(spec.expressions);
+  std::erase(book.libraries, "");
+  book.library = spec.library;
+  const auto index = find_expression(book, name);
+  if (!index) throw InputError(describe_unknown_expression(book, name));
+  return spec.expressions[*index];
+}
+
+std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  if (error) throw RunError(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+  std::ranges::sort(files);
+
+  Findings findings;
+  ExpressionBook book;
+  std::deque<YamlDocument> documents;  // a deque: drafts point into them
+  std::vector<ExpressionDraft> drafts;
+  for (const std::filesystem::path& file : files) {
+    book.libraries.push_back(file.stem().string());
+    auto document = load_document(file, findings);
+    if (!document) continue;
+    documents.push_back(std::move(*document));
+    load_library(find_root(documents.back(), findings), file.stem().string(), book, drafts);
+  }
+  build_drafts(drafts, book);
+  throw_mistakes(std::move(findings));
+  std::ranges::stable_sort(book.expressions, {},
+                           [](const Expression& e) { return std::tie(e.library, e.name); });
+  return std::move(book.expressions);
+}
+
+}  // namespace mien

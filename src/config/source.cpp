@@ -1,0 +1,162 @@
+// The form of UTF-8: RFC 3629, section 4.
+#include "config/source.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+#include "config/load_spec.hpp"
+
+namespace mien {
+
+namespace {
+
+// Reads at most kMaxFileBytes + 1 bytes, so that an endless device ends too; returns 0 or the error number.
+int read_bounded(const std::filesystem::path& file, std::string& bytes) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno;
+  bytes.resize(kMaxFileBytes + 1);
+  std::size_t size = 0;
+  int error = 0;
+  while (size < bytes.size()) {
+    const ssize_t count = ::read(descriptor, bytes.data() + size, bytes.size() - size);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) error = errno;
+    if (count <= 0) break;
+    size += static_cast<std::size_t>(count);
+  }
+  ::close(descriptor);
+  bytes.resize(size);
+  return error;
+}
+
+// One character of UTF-8: its code point and its length in bytes; length 0 if it is malformed.
+struct Character {
+  std::uint32_t code = 0;
+  std::size_t length = 0;
+};
+
+Character find_character(std::string_view text, std::size_t at) {
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
+  const unsigned char first = byte(0);
+  if (first < 0x80) return {first, 1};
+  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
+  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) return {};
+  std::uint32_t code = first & (0x7Fu >> length);
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0) != 0x80) return {};
+    code = code << 6 | (byte(i) & 0x3Fu);
+  }
+  const bool is_overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
+  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
+  if (is_overlong || is_surrogate || code > 0x10FFFF) return {};
+  return {code, length};
+}
+
+bool is_control(std::uint32_t code) {
+  if (code == '\n' || code == '\t' || code == 0x85) return false;
+  return code < 0x20 || (code >= 0x7F && code < 0xA0) || code == 0xFFFE || code == 0xFFFF;
+}
+
+// "\r\n" and "\r" become "\n".
+std::string unify_line_ends(const std::string& bytes) {
+  std::string text;
+  text.reserve(bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    if (bytes[i] != '\r')
+      text += bytes[i];
+    else if (i + 1 == bytes.size() || bytes[i + 1] != '\n')
+      text += '\n';
+  }
+  return text;
+}
+
+// The first character that no text holds, as a mistake; false if there is one.
+bool is_clean_text(const SourceText& source, Findings& findings) {
+  int line = 1, column = 1;
+  for (std::size_t at = 0; at < source.text.size();) {
+    const Character character = find_character(source.text, at);
+    if (character.length == 0 || is_control(character.code)) {
+      const unsigned byte = static_cast<unsigned char>(source.text[at]);
+      const std::string found =
+          character.length == 0
+              ? fmt::format("byte 0x{:02X} is not UTF-8; expected a file saved as UTF-8", byte)
+              : fmt::format("control character U+{:04X}; expected plain text", character.code);
+      // The line itself is not shown: it is no text that a terminal should be given.
+      add_mistake(findings, {source.file, line, column}, found, {});
+      return false;
+    }
+    at += character.length;
+    ++column;
+    if (character.code == '\n') ++line, column = 1;
+  }
+  return true;
+}
+
+bool is_indented_by_spaces(const SourceText& source, Findings& findings) {
+  bool is_right = true;
+  for (int line = 1; line <= static_cast<int>(source.line_starts.size()); ++line) {
+    const std::string_view text = find_line(source, line);
+    const std::size_t content = text.find_first_not_of(" \t");
+    const std::size_t tab = text.find('\t');
+    if (content == std::string_view::npos || text[content] == '#' || tab > content) continue;
+    add_mistake(findings, source, {line, static_cast<int>(tab)}, "tab in the indentation; expected spaces");
+    is_right = false;
+  }
+  return is_right;
+}
+
+}  // namespace
+
+std::optional<SourceText> load_source(const std::filesystem::path& file, Findings& findings) {
+  std::string bytes;
+  if (const int error = read_bounded(file, bytes)) {
+    add_mistake(findings, {file.string(), 0, 0}, fmt::format("cannot read: {}", std::strerror(error)), {});
+    return std::nullopt;
+  }
+  return build_source(file.string(), std::move(bytes), findings);
+}
+
+std::optional<SourceText> build_source(std::string file, std::string bytes, Findings& findings) {
+  if (bytes.size() > kMaxFileBytes) {
+    add_mistake(findings, {file, 0, 0},
+                fmt::format("larger than {} bytes; expected a note, not data", kMaxFileBytes), {});
+    return std::nullopt;
+  }
+  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF")) {
+    add_mistake(findings, {file, 1, 1}, "the file is UTF-16; expected a file saved as UTF-8", {});
+    return std::nullopt;
+  }
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
+
+  SourceText source{std::move(file), unify_line_ends(bytes), {0}};
+  for (std::size_t at = source.text.find('\n'); at != std::string::npos; at = source.text.find('\n', at + 1))
+    source.line_starts.push_back(at + 1);
+  if (!is_clean_text(source, findings) || !is_indented_by_spaces(source, findings)) return std::nullopt;
+  return source;
+}
+
+std::string_view find_line(const SourceText& source, int line) {
+  const auto& starts = source.line_starts;
+  if (line < 1 || line > static_cast<int>(starts.size())) return {};
+  const std::size_t start = starts[line - 1];
+  const std::size_t end = line < static_cast<int>(starts.size()) ? starts[line] - 1 : source.text.size();
+  return std::string_view(source.text).substr(start, end - start);
+}
+
+void add_mistake(Findings& findings, const SourceText& source, Spot spot, std::string message) {
+  if (is_full(findings)) {
+    ++findings.untold;  // counting the column of each would take long on a long line
+    return;
+  }
+  const std::string_view line = find_line(source, spot.line);
+  const std::string_view before = line.substr(0, static_cast<std::size_t>(std::max(0, spot.byte)));
+  const auto is_first = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
+  const int column = 1 + static_cast<int>(std::count_if(before.begin(), before.end(), is_first));
+  add_mistake(findings, Place{source.file, spot.line, column}, std::move(message), line);
+}
+
+}  // namespace mien

@@ -1,0 +1,48 @@
+// Every fixed word of the YAML language: the names a value may have, and the keys of each mapping.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace mien {
+
+using Names = std::vector<std::string>;
+
+inline constexpr int kLanguageVersion = 1;  // `mien: 1`
+
+// Names. Those of enums stand in the enum's order (spec.hpp).
+inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult"};
+inline const Names kSkulls{"average", "square", "round", "wide", "narrow"};
+inline const Names kCharacters{"female", "male"};
+inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
+inline const Names kEasings{"linear", "in", "out", "in_out", "hold"};
+inline const Names kDraws{"ones", "twos", "threes"};  // held for 1, 2, 3 frames
+inline const Names kQualities{"draft", "good", "best"};
+inline const Names kBackgrounds{"studio", "light", "dark"};
+
+// A plain expression name is looked up in the file, in its `library`, and then in these.
+inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
+
+// Keys.
+inline const Names kFileKeys{"mien", "title", "head", "library", "expressions", "clip", "render", "busts"};
+inline const Names kLibraryFileKeys{"mien", "library", "expressions"};
+inline const Names kHeadKeys{"age", "skull", "character", "guides", "features", "look"};
+inline const Names kLookKeys{"skin", "lips", "iris", "brow"};
+inline const Names kExpressionKeys{"from", "strength"};  // and every area's
+inline const Names kClipKeys{"fps", "draw", "keys", "camera", "turn", "blink", "blinks", "length"};
+inline const Names kPoseKeyKeys{"at", "express", "strength", "areas", "ease"};
+inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease"};
+inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease"};
+inline const Names kBlinkKeys{"per_minute", "seed"};
+inline const Names kRenderKeys{"size", "quality", "background"};
+inline const Names kBustKeys{"express", "strength", "areas", "height"};
+
+// Where a key belongs that was written in another place.
+struct Section {
+  std::string name;  // empty: the top of the file
+  Names keys;
+};
+inline const std::vector<Section> kSections{
+    {"", kFileKeys}, {"head", kHeadKeys}, {"clip", kClipKeys}, {"render", kRenderKeys}};
+
+}  // namespace mien

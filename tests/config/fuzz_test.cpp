@@ -1,0 +1,75 @@
+// Seeded damage to good files: the answer is a Spec or an InputError with a place, and nothing else.
+#include <random>
+
+#include "config/config_fixture.hpp"
+
+namespace mien {
+namespace {
+
+std::vector<std::string> load_good_texts() {
+  std::vector<std::filesystem::path> files{kData / "templates/new.yaml"};
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "configs"))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  std::vector<std::string> texts;
+  for (const auto& file : files) texts.push_back(read_file(file));
+  return texts;
+}
+
+// Replaces, inserts, removes or repeats at a few places; letters of YAML's grammar are the likeliest.
+std::string damage(std::string text, std::mt19937& random) {
+  const std::string letters = "{}[]:,-#&*!|>'\"%@`?~ \n\t0.\\\xC3\x80s";
+  const auto pick = [&](std::size_t below) {
+    return std::uniform_int_distribution<std::size_t>(0, below - 1)(random);
+  };
+  for (std::size_t i = 0, count = 1 + pick(4); i < count && !text.empty(); ++i) {
+    const std::size_t at = pick(text.size());
+    switch (pick(5)) {
+      case 0:
+        text[at] = letters[pick(letters.size())];
+        break;
+      case 1:
+        text.insert(at, 1, letters[pick(letters.size())]);
+        break;
+      case 2:
+        text.erase(at, 1 + pick(8));
+        break;
+      case 3:
+        text.insert(at, text.substr(pick(text.size()), pick(40)));
+        break;
+      default:
+        text[at] = static_cast<char>(pick(256));
+    }
+  }
+  return text;
+}
+
+TEST(fuzz, gives_a_spec_or_mistakes_with_a_place) {
+  const std::vector<std::string> texts = load_good_texts();
+  const auto file = make_test_folder() / "fuzz.yaml";
+  std::mt19937 random(1990);
+  int good = 0;
+  for (int round = 0; round < 2000; ++round) {
+    const std::string text = damage(texts[static_cast<std::size_t>(round) % texts.size()], random);
+    write_file(file, text);
+    try {
+      const Spec spec = load_spec(file, kData);
+      EXPECT_GE(count_frames(spec.clip), 1);
+      ++good;
+    } catch (const InputError& error) {
+      EXPECT_FALSE(error.diagnostics.empty());
+      for (const Diagnostic& diagnostic : error.diagnostics) {
+        EXPECT_GE(diagnostic.place.line, 1) << text;
+        EXPECT_GE(diagnostic.place.column, 1) << text;
+        EXPECT_FALSE(diagnostic.message.empty());
+      }
+    } catch (const std::exception& error) {
+      FAIL() << error.what() << "\n" << text;
+    }
+  }
+  EXPECT_GT(good, 100);
+  EXPECT_LT(good, 1900);
+}
+
+}  // namespace
+}  // namespace mien

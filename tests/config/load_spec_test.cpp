@@ -1,0 +1,218 @@
+#include "config/config_fixture.hpp"
+#include "config/words.hpp"
+
+namespace mien {
+namespace {
+
+TEST(load_spec, gives_every_default_for_one_line) {
+  const Spec spec = load_text("mien: 1\n");
+  EXPECT_EQ(spec.name, "test");
+  EXPECT_EQ(spec.title, "");
+  EXPECT_EQ(spec.library, "mien");
+  EXPECT_EQ(spec.head.age, (Mix{{"adult", 1.0}}));
+  EXPECT_EQ(spec.head.skull, (Mix{{"average", 1.0}}));
+  EXPECT_EQ(spec.head.character, 0);
+  EXPECT_FALSE(spec.head.look.lips.has_value());
+  EXPECT_EQ(spec.clip.fps, 24);
+  EXPECT_EQ(spec.clip.draw, 1);
+  ASSERT_EQ(spec.clip.keys.size(), 1u);
+  EXPECT_EQ(spec.clip.keys[0].at_s, 0);
+  EXPECT_EQ(spec.clip.keys[0].pose, Pose{});
+  EXPECT_EQ(spec.clip.keys[0].label, "neutral");
+  ASSERT_EQ(spec.clip.camera.size(), 1u);
+  EXPECT_EQ(spec.clip.camera[0].distance, 1);
+  ASSERT_EQ(spec.clip.turn.size(), 1u);
+  EXPECT_EQ(spec.clip.blink.per_minute, 0);
+  EXPECT_EQ(count_frames(spec.clip), 1);
+  EXPECT_EQ(spec.render.width_px, 480);
+  EXPECT_EQ(spec.render.height_px, 600);
+  EXPECT_EQ(spec.render.quality, Quality::good);
+  EXPECT_EQ(spec.render.background, "studio");
+  EXPECT_TRUE(spec.busts.empty());
+}
+
+TEST(load_spec, reads_the_head) {
+  const HeadSpec head = load_text(R"(mien: 1
+head:
+  age: {child: 1, adult: 3}
+  skull: square
+  character: female
+  guides: {eye_line: 0.49, hairline: .8}
+  look: {skin: "#ff0080", lips: "#000000", iris: "#FFFFFF", brow: "#102030"}
+)")
+                            .head;
+  EXPECT_EQ(head.age, (Mix{{"adult", 0.75}, {"child", 0.25}}));
+  EXPECT_EQ(head.skull, (Mix{{"square", 1.0}}));
+  EXPECT_EQ(head.character, -1);
+  EXPECT_EQ(head.guides, (std::map<std::string, double>{{"eye_line", 0.49}, {"hairline", 0.8}}));
+  EXPECT_FLOAT_EQ(head.look.skin.r, 1);
+  EXPECT_FLOAT_EQ(head.look.skin.g, 0);
+  EXPECT_FLOAT_EQ(head.look.skin.b, 128.0f / 255);
+  EXPECT_EQ(head.look.lips.value(), glm::vec3(0));
+  EXPECT_EQ(head.look.iris, glm::vec3(1));
+  EXPECT_FLOAT_EQ(head.look.brow.g, 32.0f / 255);
+  EXPECT_EQ(load_text("mien: 1\nhead: {character: male}\n").head.character, 1);
+  EXPECT_EQ(load_text("mien: 1\nhead: {character: -0.25}\n").head.character, -0.25);
+}
+
+TEST(load_spec, reads_the_clip) {
+  const ClipSpec clip = load_text(R"(mien: 1
+clip:
+  blinks: [2s, 12f]
+  blink: {per_minute: 15, seed: 7}
+  camera: [{at: 0s, angle: 10deg, height: 5, distance: 2}, {at: 1s, angle: -20deg, ease: hold}]
+  turn: [{at: 500ms, turn: 20deg, nod: -10, tilt: +5deg, ease: linear}, {at: 1, nod: 1}]
+  keys: [{at: 0}, {at: 36f, express: smile, ease: out}, {at: 4s, express: neutral, ease: in}]
+  draw: twos
+  fps: 12
+)")
+                            .clip;
+  EXPECT_EQ(clip.fps, 12);
+  EXPECT_EQ(clip.draw, 2);
+  EXPECT_EQ(clip.blinks_s, (std::vector<double>{1, 2}));
+  EXPECT_EQ(clip.blink.per_minute, 15);
+  EXPECT_EQ(clip.blink.seed, 7u);
+  ASSERT_EQ(clip.camera.size(), 2u);
+  EXPECT_EQ(clip.camera[0].angle_deg, 10);
+  EXPECT_EQ(clip.camera[1].angle_deg, -20);
+  EXPECT_EQ(clip.camera[1].height_deg, 5);
+  EXPECT_EQ(clip.camera[1].distance, 2);
+  EXPECT_EQ(clip.camera[1].ease, Easing::hold);
+  ASSERT_EQ(clip.turn.size(), 2u);
+  EXPECT_EQ(clip.turn[0].at_s, 0.5);
+  EXPECT_EQ(clip.turn[0].ease, Easing::linear);
+  EXPECT_EQ(clip.turn[1].turn_deg, 20);
+  EXPECT_EQ(clip.turn[1].nod_deg, 1);
+  EXPECT_EQ(clip.turn[1].tilt_deg, 5);
+  EXPECT_EQ(clip.turn[1].ease, Easing::in_out);
+  ASSERT_EQ(clip.keys.size(), 3u);
+  EXPECT_EQ(clip.keys[1].at_s, 3);
+  EXPECT_EQ(clip.keys[1].ease, Easing::out);
+}
+
+TEST(load_spec, reads_render_and_busts) {
+  const Spec spec = load_text(R"(mien: 1
+title: "It's: \"fine\""
+render: {size: 8192x16, quality: best, background: dark}
+busts: [{}, {express: laugh, height: 12cm}, {express: {smile: 0.5, fear: 0.2}, strength: 0.5, height: 30}]
+)");
+  EXPECT_EQ(spec.title, "It's: \"fine\"");
+  EXPECT_EQ(spec.render.width_px, 8192);
+  EXPECT_EQ(spec.render.height_px, 16);
+  EXPECT_EQ(spec.render.quality, Quality::best);
+  EXPECT_EQ(spec.render.background, "dark");
+  ASSERT_EQ(spec.busts.size(), 3u);
+  EXPECT_EQ(spec.busts[0].expression.name, "neutral");
+  EXPECT_EQ(spec.busts[0].height_mm, 80);
+  EXPECT_EQ(spec.busts[1].expression.name, "laugh");
+  EXPECT_EQ(spec.busts[1].expression.library, "mien");
+  EXPECT_EQ(spec.busts[1].height_mm, 120);
+  EXPECT_EQ(spec.busts[2].expression.name, "smile_fear");
+  EXPECT_EQ(spec.busts[2].height_mm, 30);
+}
+
+TEST(load_spec, ends_a_clip_with_its_last_key_or_as_told) {
+  EXPECT_EQ(load_text("mien: 1\nclip: {keys: [{at: 0s}, {at: 3s}]}\n").clip.length_s, 3);
+  EXPECT_EQ(load_text("mien: 1\nclip: {turn: [{at: 2s}], camera: [{at: 4s}]}\n").clip.length_s, 4);
+  EXPECT_EQ(load_text("mien: 1\nclip: {length: 36f, keys: [{at: 0s}, {at: 3s}]}\n").clip.length_s, 1.5);
+}
+
+TEST(load_spec, counts_frames_up_to_but_without_the_last_moment) {
+  ClipSpec clip;
+  for (const auto& [length_s, frames] :
+       std::map<double, int>{{0, 1}, {0.01, 1}, {3, 72}, {2.4, 58}, {1.0 / 24, 1}}) {
+    clip.length_s = length_s;
+    EXPECT_EQ(count_frames(clip), frames) << length_s;
+  }
+}
+
+TEST(load_spec, allows_as_many_frames_as_the_limit) {
+  EXPECT_EQ(count_frames(load_text("mien: 1\nclip: {length: 100000f}\n").clip), kMaxFrames);
+  EXPECT_EQ(count_frames(load_text("mien: 1\nclip: {fps: 7, length: 100000f}\n").clip), kMaxFrames);
+}
+
+TEST(load_spec, repeats_what_an_alias_names) {
+  const Spec spec = load_text(R"(mien: 1
+clip:
+  keys:
+    - {at: 0s, areas: &look {eyes: {side: 0.5}}}
+    - {at: &end 2s, areas: *look}
+  length: *end
+)");
+  EXPECT_EQ(spec.clip.keys[1].pose, spec.clip.keys[0].pose);
+  EXPECT_EQ(spec.clip.length_s, 2);
+}
+
+TEST(load_spec, names_the_output_by_the_file) {
+  const auto folder = make_test_folder();
+  const std::map<std::string, std::string> names{{"hello.yaml", "hello"},
+                                                 {"a b.v2.yaml", "a_b_v2"},
+                                                 {"-rf.yaml", "_rf"},
+                                                 {".yaml", "_yaml"},
+                                                 {"caf\xc3\xa9.yml", "caf_"},
+                                                 {"..yaml", "_"},
+                                                 {"$(reboot).yaml", "__reboot_"},
+                                                 {"plain", "plain"}};
+  for (const auto& [file, name] : names) {
+    write_file(folder / file, "mien: 1\n");
+    EXPECT_EQ(load_spec(folder / file, kData).name, name) << file;
+  }
+}
+
+TEST(load_spec, takes_any_usual_line_ends_and_a_byte_order_mark) {
+  EXPECT_EQ(load_text("\xEF\xBB\xBFmien: 1\r\ntitle: one\r\n").title, "one");
+  EXPECT_EQ(load_text("mien: 1\rtitle: one\r").title, "one");
+  EXPECT_EQ(load_text("%YAML 1.2\n---\nmien: 1\ntitle:\tone\n...\n").title, "one");
+}
+
+TEST(load_spec, loads_every_example_and_the_starter) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(kData / "configs")) {
+    if (entry.path().extension() != ".yaml") continue;
+    ++count;
+    EXPECT_EQ(find_mistakes(entry.path()), "");
+  }
+  EXPECT_GE(count, 8);
+  const std::string starter = read_file(kData / "templates/new.yaml");
+  EXPECT_EQ(load_text(fill_template(starter, {{"name", "mine"}}, "new.yaml")).title, "mine");
+}
+
+TEST(load_spec, says_hello_in_48_drawings) {
+  const Spec spec = load_spec(kData / "configs/hello.yaml", kData);
+  EXPECT_EQ(count_frames(spec.clip), 96);
+  EXPECT_EQ(spec.clip.draw, 2);
+  EXPECT_EQ(spec.render.width_px, 480);
+  EXPECT_EQ(spec.render.height_px, 600);
+  EXPECT_EQ(spec.clip.keys.front().pose, spec.clip.keys.back().pose);
+  ASSERT_EQ(spec.busts.size(), 1u);
+  EXPECT_EQ(spec.busts[0].expression.name, "laugh");
+}
+
+TEST(load_spec, knows_the_features_of_the_data) {
+  const auto folder = make_test_folder();
+  std::filesystem::create_directories(folder / "configs");
+  std::filesystem::copy(kData / "configs/expressions", folder / "configs/expressions");
+  write_file(folder / "templates/head/features.yaml",
+             "features:\n  nose_length: {mm: 3}\n  mouth_width: {mm: 5}\n");
+  write_file(folder / "good.yaml", "mien: 1\nhead: {features: {nose_length: 0.3, mouth_width: -1}}\n");
+  EXPECT_EQ(load_spec(folder / "good.yaml", folder).head.features,
+            (std::map<std::string, double>{{"mouth_width", -1}, {"nose_length", 0.3}}));
+  write_file(folder / "bad.yaml", "mien: 1\nhead: {features: {nose_lenght: 0.3, ears: 1, mouth_width: 2}}\n");
+  EXPECT_EQ(
+      find_mistakes(folder / "bad.yaml", folder),
+      R"(bad.yaml:2:19: error: unknown feature 'nose_lenght' in 'head.features'; did you mean 'nose_length'?
+  head: {features: {nose_lenght: 0.3, ears: 1, mouth_width: 2}}
+                    ^
+bad.yaml:2:37: error: unknown feature 'ears' in 'head.features'; known: nose_length, mouth_width
+  head: {features: {nose_lenght: 0.3, ears: 1, mouth_width: 2}}
+                                      ^
+bad.yaml:2:59: error: 'head.features.mouth_width' is '2'; expected a number from -1 to 1
+  head: {features: {nose_lenght: 0.3, ears: 1, mouth_width: 2}}
+                                                            ^)");
+  std::filesystem::remove(folder / "templates/head/features.yaml");
+  EXPECT_EQ(find_mistakes(folder / "good.yaml", folder).substr(0, 87),
+            "good.yaml:2:19: error: unknown feature 'nose_length' in 'head.features'; none is known h");
+}
+
+}  // namespace
+}  // namespace mien
