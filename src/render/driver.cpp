@@ -24,8 +24,6 @@ namespace {
 constexpr const char* kIniName = "povray.ini";
 constexpr const char* kIniText = "Work_Threads=1\n";
 
-constexpr std::size_t kFold = 80;  // POV-Ray's widest line
-
 // What POV-Ray may need of the disk for one pixel: its state file and the picture.
 constexpr std::size_t kDiskPerPixel = 16;  // bytes
 

@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
-#include <cctype>
 #include <cerrno>
 #include <chrono>
 #include <cstdlib>
@@ -33,7 +32,6 @@ static_assert(std::atomic<bool>::is_always_lock_free);
 
 constexpr std::size_t kOutputKept = 1
                                     << 20;  // bytes; the end of a program's output is what explains a failure
-constexpr int kLastLines = 12;              // lines of output in a message: an error and what led to it
 constexpr int kPoll_ms = 50;  // how late a signal to another thread or a daemonised child is noticed
 constexpr int kReap_ms = 1;   // between the closed pipe and the ended process
 
@@ -131,10 +129,6 @@ bool is_on_path(const std::string& program) {
     if (end == std::string_view::npos) return false;
     path.remove_prefix(end + 1);
   }
-}
-
-bool is_safe_in_shell(char letter) {
-  return std::isalnum(static_cast<unsigned char>(letter)) || std::strchr("_-+=./,:@%", letter) != nullptr;
 }
 
 }  // namespace
@@ -237,44 +231,6 @@ void require_programs(const std::vector<std::pair<std::string, std::string>>& pr
     if (!is_on_path(program))
       throw RunError(
           fmt::format("{} is not installed; install it with: apt-get install {}", program, package));
-}
-
-std::string quote_command(const std::vector<std::string>& command) {
-  std::string line;
-  for (const std::string& word : command) {
-    if (!line.empty()) line += ' ';
-    if (!word.empty() && std::ranges::all_of(word, is_safe_in_shell)) {
-      line += word;
-      continue;
-    }
-    line += '\'';
-    for (const char letter : word) line += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    line += '\'';
-  }
-  return line;
-}
-
-std::string describe_end(const std::string& program, int exit_code) {
-  if (exit_code > 128 && exit_code < 128 + NSIG)
-    return fmt::format("{} was ended by signal {} ({})", program, exit_code - 128,
-                       ::strsignal(exit_code - 128));
-  return fmt::format("{} failed (exit status {})", program, exit_code);
-}
-
-std::string format_failure(const std::string& what, const std::string& command, const std::string& output) {
-  std::vector<std::string> lines{""};
-  for (const char letter : output) {
-    if (letter == '\n' || letter == '\r') {
-      if (!lines.back().empty()) lines.emplace_back();
-    } else if (static_cast<unsigned char>(letter) >= ' ' || letter == '\t') {
-      lines.back() += letter;
-    }
-  }
-  if (lines.back().empty()) lines.pop_back();
-  std::string text = fmt::format("{}\n  command: {}", what, command);
-  const std::size_t first = lines.size() > kLastLines ? lines.size() - kLastLines : 0;
-  for (std::size_t i = first; i < lines.size(); ++i) text += "\n  " + lines[i];
-  return text;
 }
 
 }  // namespace mien

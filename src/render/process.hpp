@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "render/failure.hpp"
+
 namespace mien {
 
 // What a program printed and how it ended.
@@ -57,15 +59,5 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
 // collects the output of all meanwhile. Throws Interrupted if a signal came; ending the others is then their
 // owner's affair.
 void wait_for_any(const std::vector<Process*>& running);
-
-// The command as one would type it: arguments quoted for a POSIX shell where they need it.
-std::string quote_command(const std::vector<std::string>& command);
-
-// "povray failed (exit status 1)", "povray was ended by signal 11 (Segmentation fault)".
-std::string describe_end(const std::string& program, int exit_code);
-
-// The message of a RunError about a program: `what`, then "command: ..." and the last lines of the output
-// that say something, each on a line of its own, two blanks in. Control characters are left out.
-std::string format_failure(const std::string& what, const std::string& command, const std::string& output);
 
 }  // namespace mien

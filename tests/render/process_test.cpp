@@ -1,6 +1,5 @@
 #include "render/process.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -13,8 +12,6 @@
 
 namespace mien {
 namespace {
-
-using testing::HasSubstr;
 
 pid_t wait_for_number(const std::filesystem::path& file) {
   wait_for_lines(file, 1);
@@ -119,22 +116,6 @@ TEST(process, leaves_no_child_when_we_are_killed) {
   ::kill(parent, SIGKILL);
   ::waitpid(parent, nullptr, 0);
   EXPECT_TRUE(is_gone(child));
-}
-
-TEST(process, quotes_a_command_for_a_shell) {
-  EXPECT_EQ(quote_command({"povray", "+Imy frames/é.pov", "+A0.1", "", "it's"}),
-            "povray '+Imy frames/é.pov' +A0.1 '' 'it'\\''s'");
-}
-
-TEST(process, tells_a_failure_with_the_command_and_the_last_lines) {
-  EXPECT_EQ(describe_end("povray", 1), "povray failed (exit status 1)");
-  EXPECT_EQ(describe_end("povray", 139), "povray was ended by signal 11 (Segmentation fault)");
-  EXPECT_EQ(describe_end("ffmpeg", 255), "ffmpeg failed (exit status 255)");
-  EXPECT_EQ(format_failure("it failed", "x y", "a\n\n\x1b[31mb\rc\n"),
-            "it failed\n  command: x y\n  a\n  [31mb\n  c");
-  std::string long_output;
-  for (int i = 1; i <= 20; ++i) long_output += std::to_string(i) + "\n";
-  EXPECT_THAT(format_failure("it failed", "x", long_output), HasSubstr("command: x\n  9\n  10\n"));
 }
 
 }  // namespace
