@@ -28,7 +28,7 @@ constexpr double kLensDistance_mm = 900;
 
 struct QualitySettings {
   int light_samples;  // of the key light, along each side
-  int fill_samples;
+  int key_depth;      // POV-Ray's `adaptive`: 2^depth + 1 samples a side to begin with; 0 misses thin things
   const char* threshold;  // anti-aliasing: the difference between neighbours that asks for more rays
   int depth;              // anti-aliasing: at most 4^depth sub-squares a pixel
 };
@@ -36,13 +36,13 @@ struct QualitySettings {
 QualitySettings find_settings(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {3, 1, "0.2", 1};
+      return {5, 0, "0.2", 1};
     case Quality::good:
-      return {5, 2, "0.08", 2};
+      return {9, 0, "0.08", 2};
     case Quality::best:
       break;
   }
-  return {9, 3, "0.03", 3};
+  return {17, 1, "0.03", 3};
 }
 
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
@@ -190,7 +190,7 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
   const std::filesystem::path frame = folder / "head.inc";
   return fill_template(read_file(frame),
                        {{"key_samples", std::to_string(settings.light_samples)},
-                        {"fill_samples", std::to_string(settings.fill_samples)},
+                        {"key_depth", std::to_string(settings.key_depth)},
                         {"materials", materials},
                         {"lights", read_file(folder / "lights.inc")},
                         {"background", read_file(background)},
