@@ -24,7 +24,9 @@ struct Part {
   Mesh rest;                   // the neutral shape; its triangles hold for every drawing
   std::vector<Shade> palette;  // at least one
   std::vector<std::uint16_t>
-      shade;               // an index into `palette` for each vertex; empty: all vertices take palette[0]
+      shade;  // an index into `palette` for each vertex; empty: all vertices take palette[0]
+  std::vector<glm::vec2> grain;  // mm; where a vertex lies on the skin as if unrolled flat: fine patterns
+                                 // that must move with the skin live there; one a vertex, or empty
   bool is_rigid = false;   // true: a drawing gives a transform only; false: it gives positions and normals
   bool is_printed = true;  // false: too fine for a bust (lashes, tear line, cornea)
 };

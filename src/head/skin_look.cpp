@@ -172,6 +172,17 @@ glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   return skin * glm::mix(glm::vec3(0.86f, 0.66f, 0.68f), glm::vec3(0.80f, 0.46f, 0.45f), light);
 }
 
+// A place of the skin as if it were peeled off the head: round the head on u, up on v, both in millimetres.
+// Like a globe's: the crown and the throat are the poles; what stands out in front (the nose) pushes u on, so
+// that its sides are not smeared. A fold in the mid-plane keeps it the same on both halves.
+glm::vec2 unroll(const glm::vec3& p) {
+  constexpr float kAxis_z_mm = -15, kRound_mm = 85;  // the head as a cylinder with round ends
+  const glm::vec2 flat(std::abs(p.x), p.z - kAxis_z_mm);
+  const float radius = glm::length(flat), round = std::min(radius, kRound_mm);
+  const float angle = std::atan2(flat.x, flat.y), pole = std::clamp(p.y / 40, -1.0f, 1.0f);
+  return {round * angle - (radius - round), p.y + pole * (kRound_mm - round)};
+}
+
 }  // namespace
 
 Part build_skin_part(const NeutralHead& head, const Look& look) {
@@ -183,11 +194,12 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const std::vector<float> openness = measure_openness(head.skin, head.surface->mirror);
 
   const glm::vec3 skin = to_linear(look.skin), lips = find_lip_colour(skin, look);
-  Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}};
+  Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
     glm::vec3 place = head.skin.positions[i];
     place.x = std::abs(place.x);
+    part.grain.push_back(unroll(place));
     const float patches = 0.6f * sample_noise(place, 9) + 0.4f * sample_noise(place, 4);
     const float grain = sample_noise(place + 50.0f, 2.5f);
     masks[kBlood][i] = std::max(0.0f, masks[kBlood][i] + 0.10f * patches);
@@ -199,7 +211,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     colour *= 1 + 0.025f * grain;
     colour = glm::mix(colour, kMouthColour, masks[kMouth][i]);
     // Light that does get into a hollow of flesh has met flesh before: it comes out redder.
-    colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.60f, 0.72f, 0.78f));
+    colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.42f, 0.52f, 0.56f));
 
     float gloss = 0.25f + 0.20f * masks[kShine][i] - 0.15f * masks[kSocket][i];
     gloss = std::max({gloss, 0.75f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});

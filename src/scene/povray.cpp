@@ -21,6 +21,7 @@ constexpr int kNormalDecimals = 3;
 constexpr int kRigidNormalDecimals = 5;  // of parts written once a clip: wet eyes mirror the lights sharply
 constexpr int kMatrixDecimals = 7;
 constexpr int kColourDecimals = 4;
+constexpr int kGrainDecimals = 2;
 
 // How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
 // nearer makes the nose big, farther flattens the face.
@@ -28,7 +29,7 @@ constexpr double kLensDistance_mm = 900;
 
 struct QualitySettings {
   int light_samples;  // of the key light, along each side
-  int fill_samples;
+  int key_depth;      // POV-Ray's `adaptive`: 2^depth + 1 samples a side to begin with; 0 misses thin things
   const char* threshold;  // anti-aliasing: the difference between neighbours that asks for more rays
   int depth;              // anti-aliasing: at most 4^depth sub-squares a pixel
 };
@@ -36,13 +37,13 @@ struct QualitySettings {
 QualitySettings find_settings(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {3, 1, "0.2", 1};
+      return {3, 0, "0.3", 2};
     case Quality::good:
-      return {5, 2, "0.08", 2};
+      return {5, 0, "0.12", 3};
     case Quality::best:
       break;
   }
-  return {9, 3, "0.03", 3};
+  return {9, 1, "0.04", 4};
 }
 
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
@@ -95,6 +96,8 @@ void check_part(const Part& part) {
   if (part.rest.triangles.empty()) fail_part(part, "has no triangles");
   if (part.palette.empty()) fail_part(part, "has no palette");
   if (!part.shade.empty() && part.shade.size() != count) fail_part(part, "has not one shade a vertex");
+  if (!part.grain.empty() && part.grain.size() != count)
+    fail_part(part, "has not one place on its grain a vertex");
   for (const std::uint16_t s : part.shade)
     if (s >= part.palette.size()) fail_part(part, "has a shade outside its palette");
   for (const Triangle& triangle : part.rest.triangles)
@@ -110,9 +113,23 @@ std::string format_texture(const Part& part, const Shade& shade) {
   return fmt::format("{}_texture(srgb <{}>, {})", part.material, colour, format_number(shade.gloss, 3));
 }
 
+// The grain as uv_vectors: POV-Ray's uv_mapping then bends a pattern with the skin. z is not in it.
+void append_grain(std::string& text, const std::vector<glm::vec2>& grain) {
+  text += fmt::format("uv_vectors {{ {}", grain.size());
+  for (const glm::vec2& uv : grain) {
+    text += ",\n<";
+    append_number(text, uv.x, kGrainDecimals);
+    text += ',';
+    append_number(text, uv.y, kGrainDecimals);
+    text += '>';
+  }
+  text += " }\n";
+}
+
 // texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray blends
 // three textures over a face; a face of one shade names it once and costs a third.
 void append_surface(std::string& text, const Part& part, bool has_object_macro) {
+  if (!part.grain.empty()) append_grain(text, part.grain);
   const bool is_shaded = !part.shade.empty() && part.palette.size() > 1;
   if (is_shaded) {
     text += fmt::format("texture_list {{ {}", part.palette.size());
@@ -190,7 +207,7 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
   const std::filesystem::path frame = folder / "head.inc";
   return fill_template(read_file(frame),
                        {{"key_samples", std::to_string(settings.light_samples)},
-                        {"fill_samples", std::to_string(settings.fill_samples)},
+                        {"key_depth", std::to_string(settings.key_depth)},
                         {"materials", materials},
                         {"lights", read_file(folder / "lights.inc")},
                         {"background", read_file(background)},
@@ -249,7 +266,7 @@ std::string build_povray_ini(const RenderSpec& render, const std::string& name, 
 std::vector<std::string> list_quality_options(Quality quality) {
   const QualitySettings settings = find_settings(quality);
   // Method 2 is the better deal for a face: flat skin is left alone, hairs are cut finer and finer.
-  return {"+AM2", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J"};
+  return {"+AM1", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J"};
 }
 
 }  // namespace mien
