@@ -51,11 +51,11 @@ struct ArchPoint {
   double x = 0, length_mm = 0;
 };
 
-std::vector<ArchPoint> measure_arch(const Arch& arch) {
+std::vector<ArchPoint> measure_arch(const Arch& arch, double half_mm) {
   constexpr int kSteps = 160;
   std::vector<ArchPoint> points{{0, 0}};
   for (int i = 1; i <= kSteps; ++i) {
-    const double x = arch.scale * arch.numbers.half_arch_mm * i / kSteps;
+    const double x = arch.scale * half_mm * i / kSteps;
     const double run = x - points.back().x,
                  fall = find_arch_depth(arch, x) - find_arch_depth(arch, points.back().x);
     points.push_back({x, points.back().length_mm + std::hypot(run, fall)});
@@ -72,9 +72,9 @@ double find_arch_x(const std::vector<ArchPoint>& points, double length_mm) {
 
 // Cuts from the middle outward, closer together beside the gaps. `width` scales the teeth: lower ones are
 // narrower.
-std::vector<Column> build_columns(const Arch& arch, double width) {
+std::vector<Column> build_columns(const Arch& arch, double half_mm, double width) {
   static constexpr std::array kCuts{0.0, 0.05, 0.14, 0.3, 0.5, 0.7, 0.86, 0.95};
-  const std::vector<ArchPoint> points = measure_arch(arch);
+  const std::vector<ArchPoint> points = measure_arch(arch, half_mm);
   const double end_mm = points.back().length_mm;
   const auto& widths = arch.numbers.widths_mm;
   const auto& rises = arch.numbers.rise_mm;
@@ -137,13 +137,13 @@ std::uint16_t find_tooth_shade(const Column& column, double crown) {
 
 // Warm off-white: clearer at the edge, yellower at the gum, in the cheeks' shade further back.
 std::vector<Shade> make_teeth_palette() {
-  const glm::vec3 edge(0.915f, 0.905f, 0.88f), gum(0.90f, 0.855f, 0.77f);
+  const glm::vec3 edge(0.95f, 0.915f, 0.85f), gum(0.93f, 0.86f, 0.745f);
   std::vector<Shade> palette;
   for (int height = 0; height < kHeightShades; ++height)
     for (int depth = 0; depth < kDepthShades; ++depth)
       for (int gap = 0; gap < kGapShades; ++gap) {
-        const float dim = (1 - 0.48f * static_cast<float>(depth) / (kDepthShades - 1)) *
-                          (1 - 0.10f * static_cast<float>(gap) / (kGapShades - 1));
+        const float dim = (1 - 0.62f * static_cast<float>(depth) / (kDepthShades - 1)) *
+                          (1 - 0.07f * static_cast<float>(gap) / (kGapShades - 1));
         palette.push_back(
             {glm::mix(edge, gum, static_cast<float>(height) / (kHeightShades - 1)) * dim, 0.5f});
       }
@@ -162,7 +162,7 @@ Ring build_tooth_ring(const Arch& arch, const Row& row, const Column& column,
   const double back = smooth_step(0.25, 0.75, column.share);  // 0 a cutting edge, 1 a grinding one
   const double thick_gum = arch.scale * (row.numbers.thick_mm + 3.5 * back),
                thick_edge = arch.scale * (1.1 + 4.5 * back);
-  const double groove = arch.scale * (mouth.groove_mm * column.gap - 0.18 * column.belly);
+  const double groove = arch.scale * (mouth.groove_mm * column.gap - 0.12 * column.belly);
 
   static constexpr std::array kFront{1.35, 1.0, 0.8, 0.55, 0.3, 0.12, 0.02};
   static constexpr std::array kBack{0.03, 0.3, 0.7, 1.35};
@@ -330,8 +330,7 @@ Arch fit_arch(const NeutralHead& head, const MouthNumbers& numbers) {
   arch.lips_y_mm = 0.5 * (find_named_point(head, "M1_0").y + find_named_point(head, "M1_12").y);
   arch.curve = (middle.z - side.z) / (side.x * side.x);
   arch.front_z_mm = middle.z - arch.scale * numbers.setback_mm;
-  const double eye_chin_mm = head.eye.centre.y - find_named_point(head, "m12_D1").y;
-  arch.growth = smooth_step(numbers.grown_mm[0], numbers.grown_mm[1], eye_chin_mm);
+  arch.growth = smooth_step(numbers.grown_mm[0], numbers.grown_mm[1], find_eye_to_chin_mm(head));
   return arch;
 }
 
@@ -352,12 +351,14 @@ double find_intrusion_mm(const Mesh& row, const Arch& arch, const SkinPatch& lip
 
 // Moves both rows back until the lips have room.
 void make_room_for_lips(const NeutralHead& head, Arch& arch, const Row& upper, const Row& lower) {
-  const auto reach = static_cast<float>(arch.scale * arch.numbers.half_arch_mm);
+  const auto reach = static_cast<float>(arch.scale * arch.numbers.upper.half_mm);
   const glm::vec3 middle = find_named_point(head, "M0_0");
   const SkinPatch lips = build_skin_patch(head.skin, {middle - glm::vec3(2, reach, reach), middle + reach});
   for (int pass = 0; pass < 4; ++pass) {
-    const Mesh teeth_above = build_teeth(arch, upper, build_columns(arch, 1)).part.rest;
-    const Mesh teeth_below = build_teeth(arch, lower, build_columns(arch, kLowerWidth)).part.rest;
+    const Mesh teeth_above =
+        build_teeth(arch, upper, build_columns(arch, upper.numbers.half_mm, 1)).part.rest;
+    const Mesh teeth_below =
+        build_teeth(arch, lower, build_columns(arch, lower.numbers.half_mm, kLowerWidth)).part.rest;
     const double intrusion =
         std::max(find_intrusion_mm(teeth_above, arch, lips), find_intrusion_mm(teeth_below, arch, lips));
     if (intrusion < 0.01) return;
@@ -374,10 +375,10 @@ std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
   make_room_for_lips(head, arch, upper, lower);
 
   std::vector<HeadPart> parts;
-  parts.push_back(build_teeth(arch, upper, build_columns(arch, 1)));
-  parts.push_back(build_gum(arch, upper, build_columns(arch, 1)));
-  parts.push_back(build_teeth(arch, lower, build_columns(arch, kLowerWidth)));
-  parts.push_back(build_gum(arch, lower, build_columns(arch, kLowerWidth)));
+  parts.push_back(build_teeth(arch, upper, build_columns(arch, upper.numbers.half_mm, 1)));
+  parts.push_back(build_gum(arch, upper, build_columns(arch, upper.numbers.half_mm, 1)));
+  parts.push_back(build_teeth(arch, lower, build_columns(arch, lower.numbers.half_mm, kLowerWidth)));
+  parts.push_back(build_gum(arch, lower, build_columns(arch, lower.numbers.half_mm, kLowerWidth)));
   parts.push_back(build_tongue(arch));
   return parts;
 }

@@ -79,11 +79,23 @@ LashRowNumbers read_lash_row(const Table& table) {
   return row;
 }
 
+BrowCoat read_coat(const Table& table) {
+  BrowCoat coat;
+  table.read("hairs", coat.hairs);
+  table.read("radius", coat.radius_mm);
+  table.read("lift", coat.lift_mm);
+  if (coat.lift_mm.size() < 2) throw RunError(table.origin + ".lift: a hair has at least two rings");
+  return coat;
+}
+
 BrowNumbers read_brow(const Table& table) {
   BrowNumbers brow;
-  table.read("hairs", brow.hairs);
-  table.read("radius", brow.radius_mm);
-  table.read("lift", brow.lift_mm);
+  table.read("line", brow.line_mm);
+  table.read("grown", brow.grown_mm);
+  table.read("infant_blend", brow.infant_blend);
+  table.read("under_blend", brow.under_blend);
+  brow.over = read_coat(table.at("over"));
+  brow.under = read_coat(table.at("under"));
   table.read("station", brow.station);
   const auto read_stations = [&](const char* key, std::vector<double>& values) {
     table.read(key, values);
@@ -101,6 +113,7 @@ BrowNumbers read_brow(const Table& table) {
 
 TeethRowNumbers read_teeth_row(const Table& table) {
   TeethRowNumbers row;
+  table.read("half", row.half_mm);
   table.read("gum", row.gum_mm);
   table.read("edge", row.edge_mm);
   table.read("lean", row.lean_mm);
@@ -114,7 +127,6 @@ MouthNumbers read_mouth(const Table& table) {
   table.read("corner", mouth.corner_mm);
   table.read("setback", mouth.setback_mm);
   table.read("clearance", mouth.clearance_mm);
-  table.read("half_arch", mouth.half_arch_mm);
   table.read("bend_from", mouth.bend_from_mm);
   table.read("bend", mouth.bend);
   table.read("widths", mouth.widths_mm);
@@ -156,6 +168,8 @@ PartNumbers load_part_numbers(const std::filesystem::path& file) {
   const Table lashes = table("lashes");
   lashes.read("root", numbers.lashes.root);
   lashes.read("clump", numbers.lashes.clump);
+  lashes.read("margin", numbers.lashes.margin_mm);
+  lashes.read("infant", numbers.lashes.infant);
   numbers.lashes.upper = read_lash_row(lashes.at("upper"));
   numbers.lashes.lower = read_lash_row(lashes.at("lower"));
   numbers.brow = read_brow(table("brow"));

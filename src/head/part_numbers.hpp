@@ -34,19 +34,25 @@ struct LashRowNumbers {
 };
 
 struct LashNumbers {
-  double root = 0, clump = 0;
+  double root = 0, clump = 0, margin_mm = 0, infant = 0;
   LashRowNumbers upper, lower;
 };
 
-struct BrowNumbers {
+struct BrowCoat {
   int hairs = 0;
   double radius_mm = 0;
-  std::array<double, 4> lift_mm{};
+  std::vector<double> lift_mm;
+};
+
+struct BrowNumbers {
+  double line_mm = 0, infant_blend = 0, under_blend = 0;
+  std::array<double, 2> grown_mm{};
+  BrowCoat over, under;
   std::vector<double> station, above_mm, half_mm, density, length_mm, lower_angle_deg, upper_angle_deg;
 };
 
 struct TeethRowNumbers {
-  double gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
+  double half_mm = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
 };
 
 struct TongueNumbers {
@@ -54,7 +60,7 @@ struct TongueNumbers {
 };
 
 struct MouthNumbers {
-  double corner_mm = 0, setback_mm = 0, clearance_mm = 0, half_arch_mm = 0, bend_from_mm = 0, bend = 0;
+  double corner_mm = 0, setback_mm = 0, clearance_mm = 0, bend_from_mm = 0, bend = 0;
   std::vector<double> widths_mm, rise_mm;
   std::array<double, 2> grown_mm{};
   TeethRowNumbers upper, lower;

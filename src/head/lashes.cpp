@@ -1,0 +1,83 @@
+// Lashes grow from the outer edge of the lid's margin, forward and then up (or down), in small groups.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "head/lids.hpp"
+#include "head/strands.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+enum Channel : std::uint32_t { kAlong, kLength, kTurn, kShade };  // of scatter()
+
+// The frame a lash grows in.
+struct LashRoot {
+  SkinPlace place;
+  glm::vec3 out{0}, up{0}, aside{0};  // off the ball; away from the slit; outward along the margin
+};
+
+LashRoot find_lash_root(const Lids& lids, double t, double mix) {
+  LashRoot root;
+  root.place = find_nearest_place(lids.patch, find_on_margin(lids, t, mix));
+  root.out = glm::normalize(root.place.point - lids.centre);
+  const glm::vec3 beyond = sample_curve(lids.beyond, t, true) - sample_curve(lids.outer, t, true);
+  root.up = glm::normalize(beyond - root.out * glm::dot(beyond, root.out));
+  root.aside = glm::cross(root.up, root.out);
+  if (root.aside.x < 0) root.aside = -root.aside;
+  return root;
+}
+
+// Lash `index` of a row that runs from the inner corner outward.
+void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, const LashRowNumbers& row,
+                 double growth, std::uint32_t series, std::uint32_t index) {
+  const double way = (index + 0.5 + 0.7 * (scatter(series, index, kAlong) - 0.5)) / row.count;
+  const std::uint32_t group = index / 3;
+  const double group_way = std::min(1.0, (3.0 * group + 1.5) / row.count);
+  const LashRoot root = find_lash_root(lids, row.from + (row.to - row.from) * way, lashes.root);
+
+  // Longest past the middle, short at both ends.
+  const double arch = std::pow(std::sin(std::numbers::pi * std::pow(way, 1.25)), 0.6);
+  const double length_mm = growth * lids.scale *
+                           (row.shortest_mm + (row.longest_mm - row.shortest_mm) * arch) *
+                           (0.82 + 0.36 * scatter(series, index, kLength));
+  const double lean = row.fan * (way - 0.42) + 0.20 * (scatter(series, group, kTurn) - 0.5);
+  const double gather_mm = lashes.clump * (group_way - way) * lashes.margin_mm * lids.scale;
+  constexpr int kRings = 4;
+  std::vector<glm::vec3> centres;
+  std::vector<float> radii;
+  for (int ring = 0; ring <= kRings; ++ring) {
+    const double s = static_cast<double>(ring) / kRings;
+    const double out_mm = length_mm * (row.out[0] * s + row.out[1] * s * s);
+    const double up_mm = length_mm * (row.up[0] * s + row.up[1] * s * s);
+    const double aside_mm = length_mm * lean * s * (0.6 + 0.4 * s) + gather_mm * s * s;
+    centres.push_back(root.place.point + static_cast<float>(out_mm) * root.out +
+                      static_cast<float>(up_mm) * root.up + static_cast<float>(aside_mm) * root.aside);
+    radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (1 - 0.85 * std::pow(s, 0.8))));
+  }
+  append_hair(part.part.rest, centres, radii, kHairSides, root.aside);
+  finish_hair(part, root.place, static_cast<std::uint16_t>(scatter(series, index, kShade) * kHairShades));
+}
+
+}  // namespace
+
+HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const Look& look, double youth) {
+  const Lids lids = build_lids(head, numbers.eye.ball_mm);
+  const LashNumbers& lashes = numbers.lashes;
+  HeadPart part = make_hair_part("lash_left");
+  part.part.is_printed = false;
+  part.part.palette = make_hair_palette(look.brow * 0.28f, 0.3f, 0.05f);  // darker than any brow
+  const double growth = 1 - (1 - lashes.infant) * youth;
+  const auto grow_row = [&](const LashRowNumbers& row, std::uint32_t series) {
+    for (int i = 0; i < row.count; ++i)
+      append_lash(part, lids, lashes, row, growth, series, static_cast<std::uint32_t>(i));
+  };
+  grow_row(lashes.upper, 31);
+  grow_row(lashes.lower, 32);
+  update_normals(part.part.rest);
+  return part;
+}
+
+}  // namespace mien

@@ -1,0 +1,29 @@
+// Hair by hair: what brows and lashes have in common. Each hair is a small rigid tube bound to the skin at
+// its root.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "head/binding.hpp"
+#include "head/head.hpp"
+#include "head/part_numbers.hpp"
+
+namespace mien {
+
+inline constexpr int kHairSides = 3;   // a hair is thinner than a pixel
+inline constexpr int kHairShades = 6;  // of one head of hair, dark to light
+
+HeadPart make_hair_part(const std::string& name);
+
+// kHairShades of one colour from dark to light, a little warmer as they lighten.
+std::vector<Shade> make_hair_palette(const glm::vec3& colour, float spread, float gloss);
+
+// Binds the vertices that `part` gained since its last binding to `root`, and gives them `shade`.
+void finish_hair(HeadPart& part, const SkinPlace& root, std::uint16_t shade);
+
+// The left ones; `youth` is 0 for an adult's hair, 1 for an infant's down.
+HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const Look& look, double youth);
+HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const Look& look, double youth);
+
+}  // namespace mien
