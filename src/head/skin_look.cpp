@@ -70,8 +70,8 @@ constexpr Spot kSpots[] = {
     {kSocket, "E3_12", 8, 0.55},  {kSocket, "E3_14", 7, 0.6},   {kSocket, "E3_0", 6, 0.6},
     {kSocket, "E4_1", 8, 0.5},    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},
     {kBeard, "q12_C8", 22, 0.8},  {kBeard, "q11_D1", 22, 0.8},  {kBeard, "m11_D1", 22, 0.8},
-    {kBeard, "MA_1", 9, 0.5},     {kBeard, "M6_9", 18, 0.8},    {kBrow, "E5_2", 6, 0.6},
-    {kBrow, "E5_3", 6, 0.8},      {kBrow, "E5_4", 6, 0.8},      {kBrow, "E5_5", 6, 0.7},
+    {kBeard, "MA_1", 9, 0.5},     {kBeard, "M6_9", 18, 0.8},    {kBrow, "E5_2", 4, 0.4},
+    {kBrow, "E5_3", 4.5, 0.7},    {kBrow, "E5_4", 4.5, 0.7},    {kBrow, "E5_5", 4, 0.5},
     {kShine, "p_tip", 8, 1},      {kShine, "p_F1", 22, 0.6},    {kShine, "p_b1", 8, 0.7},
     {kShine, "q12_C1", 14, 0.4},  {kShine, "M6_12", 9, 0.4},
 };
@@ -169,7 +169,7 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
 glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   if (look.lips) return to_linear(*look.lips);
   const float light = std::clamp(find_luminance(skin) / 0.45f, 0.0f, 1.0f);
-  return skin * glm::mix(glm::vec3(0.86f, 0.66f, 0.68f), glm::vec3(0.80f, 0.46f, 0.45f), light);
+  return skin * glm::mix(glm::vec3(0.84f, 0.64f, 0.68f), glm::vec3(0.76f, 0.44f, 0.47f), light);
 }
 
 // A place of the skin as if it were peeled off the head: round the head on u, up on v, both in millimetres.
@@ -211,7 +211,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     colour *= 1 + 0.025f * grain;
     colour = glm::mix(colour, kMouthColour, masks[kMouth][i]);
     // Light that does get into a hollow of flesh has met flesh before: it comes out redder.
-    colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.42f, 0.52f, 0.56f));
+    colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.36f, 0.45f, 0.48f));
 
     float gloss = 0.25f + 0.20f * masks[kShine][i] - 0.15f * masks[kSocket][i];
     gloss = std::max({gloss, 0.75f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});

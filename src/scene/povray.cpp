@@ -37,9 +37,9 @@ struct QualitySettings {
 QualitySettings find_settings(Quality quality) {
   switch (quality) {
     case Quality::draft:
-      return {3, 0, "0.3", 2};
+      return {3, 0, "0.15", 2};
     case Quality::good:
-      return {5, 0, "0.12", 3};
+      return {5, 0, "0.1", 3};
     case Quality::best:
       break;
   }
