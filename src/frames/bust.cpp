@@ -20,9 +20,11 @@ namespace {
 constexpr double kBaseHeight = 8.0 / 80;
 constexpr double kBaseRadius = 15.0 / 80;
 constexpr float kBrow = 0.5f / 80;        // standing out less, it is lost between two layers
+constexpr float kLock = 0.6f / 80;        // from lock to lock of the brow; finer would not print
 constexpr float kIrisDepth = 0.45f / 80;  // a dish that throws a shadow
 constexpr float kPupilDepth = 1.0f / 80;  // dark in every light
-// Of the printed surface. Measured: 0.013 mm at most are lost, an eighth of a fine layer, and half of the triangles.
+// Of the printed surface. Measured: 0.013 mm at most are lost, an eighth of a fine layer, and half of the
+// triangles.
 constexpr double kTolerance_mm = 0.03;
 constexpr float kIrisRadius_mm = 5.7f;  // of the head, if the model has no iris
 
@@ -139,7 +141,8 @@ BustPrint build_bust(const NeutralHead& head, const Model& model, const Drawing&
     else
       append_pieces(inner, part.name, figure.build_mesh(part));
   }
-  raise_brows(skin.mesh, hairs, {kBrow * float(height_mm) / placing.scale});
+  raise_brows(skin.mesh, hairs,
+              {kBrow * float(height_mm) / placing.scale, kLock * float(height_mm) / placing.scale});
   keep_showing(inner, skin.mesh);
 
   print.solids.push_back({"skin", std::move(skin.mesh)});

@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kReach_mm = 2.2f;  // how far round a hair the skin rises: less leaves holes between hairs
 constexpr int kSamples = 6;        // points along a hair
-constexpr int kRefinements = 2;    // of the skin's triangles of 2.5 mm, so that a lock is four of them wide
+constexpr int kRefinements = 3;    // of the skin's triangles of 2.5 mm, so that a lock is ten of them wide
 
 // A hair as three points: root, middle, tip.
 using Strand = std::array<glm::vec3, 3>;

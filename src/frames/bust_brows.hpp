@@ -11,7 +11,7 @@ namespace mien {
 // How far the brows stand out, in mm of the drawing.
 struct BrowRelief {
   float height_mm = 3;
-  float lock_mm = 2.4f;  // from lock to lock; finer would not print
+  float lock_mm = 3;  // from lock to lock
 };
 
 // Raises `skin` (closed; its vertices keep their index, new ones follow) under the hairs of `hairs`, one mesh
