@@ -15,7 +15,7 @@ base_radius_mm = {{base_radius_mm}}; // [4:0.5:120]
 
 /* [Quality] */
 // Sides of the turned base
-base_sides = 120; // [24:12:360]
+base_sides = 72; // [24:12:360]
 
 /* [Hidden] */
 figure_height_mm = {{figure_height_mm}};  // of the solids below, which stand on z = 0

@@ -24,14 +24,15 @@ Mesh build_open_box() {
 // Its notch at vertex 4 is what a       |   4--5   ^
 // fan from the middle would cross.      0------1   +> x   (seen from above, z up the page)
 Mesh build_open_l() {
-  const std::vector<glm::vec2> outline{{0, 0}, {0, 4}, {1, 4}, {1, 1}, {4, 1}, {4, 0}};  // clockwise in (x, z)
+  const std::vector<glm::vec2> outline{{0, 0}, {0, 4}, {1, 4},
+                                       {1, 1}, {4, 1}, {4, 0}};  // clockwise in (x, z)
   Mesh mesh;
   for (const float y : {0.0f, 2.0f})
     for (const glm::vec2& p : outline) mesh.positions.emplace_back(p.x, y, p.y);
   for (std::uint32_t i = 0; i < 6; ++i) {
     const std::uint32_t j = (i + 1) % 6;
-    mesh.triangles.push_back({i, j + 6, j});
-    mesh.triangles.push_back({i, i + 6, j + 6});
+    mesh.triangles.push_back({i, j, j + 6});
+    mesh.triangles.push_back({i, j + 6, i + 6});
   }
   return mesh;
 }
@@ -77,8 +78,9 @@ TEST(holes, ears_fill_a_loop_with_a_notch) {
   EXPECT_EQ(mesh.positions.size(), 12U);  // none are new
   EXPECT_NEAR(compute_volume_mm3(mesh), 14, 1e-5);
   for (const auto& [a, b, c] : mesh.triangles)
-    EXPECT_GT(glm::length(glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a])),
-              0.1f);
+    EXPECT_GT(
+        glm::length(glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a])),
+        0.1f);
 }
 
 TEST(holes, band_carries_the_edge_on) {
@@ -101,7 +103,8 @@ TEST(holes, punctured_balls_close_again) {
     Mesh ball = build_ball({3, -4, 5}, 10, 16);
     const double whole = compute_volume_mm3(ball);
     std::mt19937 random(seed);
-    std::uniform_int_distribution<std::uint32_t> any_vertex(0, static_cast<std::uint32_t>(ball.positions.size()) - 1);
+    std::uniform_int_distribution<std::uint32_t> any_vertex(
+        0, static_cast<std::uint32_t>(ball.positions.size()) - 1);
     std::vector<glm::vec3> holes;
     for (int tries = 0; tries < 12; ++tries) {
       const glm::vec3 p = ball.positions[any_vertex(random)];
@@ -111,7 +114,8 @@ TEST(holes, punctured_balls_close_again) {
     }
     std::erase_if(ball.triangles, [&](const Triangle& t) {
       return std::any_of(holes.begin(), holes.end(), [&](const glm::vec3& p) {
-        return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return glm::length(ball.positions[v] - p) < 2; });
+        return std::any_of(t.begin(), t.end(),
+                           [&](std::uint32_t v) { return glm::length(ball.positions[v] - p) < 2; });
       });
     });
     ASSERT_EQ(close_holes(ball), holes.size()) << seed;
