@@ -30,9 +30,9 @@ Names list_scopes(const ExpressionBook& book, const std::string& of_library) {
 }
 
 void add_unknown_expression(const YamlValue& value, Spot spot, const std::string& name,
-                            const ExpressionBook& book) {
+                            const ExpressionBook& book, const std::string& of_library = "") {
   std::string message;
-  if (!is_full(*value.findings)) message = describe_unknown_expression(book, name);
+  if (!is_full(*value.findings)) message = describe_unknown_expression(book, name, of_library);
   add_mistake(*value.findings, value.document->source, spot, std::move(message));
 }
 
@@ -40,8 +40,9 @@ void add_unknown_expression(const YamlValue& value, Spot spot, const std::string
 std::optional<std::size_t> find_base(const ExpressionDraft& draft, const ExpressionBook& book) {
   if (!draft.from) return std::nullopt;
   const std::string& name = find_node(*draft.from).text;
-  const auto base = find_expression(book, name, book.expressions[draft.expression].library);
-  if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book);
+  const std::string& library = book.expressions[draft.expression].library;
+  const auto base = find_expression(book, name, library);
+  if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book, library);
   return base;
 }
 
@@ -81,26 +82,31 @@ std::optional<std::size_t> find_expression(const ExpressionBook& book, const std
   return std::nullopt;
 }
 
-std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name) {
+std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name,
+                                        const std::string& of_library) {
   const std::size_t slash = name.find('/');
-  const std::string library = name.substr(0, slash);
-  if (slash != std::string::npos && std::ranges::find(book.libraries, library) == book.libraries.end())
+  const bool is_plain = slash == std::string::npos;
+  const std::string library = is_plain ? "" : name.substr(0, slash);
+  if (!is_plain && std::ranges::find(book.libraries, library) == book.libraries.end())
     return describe_unknown("library", library, book.libraries);
 
-  Names names;  // as an author would write them here
-  for (const std::string& scope : slash == std::string::npos ? list_scopes(book, "") : Names{library})
+  const std::string word = is_plain ? name : name.substr(slash + 1);
+  const std::string start = fmt::format("unknown expression '{}'; ", show_word(name));
+  for (const std::string& other : book.libraries)
+    if (is_plain && book.index.contains(other + "/" + word))
+      return start + fmt::format("did you mean '{}/{}'?", other, word);
+
+  Names words;
+  for (const std::string& scope : is_plain ? list_scopes(book, of_library) : Names{library})
     for (const Expression& expression : book.expressions) {
-      if (names.size() >= kMaxSuggestions) break;
-      const std::string known =
-          slash == std::string::npos ? expression.name : library + "/" + expression.name;
-      if (expression.library == scope && std::ranges::find(names, known) == names.end())
-        names.push_back(known);
+      if (words.size() >= kMaxSuggestions) break;
+      if (expression.library == scope && std::ranges::find(words, expression.name) == words.end())
+        words.push_back(expression.name);
     }
-  if (slash == std::string::npos)
-    for (const std::string& other : book.libraries)
-      if (book.index.contains(other + "/" + name))
-        return fmt::format("unknown expression '{}'; did you mean '{}/{}'?", name, other, name);
-  return describe_unknown("expression", name, names);
+  const std::string nearest = suggest_name(word, words);
+  if (nearest.empty())
+    return start + fmt::format("known{}: {}", is_plain ? "" : " in " + library, join_names(words));
+  return start + fmt::format("did you mean '{}'?", is_plain ? nearest : library + "/" + nearest);
 }
 
 void load_drafts(const YamlValue& value, const std::string& library, ExpressionBook& book,

@@ -29,7 +29,8 @@ std::optional<std::size_t> find_expression(const ExpressionBook& book, const std
                                            const std::string& of_library = "");
 
 // "unknown expression 'smlie'; did you mean 'smile'?".
-std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name);
+std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name,
+                                        const std::string& of_library = "");
 
 // An expression that stands in the book already, but whose pose is still to be made.
 struct ExpressionDraft {

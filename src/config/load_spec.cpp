@@ -81,6 +81,7 @@ Names load_feature_names(const std::filesystem::path& data_folder, Findings& fin
 void load_library(const YamlValue& root, const std::string& name, ExpressionBook& book,
                   std::vector<ExpressionDraft>& drafts) {
   const YamlMapping entries = load_mapping(root, kLibraryFileKeys, "a mapping that begins with 'mien: 1'");
+  if (find_node(root).kind != NodeKind::mapping) return;
   check_version(root, entries);
   if (const YamlValue* library = find_required(entries, "library", root, "the file's name, '" + name + "'"))
     if (std::string word; load_text(*library, "the file's name", word) && word != name)

@@ -32,7 +32,7 @@ TEST(bad_yaml, refuses_a_file_above_the_limit_only) {
 
 TEST(bad_yaml, stops_telling_after_a_thousand_mistakes) {
   std::string text = "mien: 1\n";
-  for (int i = 0; i < 1500; ++i) text += "k" + std::to_string(i) + ": 1\n";
+  for (int i = 0; i < 1500; ++i) text.append("k").append(std::to_string(i)).append(": 1\n");
   try {
     load_text(text);
     FAIL();

@@ -15,9 +15,9 @@ namespace mien {
 inline const std::filesystem::path kData = MIEN_SOURCE_DIR;
 
 // An empty folder of the running test's own.
-inline std::filesystem::path make_test_folder() {
+inline std::filesystem::path make_test_folder(const std::string& ending = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
-  const auto folder = std::filesystem::path(testing::TempDir()) / "mien_config" / test->name();
+  const auto folder = std::filesystem::path(testing::TempDir()) / "mien_config" / (test->name() + ending);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
   return folder;
@@ -35,7 +35,8 @@ inline std::string format_error(const InputError& error) {
   std::string text;
   for (Diagnostic diagnostic : error.diagnostics) {
     diagnostic.place.file = std::filesystem::path(diagnostic.place.file).filename();
-    text += (text.empty() ? "" : "\n") + format_diagnostic(diagnostic);
+    if (!text.empty()) text.push_back('\n');
+    text += format_diagnostic(diagnostic);
   }
   return text;
 }

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "config/config_fixture.hpp"
 #include "config/pose_mix.hpp"
 
@@ -6,7 +8,7 @@ namespace {
 
 // A data folder whose libraries are the given texts.
 std::filesystem::path make_data(const std::map<std::string, std::string>& libraries) {
-  const auto folder = make_test_folder() / "data";
+  const auto folder = make_test_folder("_data");
   for (const auto& [name, text] : libraries)
     write_file(folder / "configs/expressions" / (name + ".yaml"), text);
   return folder;
@@ -58,9 +60,10 @@ TEST(expressions, that_are_unknown_are_answered_with_the_nearest) {
             "error: unknown expression 'doubt_right'; did you mean 'tezuka/doubt_right'?");
   EXPECT_EQ(message("tezka/smile"), "error: unknown library 'tezka'; did you mean 'tezuka'?");
   EXPECT_EQ(message("/sly"), "error: unknown library ''; known: extras, mien, mouths, tezuka");
+  EXPECT_EQ(message("tezuka/smlie"),
+            "error: unknown expression 'tezuka/smlie'; did you mean 'tezuka/smile'?");
   EXPECT_EQ(message("mouths/smile"),
-            "error: unknown expression 'mouths/smile'; known: mouths/a, mouths/e, mouths/i, "
-            "mouths/neutral, mouths/o, mouths/u");
+            "error: unknown expression 'mouths/smile'; known in mouths: a, e, i, neutral, o, u");
 }
 
 TEST(expressions, of_ones_own_start_from_another_and_change_areas) {
@@ -92,8 +95,7 @@ TEST(expressions, let_a_sided_key_override_a_plural_one_in_any_order) {
 
 TEST(expressions, chain_as_long_as_an_author_likes) {
   std::string text = "mien: 1\nexpressions:\n";
-  for (int i = 0; i < 20000; ++i)
-    text += "  e" + std::to_string(i) + ": {from: e" + std::to_string(i + 1) + "}\n";
+  for (int i = 0; i < 20000; ++i) text += fmt::format("  e{}: {{from: e{}}}\n", i, i + 1);
   const Spec spec = load_text(text + "  e20000: {chin: {down: 0.5}}\n");
   EXPECT_EQ(find_value(find_pose(spec, "e0"), "chin", Side::none, "down"), 0.5);
 }
@@ -135,8 +137,9 @@ TEST(libraries, are_sorted_by_library_and_name_and_each_has_a_neutral_face) {
   const auto all = load_expression_libraries(kData / "configs/expressions");
   std::map<std::string, int> neutral;
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (i > 0)
+    if (i > 0) {
       EXPECT_LT(std::tie(all[i - 1].library, all[i - 1].name), std::tie(all[i].library, all[i].name));
+    }
     neutral[all[i].library] += all[i].name == "neutral" && all[i].pose == Pose{};
   }
   EXPECT_EQ(neutral, (std::map<std::string, int>{{"extras", 1}, {"mien", 1}, {"mouths", 1}, {"tezuka", 1}}));

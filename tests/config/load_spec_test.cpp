@@ -211,7 +211,7 @@ bad.yaml:2:59: error: 'head.features.mouth_width' is '2'; expected a number from
                                                             ^)");
   std::filesystem::remove(folder / "templates/head/features.yaml");
   EXPECT_EQ(find_mistakes(folder / "good.yaml", folder).substr(0, 87),
-            "good.yaml:2:19: error: unknown feature 'nose_length' in 'head.features'; none is known h");
+            "good.yaml:2:19: error: unknown feature 'nose_length' in 'head.features'; none is known ");
 }
 
 }  // namespace
