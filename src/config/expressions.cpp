@@ -115,11 +115,10 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
   for (const std::string& key : list_area_keys()) keys.push_back(key);
   for (const YamlEntry& entry : load_free_mapping(value, "a mapping of names to areas")) {
     if (!is_plain_word(entry.key)) {
-      add_mistake(
-          *value.findings, value.document->source, entry.spot,
-          fmt::format("'{}' cannot name an expression; expected a letter, then letters, digits, '_' or '-', "
-                      "{} at most",
-                      show_word(entry.key), kMaxNameLength));
+      const std::string message = fmt::format(
+          "'{}' cannot name an expression; expected a letter, then letters, digits, '_' or '-', {} at most",
+          show_word(entry.key), kMaxNameLength);
+      add_mistake(*value.findings, value.document->source, entry.spot, message);
       continue;
     }
     const YamlMapping body = load_mapping(entry.value, keys, "areas such as {brows: {up: 0.5}}");
@@ -147,8 +146,7 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
 
   for (std::size_t first = 0; first < drafts.size(); ++first) {
     // Down the chain to what is known (a chain may be long: no recursion), then back up.
-    std::vector<std::pair<std::size_t, Pose>>
-        chain;  // draft, and what it starts from unless the next one gives it
+    std::vector<std::pair<std::size_t, Pose>> chain;  // a draft, and the pose it starts from
     for (std::size_t at = first; states[at] == State::waiting;) {
       states[at] = State::begun;
       chain.emplace_back(at, Pose{});
@@ -220,6 +218,8 @@ Express load_posed(const YamlMapping& entries, const ExpressionBook& book) {
     load_number(*value, 0, 1, strength);
     if (named == nullptr)
       add_mistake(*value, "'strength' weakens nothing here; expected 'express' beside it");
+    const bool is_mix = express.label.find('+') != std::string::npos;
+    if (strength != 1 && is_mix) express.label = fmt::format("({})", express.label);
     if (strength != 1) express.label += fmt::format(" {:.3g}", strength);
   }
   AreaValues areas;

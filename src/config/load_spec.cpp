@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cctype>
 #include <deque>
+#include <tuple>
 
 #include "config/expressions.hpp"
 #include "config/sections.hpp"

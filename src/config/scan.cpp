@@ -36,8 +36,7 @@ Spot skip_properties(const SourceText& source, Spot spot) {
   return {spot.line, static_cast<int>(at)};
 }
 
-// True if a null is written out at the spot, and not an absent value (whose mark is wherever the parser
-// stood).
+// True if a null is written out at the spot; the mark of an absent one is wherever the parser stood.
 bool is_written_null(const SourceText& source, Spot spot) {
   const std::string_view line = find_line(source, spot.line);
   if (spot.byte >= static_cast<int>(line.size())) return false;
@@ -48,7 +47,11 @@ bool is_written_null(const SourceText& source, Spot spot) {
 
 // An absent item of a list has no place of its own; its '-' is the one an author looks at.
 Spot find_dash(const SourceText& source, Spot spot) {
-  std::string_view line = find_line(source, spot.line).substr(0, static_cast<std::size_t>(spot.byte));
+  std::string_view line = find_line(source, spot.line);
+  const bool is_in_brackets =
+      spot.byte < static_cast<int>(line.size()) && (line[spot.byte] == ',' || line[spot.byte] == ']');
+  if (is_in_brackets) return spot;
+  line = line.substr(0, static_cast<std::size_t>(spot.byte));
   for (int above = spot.line; above >= 1; line = find_line(source, --above)) {
     const std::string_view text = line.substr(0, line.find(" #"));
     const std::size_t last = text.find_last_not_of(" \t");
@@ -112,8 +115,9 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
   void tell_tag(Spot spot) {
-    const std::string_view rest =
+    std::string_view rest =
         find_line(document_.source, spot.line).substr(static_cast<std::size_t>(spot.byte));
+    rest.remove_prefix(std::min(rest.find('!'), rest.size()));  // an anchor may stand before it
     const std::string word = show_word(rest.substr(0, rest.find_first_of(" \t,]}")));
     tell(spot, fmt::format("tag '{}'; expected a value without a tag", word));
   }
@@ -121,8 +125,8 @@ class TreeBuilder : public YAML::EventHandler {
   std::uint32_t append_node(NodeKind kind, const YAML::Mark& mark, const std::string& tag,
                             YAML::anchor_t anchor) {
     const Spot spot = find_spot(mark);
-    if (!tag.empty() && tag != "?" && tag != "!")
-      tell_tag(spot);  // yaml-cpp's own for plain and quoted values
+    // yaml-cpp itself tags plain values "?" and quoted ones "!".
+    if (!tag.empty() && tag != "?" && tag != "!") tell_tag(spot);
     const std::uint32_t index = static_cast<std::uint32_t>(document_.nodes.size());
     YamlNode node;
     node.kind = kind;

@@ -39,7 +39,8 @@ OpenMarks find_open_marks(const SourceText& source, Spot end) {
     for (int i = 0; i < static_cast<int>(text.size()); ++i) {
       const char letter = text[i];
       if (quote != '\0') {
-        if (quote == '"' && letter == '\\')
+        const bool is_doubled = quote == '\'' && text.substr(i, 2) == "''";
+        if (is_doubled || (quote == '"' && letter == '\\'))
           ++i;
         else if (letter == quote)
           quote = '\0', open.quote.reset();
@@ -106,7 +107,7 @@ Explanation explain_flow(const SourceText& source, Spot spot, bool is_mapping) {
     return {opener, fmt::format("'{}' is never closed; expected '{}'", is_mapping ? '{' : '[', closer)};
   // A ':' further down is the next key's.
   if (find_letter(source, spot) == ':' && spot.line > opener.line)
-    return {opener, fmt::format("'{}' is not closed; expected '{}' before line {}",
+    return {opener, fmt::format("'{}' is not closed; expected ',' or '{}' before line {}",
                                 find_letter(source, opener), closer, spot.line)};
   return {spot, fmt::format("unexpected text; expected ',' or '{}' for the '{}' of line {}", closer,
                             find_letter(source, opener), opener.line)};
@@ -173,8 +174,10 @@ Explanation explain(const SourceText& source, Spot spot, const std::string& reas
     return explain_block(source, spot);
   if (reason == "illegal block entry")
     return {spot, "a list item begins here; expected it on a line of its own"};
-  if (reason == "illegal EOF in scalar" || reason == "illegal document indicator in scalar")
-    if (const auto quote = find_open_quote(source)) return explain_quote(source, *quote);
+  if (reason == "illegal EOF in scalar" || reason == "illegal document indicator in scalar") {
+    const auto quote = find_open_quote(source);
+    return quote ? explain_quote(source, *quote) : Explanation{spot, "a text in quotes is not closed here"};
+  }
   if (reason == "unknown token")
     return {spot, fmt::format("unexpected '{}'; expected a word, a number or a text in quotes",
                               show_word(std::string(1, find_letter(source, spot))))};

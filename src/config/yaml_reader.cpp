@@ -40,15 +40,14 @@ std::string format_plain(double value) { return fmt::format("{:.7g}", value); }
 
 std::string format_unit(std::string_view unit) { return unit.empty() ? "" : fmt::format(" {}", unit); }
 
-// What helps most: the section that has the key, a key that is nearly the same, a slip of the colon, or all
-// keys.
+// What helps most: the section that has the key, a key nearly the same, a slip of the colon, or all keys.
 std::string describe_unknown_key(const YamlValue& owner, const std::string& key, const Names& keys,
                                  std::string_view noun) {
   const std::string where = owner.path.empty() ? "" : fmt::format(" in '{}'", owner.path);
   const std::string start = fmt::format("unknown {} '{}'{}; ", noun, show_word(key), where);
   if (key == "<<") return start + "there are no merge keys here";
-  const bool is_of_face =
-      noun != "key" || owner.path.starts_with("expressions");  // "turn" is a brow's move, too
+  // "turn" is a brow's move, too.
+  const bool is_of_face = noun != "key" || owner.path.starts_with("expressions");
   for (const Section& section : kSections)
     if (!is_of_face && section.name != owner.path &&
         std::ranges::find(section.keys, key) != section.keys.end())

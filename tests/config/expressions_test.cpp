@@ -114,7 +114,7 @@ clip:
   EXPECT_DOUBLE_EQ(find_value(pose, "chin", Side::none, "down"), 0.6);
   EXPECT_EQ(find_value(pose, "corner", Side::left, "up"), 1);
   EXPECT_EQ(find_value(pose, "corner", Side::right, "up"), 0.125);
-  EXPECT_EQ(spec.clip.keys[0].label, "a1 1 + a2 0.5 0.5");
+  EXPECT_EQ(spec.clip.keys[0].label, "(a1 1 + a2 0.5) 0.5");
   EXPECT_EQ(find_value(spec.clip.keys[1].pose, "chin", Side::none, "down"), 1);
   EXPECT_EQ(find_value(spec.clip.keys[1].pose, "lips", Side::none, "upper"), -1);
 }
