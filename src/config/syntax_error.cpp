@@ -26,41 +26,53 @@ char find_letter(const SourceText& source, Spot spot) {
   return spot.byte < static_cast<int>(line.size()) ? line[spot.byte] : '\0';
 }
 
-// What is open just before `end`. A quote or a bracket opens something only where a value may begin; a
+bool is_blank(char letter) { return letter == ' ' || letter == '\t'; }
+
+// Opens and closes what one line does. A quote or a bracket opens something only where a value may begin; a
 // bracket within brackets always does.
+void read_marks(std::string_view text, int line, char& quote, OpenMarks& open) {
+  char before = '\0';  // the last letter that is no blank
+  for (int i = 0; i < static_cast<int>(text.size()); ++i) {
+    const char letter = text[i];
+    if (quote != '\0') {
+      const bool is_doubled = quote == '\'' && text.substr(i, 2) == "''";
+      if (is_doubled || (quote == '"' && letter == '\\'))
+        ++i;
+      else if (letter == quote)
+        quote = '\0', open.quote.reset();
+      before = letter;
+      continue;
+    }
+    if (is_blank(letter)) continue;
+    if (letter == '#' && (i == 0 || is_blank(text[i - 1]))) break;
+    const bool is_value_start =
+        before == '\0' || std::string_view(":,[{-?").find(before) != std::string_view::npos;
+    if ((letter == '&' || letter == '!') && is_value_start) {
+      while (i + 1 < static_cast<int>(text.size()) && !is_blank(text[i + 1]))
+        ++i;  // the value is still to come
+      continue;
+    }
+    if ((letter == '"' || letter == '\'') && is_value_start) {
+      quote = letter;
+      open.quote = Spot{line, i};
+    } else if ((letter == '[' || letter == '{') && (is_value_start || !open.brackets.empty())) {
+      open.brackets.push_back({line, i});
+    } else if ((letter == ']' || letter == '}') && !open.brackets.empty()) {
+      open.brackets.pop_back();
+    }
+    before = letter;
+  }
+}
+
+// What is open just before `end`.
 OpenMarks find_open_marks(const SourceText& source, Spot end) {
   OpenMarks open;
   char quote = '\0';
-  const int lines = static_cast<int>(source.line_starts.size());
-  for (int line = 1; line <= std::min(end.line, lines); ++line) {
-    std::string_view text = find_line(source, line);
-    if (line == end.line) text = text.substr(0, static_cast<std::size_t>(end.byte));
-    char before = '\0';  // the last letter that is no blank
-    for (int i = 0; i < static_cast<int>(text.size()); ++i) {
-      const char letter = text[i];
-      if (quote != '\0') {
-        const bool is_doubled = quote == '\'' && text.substr(i, 2) == "''";
-        if (is_doubled || (quote == '"' && letter == '\\'))
-          ++i;
-        else if (letter == quote)
-          quote = '\0', open.quote.reset();
-        before = letter;
-        continue;
-      }
-      if (letter == ' ' || letter == '\t') continue;
-      if (letter == '#' && (i == 0 || text[i - 1] == ' ' || text[i - 1] == '\t')) break;
-      const bool is_value_start =
-          before == '\0' || std::string_view(":,[{-?").find(before) != std::string_view::npos;
-      if ((letter == '"' || letter == '\'') && is_value_start) {
-        quote = letter;
-        open.quote = Spot{line, i};
-      } else if ((letter == '[' || letter == '{') && (is_value_start || !open.brackets.empty())) {
-        open.brackets.push_back({line, i});
-      } else if ((letter == ']' || letter == '}') && !open.brackets.empty()) {
-        open.brackets.pop_back();
-      }
-      before = letter;
-    }
+  const int last = std::min(end.line, static_cast<int>(source.line_starts.size()));
+  for (int line = 1; line <= last; ++line) {
+    const std::string_view text = find_line(source, line);
+    read_marks(line == end.line ? text.substr(0, static_cast<std::size_t>(end.byte)) : text, line, quote,
+               open);
   }
   return open;
 }
