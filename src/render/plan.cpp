@@ -1,8 +1,8 @@
 #include "render/plan.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <charconv>
-#include <fmt/format.h>
 #include <map>
 
 #include "core/error.hpp"
@@ -26,15 +26,19 @@ std::optional<int> parse_frame_number(const std::string& file_name) {
 
 std::string name_frame(int frame) { return fmt::format("f{:04}", frame); }
 
-std::filesystem::path ClipFiles::scene(int frame) const { return folder / "scenes" / (name_frame(frame) + ".pov"); }
-std::filesystem::path ClipFiles::picture(int frame) const { return folder / "frames" / (name_frame(frame) + ".png"); }
+std::filesystem::path ClipFiles::scene(int frame) const {
+  return folder / "scenes" / (name_frame(frame) + ".pov");
+}
+std::filesystem::path ClipFiles::picture(int frame) const {
+  return folder / "frames" / (name_frame(frame) + ".png");
+}
 
 FramePlan plan_frames(const std::vector<int>& drawing_of, const std::optional<std::pair<int, int>>& range) {
   const int count = static_cast<int>(drawing_of.size());
   const auto [first, last] = range.value_or(std::pair{1, count});
   if (first < 1 || last < first || last > count)
-    throw InputError(fmt::format("--frames {}-{}: the clip has {} frame{}; expected A-B within 1-{}", first, last, count,
-                                 count == 1 ? "" : "s", count));
+    throw InputError(fmt::format("--frames {}-{}: the clip has {} frame{}; expected A-B within 1-{}", first,
+                                 last, count, count == 1 ? "" : "s", count));
   FramePlan plan;
   std::map<int, int> drawn;  // the clip's first frame of a drawing -> the first one asked for
   for (int frame = first; frame <= last; ++frame) {

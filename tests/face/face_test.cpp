@@ -114,9 +114,10 @@ TEST(face, a_sided_move_leaves_the_far_side_alone) {
     std::vector<glm::dvec3> points;
     pose_cage(adult().head, adult().face, pose, points);
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (adult().head.cage.points[i].x < -20)
+      if (adult().head.cage.points[i].x < -20) {
         EXPECT_LT(glm::length(points[i] - adult().head.cage.points[i]), 1.0)
             << area << " " << adult().head.cage.names[i];
+      }
   }
 }
 

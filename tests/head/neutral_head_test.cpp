@@ -119,7 +119,9 @@ TEST(head, lids_lie_on_the_ball_on_every_head) {
           const double gap =
               glm::length(glm::dvec3(head.skin.positions[v]) - head.eye.centre) - head.eye.radius_mm;
           EXPECT_GT(gap, 0) << age << " " << skull << " " << ring << i;
-          if (ring == std::string("E0_")) EXPECT_LT(gap, 2.6) << age << " " << skull << " " << i;
+          if (ring == std::string("E0_")) {
+            EXPECT_LT(gap, 2.6) << age << " " << skull << " " << i;
+          }
         }
     }
 }

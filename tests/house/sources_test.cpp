@@ -37,7 +37,8 @@ TEST(house, only_main_ends_the_program_and_few_print) {
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       const std::string code = source.lines[i].substr(0, source.lines[i].find("//"));
       // Only there may a child end: one that was forked and cannot become its program.
-      const bool may_end = source.path == "src/render/process.cpp" && code.find("::_exit(127)") != std::string::npos;
+      const bool may_end =
+          source.path == "src/render/process.cpp" && code.find("::_exit(127)") != std::string::npos;
       EXPECT_FALSE(!may_end && std::regex_search(code, kEnds)) << source.path << ":" << i + 1 << ": " << code;
       if (!printers.contains(source.path)) {
         EXPECT_FALSE(std::regex_search(code, kPrints)) << source.path << ":" << i + 1 << ": " << code;

@@ -1,0 +1,110 @@
+#include "frames/figure.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "core/data.hpp"
+
+namespace mien {
+namespace {
+
+const Figure& adult() {
+  static const Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  return figure;
+}
+
+Drawing draw(const Pose& pose, const TurnKey& turn) {
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(adult(), pose, turn, buffers, drawing);
+  return drawing;
+}
+
+TurnKey turned(double turn_deg, double nod_deg, double tilt_deg) {
+  TurnKey turn;
+  turn.turn_deg = turn_deg;
+  turn.nod_deg = nod_deg;
+  turn.tilt_deg = tilt_deg;
+  return turn;
+}
+
+glm::vec3 point(const Drawing& drawing, const char* name) {
+  return drawing.parts.front().positions[adult().head.cage.index.find(name)->second];
+}
+
+TEST(figure, neutral_drawing_is_the_rest_model_to_the_last_bit) {
+  const Drawing drawing = draw(Pose{}, TurnKey{});
+  ASSERT_EQ(drawing.parts.size(), adult().model.parts.size());
+  for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
+    const Part& part = adult().model.parts[i];
+    if (part.is_rigid) {
+      EXPECT_TRUE(drawing.parts[i].world_from_rest == glm::mat4(1)) << part.name;
+    } else {
+      EXPECT_TRUE(drawing.parts[i].positions == part.rest.positions) << part.name;
+      EXPECT_TRUE(drawing.parts[i].normals == part.rest.normals) << part.name;
+    }
+  }
+}
+
+TEST(figure, the_head_turns_on_a_neck_that_stays) {
+  const Drawing rest = draw(Pose{}, TurnKey{});
+  const Drawing left = draw(Pose{}, turned(30, 0, 0));
+  EXPECT_GT(point(left, "p_tip").x, 40);  // the nose goes to the character's left
+  EXPECT_LT(glm::distance(point(left, "p_N5"), point(rest, "p_N5")), 0.5);  // the chest does not
+  const Drawing nod = draw(Pose{}, turned(0, 20, 0));
+  EXPECT_LT(point(nod, "p_tip").y, point(rest, "p_tip").y - 20);  // the face goes down
+  const Drawing tilt = draw(Pose{}, turned(0, 0, 15));
+  EXPECT_GT(point(tilt, "cap_0_2").x, 20);  // the crown toward the left shoulder
+}
+
+TEST(figure, rigid_parts_go_with_the_turned_skin) {
+  const Drawing drawing = draw(Pose{}, turned(25, -10, 8));
+  for (std::size_t i = 0; i < drawing.parts.size(); ++i) {
+    const Part& part = adult().model.parts[i];
+    if (part.name != "eye_left") continue;
+    const glm::vec3 centre(drawing.parts[i].world_from_rest *
+                           glm::vec4(glm::vec3(adult().head.eye.centre), 1));
+    for (int column = 0; column < 16; ++column) {
+      const std::string name = "E1_" + std::to_string(column);
+      const glm::vec3 margin = point(drawing, name.c_str());
+      const glm::vec3 rest = adult().head.skin.positions[adult().head.cage.index.find(name)->second];
+      EXPECT_NEAR(glm::distance(margin, centre), glm::distance(rest, glm::vec3(adult().head.eye.centre)),
+                  0.01);
+    }
+  }
+}
+
+TEST(figure, random_moments_are_finite_with_unit_normals) {
+  std::mt19937 random(9);
+  for (int round = 0; round < 10; ++round) {
+    Pose pose;
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
+    const Drawing drawing = draw(pose, turned(20, 5, -4));
+    for (const PartShape& shape : drawing.parts) {
+      for (const glm::vec3& p : shape.positions) ASSERT_TRUE(std::isfinite(p.x + p.y + p.z));
+      for (const glm::vec3& n : shape.normals) ASSERT_NEAR(glm::length(n), 1, 1e-3);
+    }
+  }
+}
+
+TEST(figure, a_pose_drawn_after_another_is_the_same_drawing) {
+  DeformBuffers buffers;
+  Drawing used;
+  Pose wide;
+  wide.values.fill(0.7);
+  deform_figure(adult(), wide, turned(20, 0, 0), buffers, used);
+  Pose pose;
+  pose.values[*find_move("chin", Side::none, "down")] = 0.5;
+  deform_figure(adult(), pose, TurnKey{}, buffers, used);
+  const Drawing fresh = draw(pose, TurnKey{});
+  for (std::size_t i = 0; i < fresh.parts.size(); ++i) {
+    EXPECT_TRUE(used.parts[i].positions == fresh.parts[i].positions);
+    EXPECT_TRUE(used.parts[i].world_from_rest == fresh.parts[i].world_from_rest);
+  }
+}
+
+}  // namespace
+}  // namespace mien
