@@ -66,8 +66,8 @@ BrowHair place_brow_hair(const BrowLine& line, std::uint32_t series, std::uint32
   const double mix = 0.5 + 0.5 * across;
   hair.root = find_brow_middle(line, t) + up * static_cast<float>(across * half_mm);
   hair.angle_deg = (1 - mix) * sample_brow(line, brow.lower_angle_deg, t) +
-                   mix * sample_brow(line, brow.upper_angle_deg, t) +
-                   16 * (scatter(series, index, kTurn) - 0.5);
+                   mix * sample_brow(line, brow.upper_angle_deg, t);
+  hair.angle_deg += (16 + 0.2 * std::abs(hair.angle_deg)) * (scatter(series, index, kTurn) - 0.5);
   hair.length_mm =
       line.scale * sample_brow(line, brow.length_mm, t) * (0.72 + 0.45 * scatter(series, index, kLength));
   // A steep hair ends near the brow's edge: it is cut where it would stand out of it.
@@ -105,9 +105,10 @@ void append_brow_hair(HeadPart& part, const BrowLine& line, const SkinPatch& pat
   finish_hair(part, root, shade);
 }
 
-// One coat of hairs, spread by rejection: thin where `density` says so and toward both edges.
+// One coat of hairs, spread by rejection: thin where `density` says so and toward both edges, the more so
+// with a `thinning` above 1.
 void append_coat(HeadPart& part, const BrowLine& line, const SkinPatch& patch, const BrowCoat& coat,
-                 std::uint32_t series, int first_shade) {
+                 std::uint32_t series, int first_shade, double thinning) {
   const BrowNumbers& brow = line.numbers;
   const double first = brow.station.front(), last = brow.station.back();
   const double widest_mm = *std::max_element(brow.half_mm.begin(), brow.half_mm.end());
@@ -119,7 +120,8 @@ void append_coat(HeadPart& part, const BrowLine& line, const SkinPatch& patch, c
     const double across = 2 * scatter(series, index, kAcross) - 1;
     const double edge = 1 - 0.75 * std::pow(std::abs(across), 3);
     const double room = sample_brow(line, brow.half_mm, t) / widest_mm;  // as many to the square millimetre
-    if (scatter(series, index, kKeep) > sample_brow(line, brow.density, t) * edge * room) continue;
+    const double density = std::pow(sample_brow(line, brow.density, t) * edge, thinning);
+    if (scatter(series, index, kKeep) > density * room) continue;
     const auto shade = first_shade + static_cast<int>(scatter(series, index, kShade) * kHairShades);
     append_brow_hair(part, line, patch, place_brow_hair(line, series, index, t, across), coat,
                      static_cast<std::uint16_t>(shade));
@@ -146,8 +148,8 @@ HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const L
   part.part.palette = make_hair_palette(colour, 0.38f, 0.2f);
   const glm::vec3 soft = glm::mix(colour, look.skin * 0.8f, static_cast<float>(numbers.under_blend));
   for (const Shade& shade : make_hair_palette(soft, 0.12f, 0.0f)) part.part.palette.push_back(shade);
-  append_coat(part, line, patch, numbers.under, 22, kHairShades);
-  append_coat(part, line, patch, numbers.over, 21, 0);
+  append_coat(part, line, patch, numbers.under, 22, kHairShades, 2);
+  append_coat(part, line, patch, numbers.over, 21, 0, 1);
   update_normals(part.part.rest);
   return part;
 }

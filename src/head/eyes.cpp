@@ -51,21 +51,29 @@ void move_into_head(Mesh& mesh, const EyeFrame& frame) {
   for (glm::vec3& n : mesh.normals) n = glm::normalize(glm::vec3(frame.head_from_eye * glm::vec4(n, 0)));
 }
 
+// 1 under the upper lid, 0 in the open. The ball is painted so once, looking ahead.
+double find_lid_shadow(double up_mm) { return smooth_step(1.2, 5.4, up_mm); }
+constexpr float kLidShadow = 0.34f;  // share of the light that is kept off
+
 double sphere_z(double ball, double radius) {
   return std::sqrt(std::max(0.0, ball * ball - radius * radius));
 }
 
-// Warm white, pinker where it turns toward the corners, bluish-grey where it meets the iris.
-constexpr int kLimbusSteps = 6, kCornerSteps = 8;
+// Warm white, pinker where it turns toward the corners, bluish-grey where it meets the iris, and darker
+// above, where lid and lashes keep the light off it.
+constexpr int kLimbusSteps = 6, kCornerSteps = 8, kLidSteps = 5;
 
 std::vector<Shade> make_sclera_palette() {
   const glm::vec3 white(0.93f, 0.905f, 0.88f), pink(0.84f, 0.61f, 0.56f), grey(0.42f, 0.43f, 0.46f);
   std::vector<Shade> palette;
   for (int limbus = 0; limbus < kLimbusSteps; ++limbus)
-    for (int corner = 0; corner < kCornerSteps; ++corner) {
-      const glm::vec3 base = glm::mix(white, pink, static_cast<float>(corner) / (kCornerSteps - 1));
-      palette.push_back({glm::mix(base, grey, 0.8f * static_cast<float>(limbus) / (kLimbusSteps - 1)), 0.7f});
-    }
+    for (int corner = 0; corner < kCornerSteps; ++corner)
+      for (int lid = 0; lid < kLidSteps; ++lid) {
+        const glm::vec3 base = glm::mix(white, pink, static_cast<float>(corner) / (kCornerSteps - 1));
+        const glm::vec3 lit = base * (1 - kLidShadow * static_cast<float>(lid) / (kLidSteps - 1));
+        palette.push_back(
+            {glm::mix(lit, grey, 0.8f * static_cast<float>(limbus) / (kLimbusSteps - 1)), 0.7f});
+      }
   return palette;
 }
 
@@ -92,9 +100,11 @@ HeadPart build_sclera(const EyeFrame& frame) {
     const double radius = std::hypot(p.x, p.y);
     const double limbus = p.z > 0 ? 1 - smooth_step(eye.limbus_mm - 0.1, eye.limbus_mm + 1.0, radius) : 0;
     const double corner = smooth_step(0.5, 0.95, std::abs(p.x) / eye.ball_mm);
+    const double lid = find_lid_shadow(p.y);
     const auto row = std::lround(limbus * (kLimbusSteps - 1)),
                column = std::lround(corner * (kCornerSteps - 1));
-    part.part.shade.push_back(static_cast<std::uint16_t>(row * kCornerSteps + column));
+    part.part.shade.push_back(static_cast<std::uint16_t>((row * kCornerSteps + column) * kLidSteps +
+                                                         std::lround(lid * (kLidSteps - 1))));
   }
   move_into_head(mesh, frame);
   return part;
@@ -127,14 +137,15 @@ std::vector<Shade> make_iris_palette(const glm::vec3& iris) {
 
 // Fibres: streaks that waver a little, strongest in the middle of their way; a few broad light and dark
 // sectors.
-std::uint16_t find_iris_shade(double turn, double share, int fibres) {
+std::uint16_t find_iris_shade(double turn, double share, double up_mm, int fibres) {
   const double cells = turn * fibres;
   const double waver = 0.45 * sample_noise(11, 4 * share, 64) + 0.3 * sample_noise(12, 9 * turn, 9);
   const double streak =
       0.62 * sample_noise(1, cells + waver, fibres) + 0.42 * sample_noise(2, 2 * cells, 2 * fibres);
   const double sector = 0.35 * sample_noise(3, turn * 7, 7);
   const double envelope = 0.45 + 0.55 * std::sin(kPi * std::clamp(share, 0.0, 1.0));
-  const double level = 0.5 + 0.5 * std::clamp(streak * envelope + sector, -1.0, 1.0);
+  const double shadow = 0.7 * find_lid_shadow(up_mm);
+  const double level = 0.5 + 0.5 * std::clamp(streak * envelope + sector - shadow, -1.0, 1.0);
   const double wreath = 0.05 * sample_noise(4, turn * 23, 23) * (1 - smooth_step(0.4, 0.7, share));
   const auto row = std::lround(std::clamp(share + wreath, 0.0, 1.0) * (kIrisRows - 1));
   return static_cast<std::uint16_t>(row * kIrisLevels + std::lround(level * (kIrisLevels - 1)));
@@ -157,7 +168,8 @@ HeadPart build_iris(const EyeFrame& frame, const glm::vec3& colour) {
     rings.push_back(make_circle(radius, inner_z + (edge_z - inner_z) * way, kIrisSpokes));
     const double share = (radius - inner) / (eye.limbus_mm - inner);
     for (int k = 0; k < kIrisSpokes; ++k)
-      part.part.shade.push_back(find_iris_shade(static_cast<double>(k) / kIrisSpokes, share, eye.fibres));
+      part.part.shade.push_back(
+          find_iris_shade(static_cast<double>(k) / kIrisSpokes, share, rings.back()[k].y, eye.fibres));
   }
   part.part.shade.push_back(black);  // the hidden back
   for (Ring& ring : rings) std::reverse(ring.begin() + 1, ring.end());
@@ -166,10 +178,11 @@ HeadPart build_iris(const EyeFrame& frame, const glm::vec3& colour) {
 
   Mesh& mesh = part.part.rest;
   append_loft(mesh, {0, 0, eye.pupil_floor_mm}, rings, {0, 0, edge_z - 0.3});
-  // The cone is lit as if it were a bowl: the cornea throws light across, so the side away from the lamp is
-  // bright.
+  // Lit from above the cone is shaded as if it were a bowl: the cornea throws light across, so that the lower
+  // half is the brighter one. Sideways it stays a cone: a normal that points away from the camera would be
+  // black in profile.
   for (const glm::vec3& p : mesh.positions)
-    mesh.normals.push_back(glm::normalize(glm::vec3(-0.075f * p.x, -0.075f * p.y, 1)));
+    mesh.normals.push_back(glm::normalize(glm::vec3(0.05f * p.x, -0.075f * p.y, 1)));
   move_into_head(mesh, frame);
   return part;
 }
@@ -278,7 +291,7 @@ HeadPart build_caruncle(const Lids& lids, const EyeNumbers& eye) {
   HeadPart part;
   part.part.name = "caruncle_left";
   part.part.material = "caruncle";
-  part.part.palette = {{glm::vec3(0.80f, 0.50f, 0.46f), 0.6f}, {glm::vec3(0.88f, 0.70f, 0.66f), 0.7f}};
+  part.part.palette = {{glm::vec3(0.80f, 0.50f, 0.46f), 0.6f}, {glm::vec3(0.85f, 0.64f, 0.60f), 0.6f}};
   part.mount = Mount::strands;
   append_knob(part.part.rest, lids, eye.caruncle);
   part.part.shade.assign(part.part.rest.positions.size(), 0);

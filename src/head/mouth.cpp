@@ -93,8 +93,9 @@ std::vector<Column> build_columns(const Arch& arch, double half_mm, double width
       column.out = glm::normalize(glm::vec2(x > 0 ? slope : 0.0, 1));
       column.share = length_mm / end_mm;
       const double side = std::min(cut, 1 - cut);
-      column.gap = 1 - smooth_step(0, 0.2, side);
-      column.belly = smooth_step(0, 0.5, side);
+      const double plain = 1 - smooth_step(0.4, 0.75, column.share);  // far teeth are one band
+      column.gap = plain * (1 - smooth_step(0, 0.2, side));
+      column.belly = plain * smooth_step(0, 0.5, side);
       const std::size_t other = cut < 0.5 ? (kind > 0 ? kind - 1 : 0) : std::min(kind + 1, widths.size() - 1);
       const double near = 0.5 * (1 - smooth_step(0, 0.3, side));
       column.rise_mm = arch.scale * ((1 - near) * rises[kind] + near * rises[other]);
@@ -120,32 +121,34 @@ glm::vec3 place_in_row(const Arch& arch, const Row& row, const Column& column, d
   return {flat.x, arch.lips_y_mm + row.sign * height_mm, arch.front_z_mm + flat.y};
 }
 
-// The front of a tooth: rolled back at the biting edge (0), upright, leaning back toward the gum (1).
-double find_front_mm(const Arch& arch, const Row& row, double crown) {
-  const double lean = arch.scale * row.numbers.lean_mm;
-  return -lean * crown * std::abs(crown) - 0.6 * arch.scale * std::pow(std::max(0.0, 1 - crown), 4);
+// How far the row's front lies behind the arch at a height: it leans back toward the gum.
+double find_lean_mm(const Arch& arch, const Row& row, double height_mm) {
+  const TeethRowNumbers& teeth = row.numbers;
+  const double share =
+      std::max(0.0, (height_mm / arch.scale + teeth.edge_mm) / (teeth.gum_mm + teeth.edge_mm));
+  return arch.scale * teeth.lean_mm * share * share;
 }
 
-constexpr int kTeethSides = 11, kHeightShades = 4, kDepthShades = 5, kGapShades = 3;
+constexpr int kTeethSides = 11, kHeightShades = 4, kDepthShades = 7, kGapShades = 3;
 
 std::uint16_t find_tooth_shade(const Column& column, double crown) {
   const auto height = std::lround(std::clamp(crown, 0.0, 1.0) * (kHeightShades - 1));
-  const auto depth = std::lround(smooth_step(0.2, 1, column.share) * (kDepthShades - 1));
+  const auto depth = std::lround(smooth_step(0.3, 0.9, column.share) * (kDepthShades - 1));
   const auto gap = std::lround(column.gap * (kGapShades - 1));
   return static_cast<std::uint16_t>((height * kDepthShades + depth) * kGapShades + gap);
 }
 
 // Warm off-white: clearer at the edge, yellower at the gum, in the cheeks' shade further back.
 std::vector<Shade> make_teeth_palette() {
-  const glm::vec3 edge(0.95f, 0.915f, 0.85f), gum(0.93f, 0.86f, 0.745f);
+  const glm::vec3 edge(0.955f, 0.915f, 0.84f), gum(0.94f, 0.85f, 0.71f), cheek(0.16f, 0.08f, 0.07f);
   std::vector<Shade> palette;
   for (int height = 0; height < kHeightShades; ++height)
     for (int depth = 0; depth < kDepthShades; ++depth)
       for (int gap = 0; gap < kGapShades; ++gap) {
-        const float dim = (1 - 0.62f * static_cast<float>(depth) / (kDepthShades - 1)) *
-                          (1 - 0.07f * static_cast<float>(gap) / (kGapShades - 1));
-        palette.push_back(
-            {glm::mix(edge, gum, static_cast<float>(height) / (kHeightShades - 1)) * dim, 0.5f});
+        const float far = 0.8f * static_cast<float>(depth) / (kDepthShades - 1);
+        const float dim = 1 - 0.07f * static_cast<float>(gap) / (kGapShades - 1);
+        const glm::vec3 enamel = glm::mix(edge, gum, static_cast<float>(height) / (kHeightShades - 1)) * dim;
+        palette.push_back({glm::mix(enamel, cheek, far), 0.5f});
       }
   return palette;
 }
@@ -156,7 +159,8 @@ Ring build_tooth_ring(const Arch& arch, const Row& row, const Column& column,
                       std::vector<std::uint16_t>& shades) {
   const MouthNumbers& mouth = arch.numbers;
   const double gum = arch.scale * row.numbers.gum_mm;
-  const double full_edge = -arch.scale * (row.numbers.edge_mm - mouth.notch_mm * column.gap) + column.rise_mm;
+  const double rise = column.rise_mm * (row.sign > 0 ? 1 : 0.35);  // lower edges are nearly level
+  const double full_edge = -arch.scale * (row.numbers.edge_mm - mouth.notch_mm * column.gap) + rise;
   const double hidden_edge = gum + 1.5 * arch.scale;  // mm: inside the gum
   const double edge = hidden_edge + (full_edge - hidden_edge) * arch.growth;
   const double back = smooth_step(0.25, 0.75, column.share);  // 0 a cutting edge, 1 a grinding one
@@ -167,14 +171,18 @@ Ring build_tooth_ring(const Arch& arch, const Row& row, const Column& column,
   static constexpr std::array kFront{1.35, 1.0, 0.8, 0.55, 0.3, 0.12, 0.02};
   static constexpr std::array kBack{0.03, 0.3, 0.7, 1.35};
   Ring ring;
-  const auto add = [&](double crown, double out_mm) {
-    ring.push_back(place_in_row(arch, row, column, edge + (gum - edge) * crown, out_mm));
+  const double top = gum + 3.2 * arch.scale;
+  const auto add = [&](double crown, double behind_mm) {
+    const double height = edge + (top - edge) * crown / kFront.front();
+    const double rolled =
+        0.6 * arch.scale * std::pow(std::max(0.0, 1 - crown), 4);  // back at the biting edge
+    ring.push_back(
+        place_in_row(arch, row, column, height, -find_lean_mm(arch, row, height) - rolled - behind_mm));
     shades.push_back(find_tooth_shade(column, crown));
   };
-  for (const double crown : kFront) add(crown, find_front_mm(arch, row, crown) - groove);
-  for (const double crown : kBack)
-    add(crown,
-        find_front_mm(arch, row, crown) - thick_edge - (thick_gum - thick_edge) * std::min(1.0, crown));
+  const double root = 0.9 * arch.scale;  // further back than the crown: it must not come through the gum
+  for (const double crown : kFront) add(crown, groove + (crown > 1 ? root : 0));
+  for (const double crown : kBack) add(crown, thick_edge + (thick_gum - thick_edge) * std::min(1.0, crown));
   return ring;
 }
 
@@ -185,13 +193,12 @@ Ring build_gum_ring(const Arch& arch, const Row& row, const Column& column,
                     std::vector<std::uint16_t>& shades) {
   const MouthNumbers& mouth = arch.numbers;
   const double scale = arch.scale, gum = scale * row.numbers.gum_mm, thick = scale * mouth.gum_thick_mm;
-  const double margin = gum - scale * mouth.scallop_mm * column.gap, top = gum + 4.5 * scale;
-  const double edge = -scale * row.numbers.edge_mm;
+  const double ridge = 2.5 * (1 - arch.growth);  // mm: toothless gums meet lower
+  const double margin = gum - scale * (mouth.scallop_mm * column.gap * arch.growth + ridge),
+               top = gum + 4.5 * scale;
   const double back = smooth_step(0.25, 0.75, column.share);
   const double deep = scale * (row.numbers.thick_mm + 3.5 * back);
-  const auto front_at = [&](double height) {
-    return find_front_mm(arch, row, (height - edge) / (gum - edge));
-  };
+  const auto front_at = [&](double height) { return -find_lean_mm(arch, row, height); };
 
   Ring ring;
   const auto add = [&](double height, double out_mm, double dark) {
@@ -229,6 +236,13 @@ glm::vec3 find_middle(const Ring& ring) {
   return sum / static_cast<float>(ring.size());
 }
 
+// The row's far end is round: cuts draw together over its last tenth.
+void round_off(Ring& ring, double share) {
+  const double beyond = std::clamp((share - 0.9) / 0.1, 0.0, 0.99);
+  const glm::vec3 middle = find_middle(ring);
+  for (glm::vec3& p : ring) p = middle + (p - middle) * static_cast<float>(std::sqrt(1 - square(beyond)));
+}
+
 // The whole row from cuts of its left half: the right half is its mirror image, bit for bit.
 template <typename BuildRing>
 HeadPart build_band(const Arch& arch, const Row& row, const std::vector<Column>& columns,
@@ -239,6 +253,7 @@ HeadPart build_band(const Arch& arch, const Row& row, const std::vector<Column>&
   for (const Column& column : columns) {
     left_shades.emplace_back();
     left.push_back(build_ring(arch, row, column, left_shades.back()));
+    round_off(left.back(), column.share);
     if (row.sign < 0) {  // upside down, so the other way round
       std::reverse(left.back().begin(), left.back().end());
       std::reverse(left_shades.back().begin(), left_shades.back().end());
@@ -283,11 +298,12 @@ HeadPart build_tongue(const Arch& arch) {
   const double scale = arch.scale;
   const double tip_z = arch.front_z_mm - scale * (arch.numbers.lower.inset_mm + tongue.tip_mm);
   const double top_y = arch.lips_y_mm - scale * tongue.top_mm, low_y = top_y - 7.0 * scale;
-  constexpr int kRings = 16, kHalf = 10;  // points of half a ring, from the top to the bottom
+  constexpr int kTongueShades = 8, kRings = 16,
+                kHalf = 10;  // points of half a ring, from the top to the bottom
   HeadPart part;
   std::vector<Ring> rings;
   const std::size_t sides = 2 * kHalf - 2;
-  part.part.shade.push_back(2);
+  part.part.shade.push_back(kTongueShades - 1);
   for (int r = 0; r < kRings; ++r) {
     const double way = static_cast<double>(r) / (kRings - 1),
                  from_tip_mm = (1 - way) * (1 - way) * tongue.back_mm + 0.3;
@@ -305,7 +321,7 @@ HeadPart build_tongue(const Arch& arch) {
     std::reverse(ring.begin() + 1, ring.end());  // counter-clockwise seen from the tip
     rings.push_back(ring);
     part.part.shade.insert(part.part.shade.end(), sides,
-                           static_cast<std::uint16_t>(std::lround(2 * (1 - way))));
+                           static_cast<std::uint16_t>(std::lround((kTongueShades - 1) * (1 - way))));
   }
   part.part.shade.push_back(0);
   Mesh& mesh = part.part.rest;
@@ -315,9 +331,11 @@ HeadPart build_tongue(const Arch& arch) {
   update_normals(mesh);
   part.part.name = "tongue";
   part.part.material = "tongue";
-  part.part.palette = {{glm::vec3(0.74f, 0.42f, 0.41f), 0.6f},
-                       {glm::vec3(0.60f, 0.31f, 0.30f), 0.6f},
-                       {glm::vec3(0.36f, 0.16f, 0.16f), 0.5f}};
+  for (int i = 0; i < kTongueShades; ++i) {
+    const float back = static_cast<float>(i) / (kTongueShades - 1);
+    part.part.palette.push_back(
+        {glm::mix(glm::vec3(0.76f, 0.43f, 0.42f), glm::vec3(0.34f, 0.15f, 0.15f), back), 0.6f});
+  }
   part.part.is_rigid = true;
   part.mount = Mount::jaw;
   return part;
