@@ -16,7 +16,7 @@ namespace mien {
 
 namespace {
 
-// The print's own measures, in mm of the print at a height of 80; all of them grow with it.
+// The print's own measures as shares of its height; in the comments' words, mm at a height of 80.
 constexpr double kBaseHeight = 8.0 / 80;
 constexpr double kBaseRadius = 15.0 / 80;
 constexpr float kBrow = 0.5f / 80;        // standing out less, it is lost between two layers
@@ -26,10 +26,11 @@ constexpr float kPupilDepth = 1.0f / 80;  // dark in every light
 // Of the printed surface. Measured: 0.013 mm at most are lost, an eighth of a fine layer, and half of the
 // triangles.
 constexpr double kTolerance_mm = 0.03;
+constexpr double kSpeck_mm3 = 0.3;      // a bead that no printer makes
 constexpr float kIrisRadius_mm = 5.7f;  // of the head, if the model has no iris
 
 // One drawing of a model, with its parts findable by name.
-struct Figure {
+struct PosedModel {
   const Model& model;
   const Drawing& drawing;
 
@@ -73,9 +74,10 @@ Placing find_placing(const BustSkin& skin, double figure_height_mm) {
   return {skin.foot, static_cast<float>(figure_height_mm / (box.high.y - skin.foot.y))};
 }
 
-// The eye of one side as its parts stand in the drawing; `scale` is the print's.
-CarvedEye find_carved_eye(const NeutralHead& head, const Figure& figure, const std::string& side,
-                          const Placing& placing, double height_mm) {
+// The eye of one side as its parts stand in the drawing; `print_mm` of the drawing are the whole print's
+// height.
+CarvedEye find_carved_eye(const NeutralHead& head, const PosedModel& figure, const std::string& side,
+                          float print_mm) {
   const Part& ball = *figure.find_part("eye_" + side);
   const glm::vec3 mirror(side == "left" ? 1 : -1, 1, 1);
   const glm::vec3 centre = glm::vec3(head.eye.centre) * mirror;
@@ -94,8 +96,8 @@ CarvedEye find_carved_eye(const NeutralHead& head, const Figure& figure, const s
     eye.iris_mm = (box.high.y - box.low.y) / 2;
   }
   const float deepest = eye.radius_mm * 0.6f;  // a low print must not be bored through
-  eye.iris_depth_mm = std::min(kIrisDepth * float(height_mm) / placing.scale, deepest / 2);
-  eye.pupil_depth_mm = std::min(kPupilDepth * float(height_mm) / placing.scale, deepest);
+  eye.iris_depth_mm = std::min(kIrisDepth * print_mm, deepest / 2);
+  eye.pupil_depth_mm = std::min(kPupilDepth * print_mm, deepest);
   return eye;
 }
 
@@ -103,7 +105,29 @@ bool is_named(const Part& part, std::string_view stem) {
   return part.name == std::string(stem) + "_left" || part.name == std::string(stem) + "_right";
 }
 
-void require_fit(const Figure& figure) {
+std::vector<Mesh> list_hairs(const PosedModel& figure) {
+  std::vector<Mesh> hairs;
+  for (const Part& part : figure.model.parts)
+    if (is_named(part, "brow")) hairs.push_back(figure.build_mesh(part));
+  return hairs;
+}
+
+// The printed parts but the skin, as solids where the drawing has them.
+std::vector<Solid> list_inner_solids(const NeutralHead& head, const PosedModel& figure, float print_mm) {
+  std::vector<Solid> solids;
+  for (const Part& part : figure.model.parts) {
+    const bool is_carved = is_named(part, "brow") || is_named(part, "iris");  // into skin and ball
+    if (!part.is_printed || is_carved || part.name == "skin") continue;
+    if (is_named(part, "eye"))
+      solids.push_back(
+          {part.name, build_carved_eye(find_carved_eye(head, figure, part.name.substr(4), print_mm))});
+    else
+      append_pieces(solids, part.name, figure.build_mesh(part));
+  }
+  return solids;
+}
+
+void require_fit(const PosedModel& figure) {
   const auto& [model, drawing] = figure;
   if (drawing.parts.size() != model.parts.size())
     throw RunError(fmt::format("internal: a drawing of {} parts for a model of {}", drawing.parts.size(),
@@ -115,7 +139,7 @@ void require_fit(const Figure& figure) {
 
 BustPrint build_bust(const NeutralHead& head, const Model& model, const Drawing& drawing, double height_mm,
                      std::string title) {
-  const Figure figure{model, drawing};
+  const PosedModel figure{model, drawing};
   require_fit(figure);
   BustPrint print;
   print.title = std::move(title);
@@ -125,32 +149,20 @@ BustPrint build_bust(const NeutralHead& head, const Model& model, const Drawing&
 
   BustSkin skin = build_bust_skin(head, figure.find_shape(*figure.find_part("skin")).positions);
   const Placing placing = find_placing(skin, height_mm - print.base_height_mm + kFootSink_mm);
+  const float print_mm = float(height_mm) / placing.scale;  // of the drawing, for the whole print's height
   print.foot_radius_mm = skin.foot_radius_mm * placing.scale;
   print.foot_mm = (skin.chest_y_mm - skin.foot.y) * placing.scale;
 
-  std::vector<Mesh> hairs;
-  std::vector<Solid> inner;
-  for (const Part& part : model.parts) {
-    if (!part.is_printed && !is_named(part, "brow")) continue;
-    if (part.name == "skin" || is_named(part, "iris")) continue;
-    if (is_named(part, "brow"))
-      hairs.push_back(figure.build_mesh(part));
-    else if (is_named(part, "eye"))
-      inner.push_back({part.name, build_carved_eye(find_carved_eye(head, figure, part.name.substr(4), placing,
-                                                                   height_mm))});
-    else
-      append_pieces(inner, part.name, figure.build_mesh(part));
-  }
-  raise_brows(skin.mesh, hairs,
-              {kBrow * float(height_mm) / placing.scale, kLock * float(height_mm) / placing.scale});
+  raise_brows(skin.mesh, list_hairs(figure), {kBrow * print_mm, kLock * print_mm});
+  std::vector<Solid> inner = list_inner_solids(head, figure, print_mm);
   keep_showing(inner, skin.mesh);
-
   print.solids.push_back({"skin", std::move(skin.mesh)});
   std::move(inner.begin(), inner.end(), std::back_inserter(print.solids));
   for (Solid& solid : print.solids) {
     placing.apply(solid.mesh);
     simplify_mesh(solid.mesh, kTolerance_mm);
   }
+  std::erase_if(print.solids, [](const Solid& solid) { return compute_volume_mm3(solid.mesh) < kSpeck_mm3; });
   return print;
 }
 

@@ -178,7 +178,8 @@ std::size_t find_chest_loop(const Mesh& mesh, const std::vector<Loop>& loops) {
 // on its socle has always been cut.
 void append_foot(BustSkin& skin, const Loop& chest) {
   constexpr int kRings = 10;
-  constexpr float kDrop_mm = 34;  // from the chest's lowest edge to the foot
+  constexpr float kDrop = 0.36f;    // of half the chest's breadth: from its lowest edge to the foot
+  constexpr float kRadius = 0.28f;  // of half the chest's breadth: the foot's; thinner would break off
   Mesh& mesh = skin.mesh;
   Box box{mesh.positions[chest.front()], mesh.positions[chest.front()]};
   for (const std::uint32_t v : chest) {
@@ -186,13 +187,12 @@ void append_foot(BustSkin& skin, const Loop& chest) {
     box.high = glm::max(box.high, mesh.positions[v]);
   }
   skin.chest_y_mm = box.low.y;
-  skin.foot = {(box.low.x + box.high.x) / 2, box.low.y - kDrop_mm, (box.low.z + box.high.z) / 2};
+  const float half_breadth = (box.high.x - box.low.x) / 2;
+  skin.foot = {(box.low.x + box.high.x) / 2, box.low.y - kDrop * half_breadth, (box.low.z + box.high.z) / 2};
+  skin.foot_radius_mm = kRadius * half_breadth;
 
-  const std::vector<glm::vec3> edge = [&] {
-    std::vector<glm::vec3> points;
-    for (const std::uint32_t v : chest) points.push_back(mesh.positions[v]);
-    return points;
-  }();
+  std::vector<glm::vec3> edge;
+  for (const std::uint32_t v : chest) edge.push_back(mesh.positions[v]);
   Loop above = chest;
   for (int ring = 1; ring <= kRings; ++ring) {
     const float way = float(ring) / kRings;
