@@ -23,7 +23,8 @@ void for_each_index(std::size_t count, int jobs, const std::function<void(std::s
       }
   };
   std::vector<std::jthread> threads;
-  const int extra = static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(std::max(jobs, 1)), count)) - 1;
+  const int extra =
+      static_cast<int>(std::min<std::size_t>(static_cast<std::size_t>(std::max(jobs, 1)), count)) - 1;
   for (int worker = 1; worker <= extra; ++worker) threads.emplace_back(run, worker);
   run(0);
   threads.clear();  // joins

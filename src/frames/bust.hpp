@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/model.hpp"
+#include "core/print.hpp"
 #include "head/head.hpp"
-#include "scene/openscad.hpp"
 
 namespace mien {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/mesh.hpp"
-#include "scene/openscad.hpp"
+#include "core/print.hpp"
 
 namespace mien {
 

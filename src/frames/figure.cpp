@@ -16,14 +16,16 @@ glm::dmat4 find_turn(const glm::dvec3& pivot, const TurnKey& turn, double share)
   glm::dmat4 world = glm::translate(glm::dmat4(1), pivot);
   world = glm::rotate(world, turn.turn_deg * degrees, glm::dvec3(0, 1, 0));
   world = glm::rotate(world, turn.nod_deg * degrees, glm::dvec3(1, 0, 0));
-  // The crown toward the character's left (+x) is a turn against the clock about z, which points at the viewer.
+  // The crown toward the character's left (+x) is a turn against the clock about z, which points at the
+  // viewer.
   world = glm::rotate(world, -turn.tilt_deg * degrees, glm::dvec3(0, 0, 1));
   return glm::translate(world, -pivot);
 }
 
 bool is_turned(const TurnKey& turn) { return turn.turn_deg != 0 || turn.nod_deg != 0 || turn.tilt_deg != 0; }
 
-void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole, std::vector<glm::dvec3>& points) {
+void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
+                 std::vector<glm::dvec3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double share = face.turn_weights[i];
     if (share == 0) continue;
@@ -36,7 +38,8 @@ glm::mat4 find_transform(const Figure& figure, Mount mount, const Pose& pose, co
   const auto gaze = [&](Side side) {
     glm::dvec3 centre = figure.head.eye.centre;
     if (side == Side::right) centre.x = -centre.x;
-    const glm::dmat4 turned = glm::translate(glm::dmat4(1), centre) * glm::dmat4(find_gaze(figure.face, pose, side));
+    const glm::dmat4 turned =
+        glm::translate(glm::dmat4(1), centre) * glm::dmat4(find_gaze(figure.face, pose, side));
     return glm::mat4(head_turn * glm::translate(turned, -centre));
   };
   if (mount == Mount::eye_left) return gaze(Side::left);
@@ -52,7 +55,8 @@ void deform_strands(const HeadPart& bound, const Part& part, const Mesh& rest_sk
   shape.normals.resize(part.rest.normals.size());
   for (const Binding& binding : bound.bindings) {
     const Triangle& triangle = rest_skin.triangles[binding.triangle];
-    const SkinFrame rest = find_skin_frame(rest_skin.positions, rest_skin.normals, triangle, binding.barycentric);
+    const SkinFrame rest =
+        find_skin_frame(rest_skin.positions, rest_skin.normals, triangle, binding.barycentric);
     const SkinFrame now = find_skin_frame(skin.positions, skin.normals, triangle, binding.barycentric);
     const glm::mat3 turn = now.axes * glm::transpose(rest.axes);
     for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {

@@ -28,8 +28,8 @@ struct DeformBuffers {
 // About 0.3 s. Throws RunError for broken data in `data_folder`.
 Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder);
 
-// The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives the
-// rest meshes bit for bit.
+// The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives
+// the rest meshes bit for bit.
 void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
                    Drawing& drawing);
 

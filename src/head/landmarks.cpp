@@ -55,7 +55,8 @@ std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const YAML::No
   if (node.IsSequence())
     for (const YAML::Node& name : node) vertices.push_back(find_point(head, name.as<std::string>()));
   if (node.IsMap())
-    vertices.push_back(find_extreme(head, node.begin()->first.as<std::string>(), node.begin()->second.as<std::string>()));
+    vertices.push_back(
+        find_extreme(head, node.begin()->first.as<std::string>(), node.begin()->second.as<std::string>()));
   return vertices;
 }
 
@@ -65,8 +66,7 @@ glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model,
   const glm::vec3 rest(glm::dvec3(sign * head.eye.centre.x, head.eye.centre.y, head.eye.centre.z + reach));
   const std::string part = side == Side::left ? "eye_left" : "eye_right";
   for (std::size_t i = 0; i < model.parts.size(); ++i)
-    if (model.parts[i].name == part)
-      return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
+    if (model.parts[i].name == part) return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
   throw RunError(fmt::format("internal: the model has no part '{}'", part));
 }
 
@@ -77,7 +77,8 @@ std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesys
     std::vector<Landmark> landmarks;
     const YAML::Node root = YAML::LoadFile(file.string());
     for (const auto& entry : root["middle"])
-      landmarks.push_back({entry.first.as<std::string>(), find_vertices(head, entry.second), false, Side::none});
+      landmarks.push_back(
+          {entry.first.as<std::string>(), find_vertices(head, entry.second), false, Side::none});
     for (const auto& entry : root["sided"]) {
       const std::string name = entry.first.as<std::string>();
       if (name == "pupil") {
@@ -97,7 +98,8 @@ std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesys
   }
 }
 
-std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head, const std::vector<Landmark>& landmarks,
+std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head,
+                                                    const std::vector<Landmark>& landmarks,
                                                     const Model& model, const Drawing& drawing) {
   std::map<std::string, glm::dvec3> places;
   for (const Landmark& landmark : landmarks) {

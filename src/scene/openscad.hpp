@@ -6,32 +6,10 @@
 #include <string>
 #include <vector>
 
-#include "core/model.hpp"
+#include "core/print.hpp"
 #include "scene/stl.hpp"
 
 namespace mien {
-
-// A closed solid of the bust, by name; the source unions them all.
-struct Solid {
-  std::string name;  // a lower-case identifier
-  Mesh mesh;         // closed, wound outwards, mm; z up, front toward -y, the character's left at +x
-};
-
-// A figure that stands on z = 0 with its foot around the z axis, and the base it goes with.
-struct BustPrint {
-  std::string title;      // written as a comment only, after it was cleaned
-  double height_mm = 80;  // whole print with its base
-  double base_height_mm =
-      8;  // of the turned base the figure is set on; the figure takes the rest of the height
-  double base_radius_mm = 16;
-  double foot_mm = 6;         // without a base the figure is cut flat at this height, where it is broad
-  double foot_radius_mm = 5;  // of the figure's round underside
-  std::vector<Solid> solids;  // skin first
-};
-
-// How deep the figure's foot goes into the base, so that the two are one solid. Less than a layer might not
-// join.
-inline constexpr double kFootSink_mm = 0.6;
 
 // A customizable source (templates/openscad/bust.scad): height and base as Customizer variables, then the
 // solids as literal polyhedra, welded at 1e-4 mm. Throws RunError "solid 'NAME' has N open edges; OpenSCAD
