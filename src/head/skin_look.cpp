@@ -22,6 +22,7 @@ namespace {
 enum Mask {
   kLips,
   kMouth,
+  kThroat,
   kNostril,
   kRim,
   kLid,
@@ -43,15 +44,15 @@ struct RingValue {
 };
 
 constexpr RingValue kRingValues[] = {
-    {kLips, "M0", 0, 12, 1},     {kLips, "M1", 0, 12, 1},     {kLips, "M2", 0, 12, 1},
-    {kLips, "M3", 0, 12, 0.55},  {kMouth, "MB2", 0, 12, 1},   {kMouth, "MB1", 0, 12, 1},
-    {kMouth, "M0", 0, 12, 0.75}, {kNostril, "nd", 0, 7, 1},   {kNostril, "ni", 0, 7, 0.9},
-    {kNostril, "nr", 0, 7, 0.2}, {kRim, "EB", 0, 15, 1},      {kRim, "E0", 0, 15, 1},
-    {kRim, "E1", 0, 15, 0.8},    {kRim, "E2", 9, 15, 0.15},   {kRim, "E2", 0, 0, 0.5},
-    {kLid, "E1", 0, 15, 1},      {kLid, "E2", 0, 15, 1},      {kLid, "E3", 0, 8, 0.8},
-    {kLid, "E3", 9, 15, 0.5},    {kLid, "E4", 0, 8, 0.2},     {kBlood, "er3", 0, 15, 0.4},
-    {kBlood, "er4", 0, 15, 0.8}, {kBlood, "er5", 0, 15, 1},   {kBlood, "er6", 0, 15, 1},
-    {kBlood, "er7", 0, 15, 0.8}, {kBlood, "er8", 0, 15, 0.7}, {kBlood, "er9", 0, 15, 0.7},
+    {kLips, "M0", 0, 12, 1},     {kLips, "M1", 0, 12, 1},      {kLips, "M2", 0, 12, 1},
+    {kLips, "M3", 0, 12, 0.55},  {kMouth, "MB2", 0, 12, 1},    {kThroat, "MB2", 0, 12, 1},
+    {kMouth, "MB1", 0, 12, 1},   {kMouth, "M0", 0, 12, 0.75},  {kNostril, "nd", 0, 7, 1},
+    {kNostril, "ni", 0, 7, 0.9}, {kNostril, "nr", 0, 7, 0.25}, {kRim, "EB", 0, 15, 1},
+    {kRim, "E0", 0, 15, 1},      {kRim, "E1", 0, 15, 0.8},     {kRim, "E2", 9, 15, 0.15},
+    {kRim, "E2", 0, 0, 0.5},     {kLid, "E1", 0, 15, 1},       {kLid, "E2", 0, 15, 1},
+    {kLid, "E3", 0, 8, 0.8},     {kLid, "E3", 9, 15, 0.5},     {kBlood, "er3", 0, 15, 0.4},
+    {kBlood, "er4", 0, 15, 0.8}, {kBlood, "er5", 0, 15, 1},    {kBlood, "er6", 0, 15, 1},
+    {kBlood, "er7", 0, 15, 0.8}, {kBlood, "er8", 0, 15, 0.7},  {kBlood, "er9", 0, 15, 0.7},
     {kBlood, "er10", 0, 15, 1},  {kBlood, "er11", 0, 15, 1},
 };
 
@@ -68,7 +69,7 @@ constexpr Spot kSpots[] = {
     {kBlood, "c3_tip", 8, 0.5},   {kBlood, "k_it", 6, 0.4},     {kBlood, "M6_12", 12, 0.3},
     {kBlood, "p_s", 8, 0.15},     {kForehead, "p_F2", 34, 1},   {kForehead, "f4_F2", 30, 0.8},
     {kSocket, "E3_12", 8, 0.55},  {kSocket, "E3_14", 7, 0.6},   {kSocket, "E3_0", 6, 0.6},
-    {kSocket, "E4_1", 8, 0.5},    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},
+    {kSocket, "E4_1", 7, 0.3},    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},
     {kBeard, "q12_C8", 22, 0.8},  {kBeard, "q11_D1", 22, 0.8},  {kBeard, "m11_D1", 22, 0.8},
     {kBeard, "MA_1", 9, 0.5},     {kBeard, "M6_9", 18, 0.8},    {kBrow, "E5_2", 4, 0.4},
     {kBrow, "E5_3", 4.5, 0.7},    {kBrow, "E5_4", 4.5, 0.7},    {kBrow, "E5_5", 4, 0.5},
@@ -78,20 +79,23 @@ constexpr Spot kSpots[] = {
 
 // What light keeps of its red, green and blue in a full mask, before it leaves the skin.
 constexpr std::array<glm::vec3, kMaskCount> kTints = {
-    glm::vec3(1),                    // lips: see find_lip_colour
-    glm::vec3(1),                    // mouth: a colour of its own
-    glm::vec3(0.20f, 0.09f, 0.07f),  // nostril
-    glm::vec3(0.98f, 0.66f, 0.62f),  // rim of the lids
-    glm::vec3(0.95f, 0.86f, 0.84f),  // lids
-    glm::vec3(0.88f, 0.82f, 0.86f),  // socket
-    glm::vec3(1.02f, 0.76f, 0.70f),  // blood
-    glm::vec3(1.02f, 1.00f, 0.91f),  // forehead
-    glm::vec3(0.95f, 0.96f, 0.98f),  // beard
-    glm::vec3(0.80f, 0.78f, 0.77f),  // brow
-    glm::vec3(1),                    // shine
+    glm::vec3(1),                     // lips: see find_lip_colour
+    glm::vec3(1),                     // mouth: a colour of its own
+    glm::vec3(0.30f, 0.20f, 0.20f),   // throat
+    glm::vec3(0.07f, 0.03f, 0.025f),  // nostril
+    glm::vec3(0.98f, 0.66f, 0.62f),   // rim of the lids
+    glm::vec3(0.95f, 0.86f, 0.84f),   // lids
+    glm::vec3(0.88f, 0.82f, 0.86f),   // socket
+    glm::vec3(1.02f, 0.76f, 0.70f),   // blood
+    glm::vec3(1.02f, 1.00f, 0.91f),   // forehead
+    glm::vec3(0.95f, 0.96f, 0.98f),   // beard
+    glm::vec3(0.80f, 0.78f, 0.77f),   // brow
+    glm::vec3(1),                     // shine
 };
 
 constexpr glm::vec3 kMouthColour{0.20f, 0.045f, 0.04f};  // linear: deep red, whatever the skin
+// A photographer opens up for dark skin and stops down for light skin, whose forehead would else burn out.
+constexpr float kExposure = 1.30f, kShoulder = 0.46f;
 constexpr float kShadesPerChannel = 160;  // steps of the palette; fewer show as patches on dark skin
 constexpr float kGlossSteps = 16;
 
@@ -169,18 +173,20 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
 glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   if (look.lips) return to_linear(*look.lips);
   const float light = std::clamp(find_luminance(skin) / 0.45f, 0.0f, 1.0f);
-  return skin * glm::mix(glm::vec3(0.84f, 0.64f, 0.68f), glm::vec3(0.76f, 0.44f, 0.47f), light);
+  return skin * glm::mix(glm::vec3(0.92f, 0.62f, 0.66f), glm::vec3(0.76f, 0.44f, 0.47f), light);
 }
 
 // A place of the skin as if it were peeled off the head: round the head on u, up on v, both in millimetres.
 // Like a globe's: the crown and the throat are the poles; what stands out in front (the nose) pushes u on, so
-// that its sides are not smeared. A fold in the mid-plane keeps it the same on both halves.
+// that its sides are not smeared. The two halves meet in a fold, not a seam; the slant on v keeps them from
+// looking like an ink blot.
 glm::vec2 unroll(const glm::vec3& p) {
   constexpr float kAxis_z_mm = -15, kRound_mm = 85;  // the head as a cylinder with round ends
+  constexpr float kSlant = 0.5f;
   const glm::vec2 flat(std::abs(p.x), p.z - kAxis_z_mm);
   const float radius = glm::length(flat), round = std::min(radius, kRound_mm);
   const float angle = std::atan2(flat.x, flat.y), pole = std::clamp(p.y / 40, -1.0f, 1.0f);
-  return {round * angle - (radius - round), p.y + pole * (kRound_mm - round)};
+  return {round * angle - (radius - round), p.y + pole * (kRound_mm - round) + kSlant * p.x};
 }
 
 }  // namespace
@@ -193,13 +199,15 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   sharpen(masks[kMouth], 0.15f, 0.85f);
   const std::vector<float> openness = measure_openness(head.skin, head.surface->mirror);
 
-  const glm::vec3 skin = to_linear(look.skin), lips = find_lip_colour(skin, look);
+  const glm::vec3 given = to_linear(look.skin),
+                  skin = given * (kExposure - kShoulder * find_luminance(given));
+  const glm::vec3 lips = find_lip_colour(skin, look);
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
     glm::vec3 place = head.skin.positions[i];
-    place.x = std::abs(place.x);
     part.grain.push_back(unroll(place));
+    place.x = std::abs(place.x);
     const float patches = 0.6f * sample_noise(place, 9) + 0.4f * sample_noise(place, 4);
     const float grain = sample_noise(place + 50.0f, 2.5f);
     masks[kBlood][i] = std::max(0.0f, masks[kBlood][i] + 0.10f * patches);
@@ -209,12 +217,13 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
       colour *= glm::mix(glm::vec3(1), kTints[mask], masks[mask][i]);
     colour = glm::mix(colour, lips, masks[kLips][i]);
     colour *= 1 + 0.025f * grain;
-    colour = glm::mix(colour, kMouthColour, masks[kMouth][i]);
     // Light that does get into a hollow of flesh has met flesh before: it comes out redder.
     colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.36f, 0.45f, 0.48f));
+    colour = glm::mix(colour, kMouthColour * glm::mix(glm::vec3(1), kTints[kThroat], masks[kThroat][i]),
+                      masks[kMouth][i]);
 
     float gloss = 0.25f + 0.20f * masks[kShine][i] - 0.15f * masks[kSocket][i];
-    gloss = std::max({gloss, 0.75f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});
+    gloss = std::max({gloss, 0.62f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});
     gloss *= 1 - masks[kNostril][i];
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
