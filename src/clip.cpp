@@ -101,7 +101,7 @@ std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, co
   const std::string include = build_povray_include(figure.model, render, data_folder / "templates");
   const std::string settings_key = key_of_settings(include, render);
   write_file(clip.files.scenes() / "head.inc", include);
-  write_file(clip.files.scenes() / (clip.files.name + ".pov"), build_povray_loop());
+  write_file(clip.files.scenes() / "loop.pov", build_povray_loop());
   write_file(clip.files.scenes() / (clip.files.name + ".ini"),
              build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder));
 

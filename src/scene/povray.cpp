@@ -9,6 +9,7 @@
 #include "core/conventions.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "scene/povray_quality.hpp"
 
 namespace mien {
 
@@ -26,25 +27,6 @@ constexpr int kGrainDecimals = 2;
 // How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
 // nearer makes the nose big, farther flattens the face.
 constexpr double kLensDistance_mm = 900;
-
-struct QualitySettings {
-  int light_samples;  // of the key light, along each side
-  int key_depth;      // POV-Ray's `adaptive`: 2^depth + 1 samples a side to begin with; 0 misses thin things
-  const char* threshold;  // anti-aliasing: the difference between neighbours that asks for more rays
-  int depth;              // anti-aliasing: at most 4^depth sub-squares a pixel
-};
-
-QualitySettings find_settings(Quality quality) {
-  switch (quality) {
-    case Quality::draft:
-      return {3, 0, "0.15", 2};
-    case Quality::good:
-      return {5, 0, "0.1", 3};
-    case Quality::best:
-      break;
-  }
-  return {9, 1, "0.04", 4};
-}
 
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
@@ -185,10 +167,6 @@ void append_camera(std::string& text, const CameraView& view) {
   text += ")\n";
 }
 
-std::string quote_ini(const std::filesystem::path& path) {
-  return fmt::format("\"{}\"", path.generic_string());
-}
-
 }  // namespace
 
 std::string build_povray_include(const Model& model, const RenderSpec& render,
@@ -203,7 +181,7 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
   std::string parts;
   for (const Part& part : model.parts) append_part(parts, part, materials);
 
-  const QualitySettings settings = find_settings(render.quality);
+  const PovrayQuality settings = find_povray_quality(render.quality);
   const std::filesystem::path frame = folder / "head.inc";
   return fill_template(read_file(frame),
                        {{"key_samples", std::to_string(settings.light_samples)},
@@ -238,35 +216,6 @@ void append_povray_frame(std::string& text, const Model& model, const Drawing& d
     append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
     text += fmt::format("surface_of_{}() }}\n", part.name);
   }
-}
-
-std::string build_povray_loop() {
-  return "#version 3.7;  // the scene of the frame that is being rendered\n"
-         "#include concat(\"f\", str(frame_number, -4, 0), \".pov\")\n";
-}
-
-std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
-                             const std::filesystem::path& clip_folder) {
-  // POV-Ray glues the frame's number to the stem with as many digits as the last frame has; zeros fill up to
-  // four.
-  const std::size_t digits = std::to_string(frame_count).size();
-  const std::string zeros(digits < 4 ? 4 - digits : 0, '0');
-  std::string text = fmt::format("; From the folder that holds {0}: povray {0}\n",
-                                 (clip_folder / "scenes" / (name + ".ini")).generic_string());
-  text += fmt::format("Input_File_Name={}\nLibrary_Path={}\nOutput_File_Name={}\n", quote_ini(name + ".pov"),
-                      quote_ini(clip_folder / "scenes"),
-                      quote_ini(clip_folder / fmt::format("frames/f{}.png", zeros)));
-  text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", frame_count, render.width_px,
-                      render.height_px);
-  text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
-  for (const std::string& option : list_quality_options(render.quality)) text += fmt::format("{}\n", option);
-  return text;
-}
-
-std::vector<std::string> list_quality_options(Quality quality) {
-  const QualitySettings settings = find_settings(quality);
-  // Method 2 is the better deal for a face: flat skin is left alone, hairs are cut finer and finer.
-  return {"+AM1", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J"};
 }
 
 }  // namespace mien

@@ -3,7 +3,7 @@
 //
 // scenes/head.inc    build_povray_include: templates/povray/head.inc with materials, lights, background and
 // parts scenes/f0001.pov   append_povray_frame: the camera, vertices of what deforms, places of what is rigid
-// scenes/NAME.pov    build_povray_loop: the frame that POV-Ray's own animation loop asks for
+// scenes/loop.pov    build_povray_loop: the frame that POV-Ray's own animation loop asks for
 // scenes/NAME.ini    build_povray_ini: `povray out/NAME/scenes/NAME.ini` renders them all
 #pragma once
 
@@ -39,7 +39,7 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
 void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
                          const CameraView& view);
 
-// The text of scenes/<name>.pov, which includes the scene of the frame that is being rendered ("f0007.pov").
+// The text of scenes/loop.pov, which includes the scene of the frame that is being rendered ("f0007.pov").
 std::string build_povray_loop();
 
 // The text of scenes/<name>.ini: POV-Ray alone renders all `frame_count` frames at this size and quality to

@@ -6,6 +6,7 @@
 #include <glm/gtc/constants.hpp>
 
 #include "head/occlusion.hpp"
+#include "head/skin_masks.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -67,6 +68,25 @@ TEST(skin_look, shades_mirror_images_alike) {
     ASSERT_LT(skin.shade[i], skin.palette.size());
     ASSERT_EQ(skin.shade[i], skin.shade[average_head().surface->mirror[i]]);
   }
+}
+
+TEST(skin_look, lays_the_grain_flat_without_tearing_it) {
+  const Part skin = build_skin_part(average_head(), Look{});
+  ASSERT_EQ(skin.grain.size(), skin.rest.positions.size());
+  for (const Triangle& triangle : skin.rest.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = triangle[i], b = triangle[(i + 1) % 3];
+      const float length_mm = glm::distance(skin.rest.positions[a], skin.rest.positions[b]);
+      ASSERT_LT(glm::distance(skin.grain[a], skin.grain[b]), 4 * length_mm + 1);
+    }
+}
+
+TEST(skin_masks, stay_between_nothing_and_all) {
+  for (const std::vector<float>& mask : paint_skin_masks(average_head()))
+    for (const float value : mask) {
+      ASSERT_GE(value, 0);
+      ASSERT_LE(value, 1);
+    }
 }
 
 TEST(skin_look, takes_any_skin_from_very_light_to_very_dark) {

@@ -133,6 +133,15 @@ TEST(povray, writes_faces_and_shades_once_in_the_include) {
       HasSubstr("\nface_indices { 2,\n<0,1,2>,\n<0,2,3> }\nplain_texture(srgb <0.8,0.6,0.5>, 0)\n#end\n"));
 }
 
+TEST(povray, writes_the_grain_as_texture_coordinates) {
+  Part part = build_square("card", false);
+  part.grain = {{-40, -40}, {40.5f, -40}, {40, 40}, {-40, 40.25f}};
+  EXPECT_THAT(build_povray_include({{part}}, {}, kTemplates),
+              HasSubstr("uv_vectors { 4,\n<-40,-40>,\n<40.5,-40>,\n<40,40>,\n<-40,40.25> }\ntexture_list {"));
+  part.grain.pop_back();
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one place on its grain a vertex");
+}
+
 TEST(povray, says_what_is_wrong_with_a_part) {
   Part part = build_square("card", false);
   part.material = "velvet";
@@ -192,7 +201,7 @@ TEST(povray, writes_the_same_text_under_any_locale) {
 TEST(povray, names_the_frames_of_the_ini_as_mien_does) {
   RenderSpec render;
   EXPECT_THAT(build_povray_ini(render, "hello", 72, "out/hello"),
-              HasSubstr("Input_File_Name=\"hello.pov\"\nLibrary_Path=\"out/hello/scenes\"\n"
+              HasSubstr("Input_File_Name=\"loop.pov\"\nLibrary_Path=\"out/hello/scenes\"\n"
                         "Output_File_Name=\"out/hello/frames/f00.png\"\n"
                         "Initial_Frame=1\nFinal_Frame=72\nWidth=480\nHeight=600\n"));
   EXPECT_THAT(build_povray_ini(render, "hello", 12345, "out/hello"), HasSubstr("frames/f.png\"\n"));
@@ -210,7 +219,7 @@ TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
   render.height_px = 40;
   render.quality = Quality::draft;
   write_file(clip / "scenes/head.inc", build_povray_include(model, render, kTemplates));
-  write_file(clip / "scenes/cards.pov", build_povray_loop());
+  write_file(clip / "scenes/loop.pov", build_povray_loop());
   write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards"));
   for (const char* name : {"scenes/f0001.pov", "scenes/f0002.pov"})
     write_file(clip / name, format_frame(model, draw_at_rest(model)));
