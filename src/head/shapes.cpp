@@ -187,6 +187,31 @@ void move_guides(const Cage& adult, const Eye& adult_eye, const std::map<std::st
   shape = apply_warp(now_cage, shape.eye, warp);
 }
 
+// Fuller lips part and thinner ones bare the teeth: brings the two back to the adult's contact, column by
+// column, at the head's size. What one lip moves its rings share, so the borders hardly know.
+void close_lips(const Cage& adult, double size, Shape& shape) {
+  struct RingShare {
+    const char* ring;
+    double share;
+  };
+  constexpr std::array kRings{RingShare{"M0_", 1}, RingShare{"M1_", 1}, RingShare{"M2_", 0.8},
+                              RingShare{"M3_", 0.4}};
+  const auto find = [&](const std::string& name) { return adult.index.find(name)->second; };
+  for (int column = 0; column < 6; ++column) {
+    const std::string upper = std::to_string(column), lower = std::to_string(12 - column);
+    const auto gap = [&](const std::vector<glm::dvec3>& points) {
+      return points[find("M1_" + upper)].y - points[find("M1_" + lower)].y;
+    };
+    const double excess = gap(shape.points) - size * gap(adult.points);
+    for (const RingShare& ring : kRings)
+      for (const auto& [name, sign] : {std::pair{upper, -0.5}, std::pair{lower, 0.5}}) {
+        const std::uint32_t point = find(ring.ring + name), image = adult.mirror[point];
+        shape.points[point].y += sign * ring.share * excess;
+        if (image != point) shape.points[image].y = shape.points[point].y;
+      }
+  }
+}
+
 Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Eye& eye) {
   Shape shape{std::vector<glm::dvec3>(adult.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}};
   for (const auto& [name, weight] : flatten_mix(shapes.ages, spec.age))
@@ -201,6 +226,7 @@ Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& ad
   for (const auto& [name, value] : spec.features)
     for (const auto& [point, move] : shapes.features.at(name)) features[point] += value * size * move;
   if (!features.empty()) add_field(adult, features, 1, shape.points);
+  close_lips(adult, size, shape);
   return shape;
 }
 
