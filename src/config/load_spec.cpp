@@ -140,8 +140,8 @@ Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& d
   throw_mistakes(std::move(findings));
 
   spec.expressions = std::move(book.expressions);
-  std::ranges::rotate(spec.expressions,
-                      spec.expressions.begin() + static_cast<std::ptrdiff_t>(library_count));
+  auto& all = spec.expressions;
+  std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(library_count), all.end());
   return spec;
 }
 
@@ -175,8 +175,10 @@ std::vector<Expression> load_expression_libraries(const std::filesystem::path& f
   }
   build_drafts(drafts, book);
   throw_mistakes(std::move(findings));
-  std::ranges::stable_sort(book.expressions, {},
-                           [](const Expression& e) { return std::tie(e.library, e.name); });
+  std::stable_sort(book.expressions.begin(), book.expressions.end(),
+                   [](const Expression& a, const Expression& b) {
+                     return std::tie(a.library, a.name) < std::tie(b.library, b.name);
+                   });
   return std::move(book.expressions);
 }
 
