@@ -97,6 +97,7 @@ CameraView find_view(const Figure& figure, const CameraKey& camera) {
 std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, const Options& options,
                                       const fs::path& data_folder) {
   for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale);
+  fs::create_directories(clip.files.folder / "frames");  // POV-Ray alone would not
   const RenderSpec& render = clip.spec.render;
   const std::string include = build_povray_include(figure.model, render, data_folder / "templates");
   const std::string settings_key = key_of_settings(include, render);

@@ -100,9 +100,8 @@ Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
 void list_kind(const std::string& kind, const Options& options) {
   const Rows rows = list_rows(kind, find_data_folder());
   if (options.is_json) {
-    nlohmann::ordered_json list = nlohmann::ordered_json::array();
-    for (const auto& [word, meaning] : rows) list.push_back({{"name", word}, {"meaning", meaning}});
-    fmt::print("{}\n", list.dump(1));
+    for (const auto& [word, meaning] : rows)
+      fmt::print("{}\n", nlohmann::ordered_json{{"name", word}, {"meaning", meaning}}.dump());
     return;
   }
   std::size_t width = 0;

@@ -93,7 +93,7 @@ void flush_output() {
 int main(int argc, char** argv) {
   const bool is_json = std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
   const auto fail = [&](int status, const std::string& message) {
-    print_diagnostics({{{}, message, {}, false}}, is_json);
+    print_diagnostics(InputError(message).diagnostics, is_json);
     return status;
   };
   try {

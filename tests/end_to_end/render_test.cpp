@@ -1,0 +1,96 @@
+// The main job on a clip of three tiny frames: what lands where, and that nothing but the file decides the
+// pixels.
+#include <gtest/gtest.h>
+
+#include "end_to_end/program.hpp"
+
+namespace mien {
+namespace {
+
+// "frame 0 hash\nframe 1 hash\n..." of decoded pixels: dates and other chunks of the files do not count.
+std::string hash_pixels(const std::filesystem::path& folder, const std::string& pattern) {
+  const ProgramRun run =
+      run_shell(folder, "ffmpeg -v error -i " + pattern + " -pix_fmt rgb24 -f framemd5 - | grep -v '^#'");
+  EXPECT_EQ(run.status, 0) << run.err;
+  return run.out;
+}
+
+// One render for all tests of this file; they only look at it.
+const std::filesystem::path& find_rendered() {
+  static const std::filesystem::path kFolder = [] {
+    const auto folder = make_folder("render");
+    write_file(folder / "tiny.yaml", kTinyClip);
+    const ProgramRun run = run_shell(folder, "mien render tiny.yaml --jobs 1");
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("out/tiny/tiny.mp4"), std::string::npos) << run.out;
+    return folder;
+  }();
+  return kFolder;
+}
+
+TEST(render, writes_scenes_frames_clip_and_poster) {
+  const auto files = list_files(find_rendered() / "out/tiny");
+  for (const char* file : {"frames/f0001.png", "frames/f0002.png", "frames/f0003.png", "poster.png",
+                           "scenes/head.inc", "scenes/tiny.ini", "tiny.mp4"})
+    EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
+  for (const std::string& file : files)
+    EXPECT_EQ(file.find("tmp"), std::string::npos) << file << " was left behind";
+}
+
+TEST(render, gives_the_clip_the_count_size_and_rate_of_the_file) {
+  const ProgramRun run =
+      run_shell(find_rendered(),
+                "ffprobe -v error -count_frames -select_streams v -show_entries "
+                "stream=codec_name,width,height,pix_fmt,color_space,r_frame_rate,nb_read_frames "
+                "-of default=noprint_wrappers=1 out/tiny/tiny.mp4");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out,
+            "codec_name=h264\nwidth=48\nheight=60\npix_fmt=yuv420p\ncolor_space=bt709\nr_frame_rate=24/1\n"
+            "nb_read_frames=3\n");
+}
+
+TEST(render, moves_the_face_from_frame_to_frame) {
+  const std::string hashes = hash_pixels(find_rendered(), "out/tiny/frames/f%04d.png");
+  std::vector<std::string> frames;
+  for (std::size_t at = 0, end; (end = hashes.find('\n', at)) != std::string::npos; at = end + 1)
+    frames.push_back(hashes.substr(hashes.rfind(' ', end) + 1, end - hashes.rfind(' ', end) - 1));
+  ASSERT_EQ(frames.size(), 3u);
+  EXPECT_NE(frames[0], frames[1]);
+  EXPECT_NE(frames[1], frames[2]);
+}
+
+TEST(render, writes_the_same_with_one_job_and_with_four) {
+  const auto one = find_rendered();
+  const auto four = make_folder("render_jobs_4");
+  write_file(four / "tiny.yaml", kTinyClip);
+  const ProgramRun run = run_shell(four, "mien render tiny.yaml --jobs 4");
+  ASSERT_EQ(run.status, 0) << run.err;
+  ASSERT_EQ(list_files(one), list_files(four));
+  for (const std::string& file : list_files(one / "out/tiny/scenes"))
+    EXPECT_EQ(read_file(one / "out/tiny/scenes" / file), read_file(four / "out/tiny/scenes" / file)) << file;
+  EXPECT_EQ(hash_pixels(one, "out/tiny/frames/f%04d.png"), hash_pixels(four, "out/tiny/frames/f%04d.png"));
+}
+
+TEST(render, shows_what_povray_alone_shows) {
+  const auto ours = find_rendered();
+  const auto alone = make_folder("povray_alone");
+  write_file(alone / "tiny.yaml", kTinyClip);
+  ProgramRun run = run_shell(alone, "mien frames tiny.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(alone / "out/tiny/tiny.mp4"));
+  run = run_shell(alone, "povray out/tiny/scenes/tiny.ini");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(hash_pixels(ours, "out/tiny/frames/f%04d.png"), hash_pixels(alone, "out/tiny/frames/f%04d.png"));
+}
+
+TEST(render, says_first_that_a_program_is_missing) {
+  const auto folder = make_folder("no_povray");
+  write_file(folder / "tiny.yaml", kTinyClip);
+  const ProgramRun run = run_shell(folder, "PATH=/nowhere mien render tiny.yaml");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "error: povray is not installed; install it with: apt-get install povray\n");
+  EXPECT_EQ(list_files(folder), std::vector<std::string>{"tiny.yaml"});
+}
+
+}  // namespace
+}  // namespace mien
