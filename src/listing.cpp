@@ -12,7 +12,6 @@
 #include "core/text.hpp"
 #include "frames/figure.hpp"
 #include "head/landmarks.hpp"
-#include "head/shapes.hpp"
 #include "pipeline.hpp"
 
 namespace mien {
@@ -21,9 +20,11 @@ namespace {
 
 using Rows = std::vector<std::pair<std::string, std::string>>;  // word, meaning
 
-Rows list_names(const std::map<std::string, Mix>& names) {
+// The keys of one map of templates/head/heads.yaml, in its order: ages from young to old.
+Rows list_heads(const std::filesystem::path& data, const char* map) {
   Rows rows;
-  for (const auto& [name, mix] : names) rows.emplace_back(name, "");
+  const YAML::Node heads = YAML::LoadFile((data / "templates/head/heads.yaml").string());
+  for (const auto& entry : heads[map]) rows.emplace_back(entry.first.as<std::string>(), "");
   return rows;
 }
 
@@ -75,8 +76,8 @@ Rows list_features(const std::filesystem::path& data) {
 }
 
 Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
-  if (kind == "ages") return list_names(load_head_shapes(data / "templates/head").ages);
-  if (kind == "skulls") return list_names(load_head_shapes(data / "templates/head").skulls);
+  if (kind == "ages") return list_heads(data, "ages");
+  if (kind == "skulls") return list_heads(data, "skulls");
   if (kind == "features") return list_features(data);
   if (kind == "areas") return list_areas();
   if (kind == "expressions") return list_expressions(data);
