@@ -77,11 +77,11 @@ glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
 // looking like an ink blot.
 glm::vec2 unroll(const glm::vec3& p) {
   constexpr float kAxis_z_mm = -15, kRound_mm = 85;  // the head as a cylinder with round ends
-  constexpr float kSlant = 0.5f;
+  constexpr float kSlant = 0.25f, kPush = 0.4f;      // more of either smears the hollow under the brow
   const glm::vec2 flat(std::abs(p.x), p.z - kAxis_z_mm);
   const float radius = glm::length(flat), round = std::min(radius, kRound_mm);
   const float angle = std::atan2(flat.x, flat.y), pole = std::clamp(p.y / 40, -1.0f, 1.0f);
-  return {round * angle - (radius - round), p.y + pole * (kRound_mm - round) + kSlant * p.x};
+  return {round * angle - kPush * (radius - round), p.y + pole * (kRound_mm - round) + kSlant * p.x};
 }
 
 }  // namespace

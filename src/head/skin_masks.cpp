@@ -21,16 +21,16 @@ struct RingValue {
 };
 
 constexpr RingValue kRingValues[] = {
-    {kLips, "M0", 0, 12, 1},     {kLips, "M1", 0, 12, 1},      {kLips, "M2", 0, 12, 1},
-    {kLips, "M3", 0, 12, 0.55},  {kMouth, "MB2", 0, 12, 1},    {kThroat, "MB2", 0, 12, 1},
-    {kMouth, "MB1", 0, 12, 1},   {kMouth, "M0", 0, 12, 0.75},  {kNostril, "nd", 0, 7, 1},
-    {kNostril, "ni", 0, 7, 0.9}, {kNostril, "nr", 0, 7, 0.25}, {kRim, "EB", 0, 15, 1},
-    {kRim, "E0", 0, 15, 1},      {kRim, "E1", 0, 15, 0.8},     {kRim, "E2", 9, 15, 0.15},
-    {kRim, "E2", 0, 0, 0.5},     {kLash, "E1", 1, 7, 0.9},     {kLid, "E1", 0, 15, 1},
-    {kLid, "E2", 0, 15, 1},      {kLid, "E3", 0, 8, 0.8},      {kLid, "E3", 9, 15, 0.5},
-    {kBlood, "er3", 0, 15, 0.4}, {kBlood, "er4", 0, 15, 0.8},  {kBlood, "er5", 0, 15, 1},
-    {kBlood, "er6", 0, 15, 1},   {kBlood, "er7", 0, 15, 0.8},  {kBlood, "er8", 0, 15, 0.7},
-    {kBlood, "er9", 0, 15, 0.7}, {kBlood, "er10", 0, 15, 1},   {kBlood, "er11", 0, 15, 1},
+    {kLips, "M0", 0, 12, 1},     {kLips, "M1", 0, 12, 1},     {kLips, "M2", 0, 12, 1},
+    {kLips, "M3", 0, 12, 0.55},  {kMouth, "MB2", 0, 12, 1},   {kThroat, "MB2", 0, 12, 1},
+    {kMouth, "MB1", 0, 12, 1},   {kMouth, "M0", 0, 12, 0.75}, {kNostril, "nd", 0, 7, 1},
+    {kNostril, "ni", 0, 7, 1},   {kNostril, "nr", 0, 7, 0.6}, {kRim, "EB", 0, 15, 1},
+    {kRim, "E0", 0, 15, 1},      {kRim, "E1", 0, 15, 0.8},    {kRim, "E2", 9, 15, 0.15},
+    {kRim, "E2", 0, 0, 0.5},     {kLash, "E1", 1, 7, 0.9},    {kLid, "E1", 0, 15, 1},
+    {kLid, "E2", 0, 15, 1},      {kLid, "E3", 0, 8, 0.8},     {kLid, "E3", 9, 15, 0.5},
+    {kBlood, "er3", 0, 15, 0.4}, {kBlood, "er4", 0, 15, 0.8}, {kBlood, "er5", 0, 15, 1},
+    {kBlood, "er6", 0, 15, 1},   {kBlood, "er7", 0, 15, 0.8}, {kBlood, "er8", 0, 15, 0.7},
+    {kBlood, "er9", 0, 15, 0.7}, {kBlood, "er10", 0, 15, 1},  {kBlood, "er11", 0, 15, 1},
 };
 
 // A mask's soft spot about a point of the skin: exp(-(distance / radius)^2). Radii are an adult's.
@@ -106,6 +106,7 @@ SkinMasks paint_skin_masks(const NeutralHead& head) {
   sharpen(masks[kLips], 0.30f, 0.80f);
   sharpen(masks[kMouth], 0.15f, 0.85f);
   sharpen(masks[kLash], 0.30f, 0.70f);
+  sharpen(masks[kNostril], 0.10f, 0.80f);
   return masks;
 }
 

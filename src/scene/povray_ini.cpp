@@ -24,7 +24,7 @@ PovrayQuality find_povray_quality(Quality quality) {
     case Quality::best:
       break;
   }
-  return {9, 1, "0.04", 4};
+  return {9, 1, "0.06", 4};
 }
 
 std::string build_povray_loop() {
