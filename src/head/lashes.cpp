@@ -55,7 +55,9 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
     const double aside_mm = length_mm * lean * s * (0.6 + 0.4 * s) + gather_mm * s * s;
     centres.push_back(root.place.point + static_cast<float>(out_mm) * root.out +
                       static_cast<float>(up_mm) * root.up + static_cast<float>(aside_mm) * root.aside);
-    radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (1 - 0.85 * std::pow(s, 0.8))));
+    // Thick at the root, so that the row draws a line along the lid from afar.
+    radii.push_back(
+        static_cast<float>(growth * lids.scale * row.radius_mm * (0.12 + 0.88 * (1 - s) * (1 - s))));
   }
   append_hair(part.part.rest, centres, radii, kHairSides, root.aside);
   finish_hair(part, root.place, static_cast<std::uint16_t>(scatter(series, index, kShade) * kHairShades));

@@ -52,7 +52,7 @@ struct BrowNumbers {
 };
 
 struct TeethRowNumbers {
-  double half_mm = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
+  double half_mm = 0, width = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
 };
 
 struct TongueNumbers {

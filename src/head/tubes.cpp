@@ -38,6 +38,12 @@ double sample_stations(const std::vector<double>& knots, const std::vector<doubl
   return values[next - 1] + (values[next] - values[next - 1]) * 0.5 * (share + eased);
 }
 
+glm::vec3 find_middle(const Ring& ring) {
+  glm::vec3 sum(0);
+  for (const glm::vec3& p : ring) sum += p;
+  return sum / static_cast<float>(ring.size());
+}
+
 void append_loft(Mesh& mesh, const glm::vec3& start, const std::vector<Ring>& rings, const glm::vec3& end) {
   assert(!rings.empty() && rings.front().size() >= 3);
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());

@@ -4,15 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 
-#include "core/error.hpp"
+#include "core/holes.hpp"
 #include "head/binding.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
-#include "head/tubes.hpp"
 
 namespace mien {
 namespace {
@@ -242,6 +237,13 @@ TEST(parts, mouth_never_shows_through_the_cheeks) {
     }
 }
 
+// An open mouth must not show the light behind the head.
+TEST(parts, the_mouth_behind_them_has_no_slits) {
+  const std::vector<Loop> loops = find_boundary_loops(average_head().skin.triangles);
+  EXPECT_EQ(loops.size(), 3u);  // two eyes and the chest
+  for (const Loop& loop : loops) EXPECT_GE(loop.size(), 64u);
+}
+
 TEST(parts, an_infant_has_its_teeth_still_in_the_gums) {
   const std::vector<HeadPart> mouth = build_mouth(infant_head(), Look{});
   const Box teeth = find_bounds(find_part(mouth, "teeth_upper").part.rest.positions);
@@ -260,133 +262,6 @@ TEST(parts, fit_an_infant_as_they_fit_an_adult) {
                                               binding.barycentric);
       ASSERT_LT(glm::distance(frame.origin, part.part.rest.positions[binding.first]), 4.0f) << part.part.name;
     }
-}
-
-TEST(skin_frame, turns_and_moves_with_the_skin) {
-  const Triangle triangle{0, 1, 2};
-  const std::vector<glm::vec3> flat{{0, 0, 0}, {2, 0, 0}, {0, 2, 0}}, up(3, glm::vec3(0, 0, 1));
-  const SkinFrame rest = find_skin_frame(flat, up, triangle, {0.5f, 0.25f, 0.25f});
-  EXPECT_EQ(rest.origin, glm::vec3(0.5f, 0.5f, 0));
-  EXPECT_EQ(rest.axes, glm::mat3(1));
-
-  // A quarter turn about x, and 5 mm up.
-  const std::vector<glm::vec3> turned{{0, 0, 5}, {2, 0, 5}, {0, 0, 7}}, back(3, glm::vec3(0, -1, 0));
-  const SkinFrame now = find_skin_frame(turned, back, triangle, {0.5f, 0.25f, 0.25f});
-  EXPECT_EQ(now.origin, glm::vec3(0.5f, 0, 5.5f));
-  EXPECT_EQ(now.axes, glm::mat3(glm::vec3(1, 0, 0), glm::vec3(0, 0, 1), glm::vec3(0, -1, 0)));
-}
-
-TEST(skin_frame, is_whole_on_a_collapsed_triangle) {
-  const std::vector<glm::vec3> point(3, glm::vec3(1, 2, 3)), normals(3, glm::vec3(0));
-  const SkinFrame frame = find_skin_frame(point, normals, {0, 1, 2}, {1, 0, 0});
-  EXPECT_EQ(frame.origin, glm::vec3(1, 2, 3));
-  EXPECT_NEAR(glm::determinant(frame.axes), 1, 1e-5);
-}
-
-TEST(skin_patch, finds_the_nearest_place_of_a_square) {
-  Mesh square{{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}},
-              std::vector<glm::vec3>(4, {0, 0, 1}),
-              {{0, 1, 2}, {0, 2, 3}}};
-  const SkinPatch patch = build_skin_patch(square, find_bounds(square.positions));
-  EXPECT_EQ(find_nearest_place(patch, {0.75f, 0.25f, 3}).point, glm::vec3(0.75f, 0.25f, 0));
-  EXPECT_EQ(find_nearest_place(patch, {0.75f, 0.25f, 3}).triangle, 0u);
-  EXPECT_EQ(find_nearest_place(patch, {-2, 2, 0}).point, glm::vec3(0, 1, 0));       // beyond a corner
-  EXPECT_EQ(find_nearest_place(patch, {2, 0.5f, 0}).point, glm::vec3(1, 0.5f, 0));  // beyond an edge
-}
-
-TEST(mirror_parts, refuses_a_skin_that_is_not_its_own_mirror_image) {
-  Mesh half{{{1, 0, 0}, {2, 0, 0}, {1, 1, 0}}, std::vector<glm::vec3>(3, {0, 0, 1}), {{0, 1, 2}}};
-  HeadPart part;
-  part.bindings = {{0, {1, 0, 0}, 0, 0}};
-  try {
-    mirror_parts({part}, half);
-    FAIL() << "expected a RunError";
-  } catch (const RunError& error) {
-    EXPECT_STREQ(error.what(), "the skin is not the mirror image of itself");
-  }
-}
-
-TEST(tubes, a_hair_is_closed_and_wound_outward) {
-  Mesh mesh;
-  append_hair(mesh, {{0, 0, 0}, {0, 0, 1}, {0, 0, 2}, {0, 0.5f, 3}}, {0.1f, 0.1f, 0.05f, 0}, 3, {1, 0, 0});
-  EXPECT_EQ(mesh.positions.size(), 10u);
-  EXPECT_EQ(count_open_edges(mesh.triangles), 0u);
-  EXPECT_GT(compute_volume_mm3(mesh), 0);
-}
-
-TEST(tubes, a_curve_passes_its_points_and_goes_straight_on) {
-  const std::vector<glm::vec3> points{{0, 0, 0}, {1, 1, 0}, {2, 0, 0}};
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(sample_curve(points, i), points[i]);
-  EXPECT_EQ(sample_curve(points, 3, true), points[0]);
-  EXPECT_LT(sample_curve(points, -1).x, -0.5f);
-  EXPECT_GT(sample_curve(points, 3).x, 2.5f);
-}
-
-TEST(tubes, stations_never_overshoot) {
-  const std::vector<double> at{0, 1, 3}, values{2, 5, 4};
-  EXPECT_EQ(sample_stations(at, values, -1), 2);
-  EXPECT_EQ(sample_stations(at, values, 1), 5);
-  EXPECT_EQ(sample_stations(at, values, 9), 4);
-  for (double t = 0; t <= 3; t += 0.01) EXPECT_LE(sample_stations(at, values, t), 5);
-}
-
-TEST(tubes, scattered_numbers_fill_the_unit_evenly) {
-  double sum = 0;
-  for (std::uint32_t i = 0; i < 4000; ++i) sum += scatter(1, i, 2);
-  EXPECT_NEAR(sum / 4000, 0.5, 0.02);
-  EXPECT_NE(scatter(1, 2, 3), scatter(1, 3, 2));
-}
-
-// ---- the file of numbers
-
-class PartNumbersFile : public testing::Test {
- protected:
-  // The real file with one text replaced by another.
-  std::filesystem::path write_changed(const std::string& from, const std::string& to) {
-    std::ifstream in(std::filesystem::path(MIEN_SOURCE_DIR) / "templates/head/parts.yaml");
-    std::string text((std::istreambuf_iterator<char>(in)), {});
-    const auto at = text.find(from);
-    if (at != std::string::npos) text.replace(at, from.size(), to);
-    const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "mien_parts.yaml";
-    std::ofstream(file) << text;
-    return file;
-  }
-  static std::string load_error(const std::filesystem::path& file) {
-    try {
-      load_part_numbers(file);
-    } catch (const RunError& error) {
-      return error.what();
-    }
-    return "";
-  }
-};
-
-TEST_F(PartNumbersFile, names_the_value_that_is_missing) {
-  const auto file = write_changed("  limbus:", "  limbs:");
-  EXPECT_EQ(load_error(file), file.string() + ": eye.limbus: a value is missing here");
-}
-
-TEST_F(PartNumbersFile, names_the_table_that_is_missing) {
-  const auto file = write_changed("  tear:", "  tears:");
-  EXPECT_EQ(load_error(file), file.string() + ": eye.tear: a table is missing here");
-  const auto other = write_changed("mouth:", "mouths:");
-  EXPECT_EQ(load_error(other), other.string() + ": mouth: a table is missing here");
-}
-
-TEST_F(PartNumbersFile, names_the_value_of_the_wrong_kind) {
-  const auto file = write_changed("  corner: 24.24", "  corner: wide");
-  EXPECT_EQ(load_error(file), file.string() + ": mouth.corner: not the numbers expected here");
-}
-
-TEST_F(PartNumbersFile, counts_the_stations_of_the_brow) {
-  const auto file = write_changed("  station:  [0.25, ", "  station:  [");
-  EXPECT_EQ(load_error(file), file.string() + ": brow.above: not as many numbers as 'station' has");
-}
-
-TEST_F(PartNumbersFile, wants_a_table_of_tables) {
-  const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "mien_parts.yaml";
-  std::ofstream(file) << "just a word\n";
-  EXPECT_EQ(load_error(file), file.string() + ": a table is missing here");
 }
 
 }  // namespace
