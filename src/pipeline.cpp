@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "clip.hpp"
@@ -78,13 +79,13 @@ void write_clip(const Clip& clip, const Options& options) {
 }
 
 // One bust: its source, and the STL that OpenSCAD makes of it, read back and compared with what we meant.
-void write_bust(const NeutralHead& head, const Figure& figure, const BustSpec& bust, const Spec& spec,
-                const fs::path& folder, const fs::path& data, const Options& options) {
+void write_bust(const Figure& figure, const BustSpec& bust, const std::string& stem, const Spec& spec,
+                const fs::path& data, const Options& options) {
   const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}});
   const std::string title =
       fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
-  const BustPrint print = build_bust(head, figure.model, drawing, bust.height_mm, title);
-  const std::string stem = "bust_" + bust.expression.name;
+  const BustPrint print = build_bust(figure.head, figure.model, drawing, bust.height_mm, title);
+  const fs::path folder = find_output(options, spec);
   const fs::path source = folder / (stem + ".scad"), stl = folder / (stem + ".stl");
   write_file(source, build_openscad_bust(print, data / "templates"));
   tell_result(options, "source", source);
@@ -100,6 +101,17 @@ void write_bust(const NeutralHead& head, const Figure& figure, const BustSpec& b
   verify_print(print, check_stl(work.path / (stem + ".stl")), stem);
   fs::rename(work.path / (stem + ".stl"), stl);
   tell_result(options, "stl", stl);
+}
+
+// "bust_laugh", and "bust_laugh_2" for the file's second one of that name.
+std::vector<std::string> name_busts(const std::vector<BustSpec>& busts) {
+  std::map<std::string, int> seen;
+  std::vector<std::string> stems;
+  for (const BustSpec& bust : busts) {
+    const int number = ++seen[bust.expression.name];
+    stems.push_back("bust_" + bust.expression.name + (number > 1 ? fmt::format("_{}", number) : ""));
+  }
+  return stems;
 }
 
 // The busts of the file, or the one that --express names.
@@ -178,8 +190,8 @@ void write_busts(const Options& options) {
   const std::vector<BustSpec> busts = find_busts(options, spec);
   require_programs({{"openscad", "openscad"}});
   const Figure figure = build_figure(spec.head, data);
-  for (const BustSpec& bust : busts)
-    write_bust(figure.head, figure, bust, spec, find_output(options, spec), data, options);
+  const std::vector<std::string> stems = name_busts(busts);
+  for (std::size_t i = 0; i < busts.size(); ++i) write_bust(figure, busts[i], stems[i], spec, data, options);
 }
 
 void check_file(const Options& options) {
@@ -209,7 +221,7 @@ void write_starter(const Options& options) {
   if (fs::exists(path))
     throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
   const fs::path origin = find_data_folder() / "templates/new.yaml";
-  write_file(path, fill_template(read_file(origin), {{"name", path.stem().string()}}, origin.string()));
+  write_file(path, fill_template(read_file(origin), {{"name", build_name(path)}}, origin.string()));
   tell_result(options, "file", path);
 }
 

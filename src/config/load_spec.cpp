@@ -52,20 +52,6 @@ void load_title(const YamlValue& value, std::string& title) {
     add_unexpected(value, kExpected);
 }
 
-// The name of out/<name>/: one '_' for each character that is no ASCII letter, digit, '-' or '_'.
-std::string build_name(const std::filesystem::path& file) {
-  std::string name;
-  for (const char c : file.stem().string()) {
-    const unsigned char byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
-    const bool is_kept = (byte < 0x80 && std::isalnum(byte)) || c == '-' || c == '_';
-    name += is_kept ? c : '_';
-  }
-  if (name.empty()) name.push_back('_');
-  if (name[0] == '-') name[0] = '_';
-  return name;
-}
-
 // The names of the keys of `features:` in the head's data; none if the file does not exist.
 Names load_feature_names(const std::filesystem::path& data_folder, Findings& findings) {
   const std::filesystem::path file = data_folder / "templates/head/features.yaml";
@@ -180,6 +166,19 @@ std::vector<Expression> load_expression_libraries(const std::filesystem::path& f
                      return std::tie(a.library, a.name) < std::tie(b.library, b.name);
                    });
   return std::move(book.expressions);
+}
+
+std::string build_name(const std::filesystem::path& file) {
+  std::string name;
+  for (const char c : file.stem().string()) {
+    const unsigned char byte = static_cast<unsigned char>(c);
+    if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
+    const bool is_kept = (byte < 0x80 && std::isalnum(byte)) || c == '-' || c == '_';
+    name += is_kept ? c : '_';
+  }
+  if (name.empty()) name.push_back('_');
+  if (name[0] == '-') name[0] = '_';
+  return name;
 }
 
 }  // namespace mien

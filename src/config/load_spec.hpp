@@ -29,4 +29,8 @@ const Expression& find_expression(const Spec& spec, const std::string& name);
 // Every expression of the libraries in the folder, by library and name.
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder);
 
+// The name of out/<name>/ from a file's: one '_' for each character that is no ASCII letter, digit, '-' or
+// '_'.
+std::string build_name(const std::filesystem::path& file);
+
 }  // namespace mien
