@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/conventions.hpp"
@@ -27,6 +28,9 @@ constexpr int kGrainDecimals = 2;
 // How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
 // nearer makes the nose big, farther flattens the face.
 constexpr double kLensDistance_mm = 900;
+
+// A camera that looks straight up or down has no upright of its own; POV-Ray would turn it at will.
+constexpr double kSteepest_deg = 89.5;
 
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
@@ -154,7 +158,8 @@ void append_part(std::string& text, const Part& part, const std::string& materia
 }
 
 void append_camera(std::string& text, const CameraView& view) {
-  const double angle = view.angle_deg * kRadiansPerDegree, height = view.height_deg * kRadiansPerDegree;
+  const double angle = view.angle_deg * kRadiansPerDegree;
+  const double height = std::clamp(view.height_deg, -kSteepest_deg, kSteepest_deg) * kRadiansPerDegree;
   const glm::vec3 toward_camera(std::sin(angle) * std::cos(height), std::sin(height),
                                 std::cos(angle) * std::cos(height));
   const double distance_mm = kLensDistance_mm * view.frame_height_mm / CameraView{}.frame_height_mm;

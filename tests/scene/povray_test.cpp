@@ -221,8 +221,10 @@ TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
   write_file(clip / "scenes/head.inc", build_povray_include(model, render, kTemplates));
   write_file(clip / "scenes/loop.pov", build_povray_loop());
   write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards"));
-  for (const char* name : {"scenes/f0001.pov", "scenes/f0002.pov"})
-    write_file(clip / name, format_frame(model, draw_at_rest(model)));
+  write_file(clip / "scenes/f0001.pov", format_frame(model, draw_at_rest(model)));
+  CameraView from_above;
+  from_above.height_deg = 90;
+  write_file(clip / "scenes/f0002.pov", format_frame(model, draw_at_rest(model), from_above));
   const std::string command =
       "cd '" + root.string() + "' && povray 'out/two_cards/scenes/cards.ini' > log 2>&1";
   EXPECT_EQ(std::system(command.c_str()), 0) << read_file(root / "log");
