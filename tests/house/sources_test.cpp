@@ -56,7 +56,8 @@ TEST(house, sources_have_one_format) {
 
 TEST(house, scripts_are_clean) {
   if (std::system("command -v shellcheck >/dev/null") != 0) GTEST_SKIP() << "shellcheck is not installed";
-  const std::string command = fmt::format("cd '{}' && shellcheck run .ci/run docs/make_pictures", MIEN_SOURCE_DIR);
+  const std::string command =
+      fmt::format("cd '{}' && shellcheck run .ci/run docs/make_pictures", MIEN_SOURCE_DIR);
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
