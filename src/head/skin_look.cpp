@@ -27,7 +27,7 @@ constexpr std::array<glm::vec3, kSkinMaskCount> kTints = {
     glm::vec3(0.42f, 0.34f, 0.32f),   // lashes' roots
     glm::vec3(0.88f, 0.82f, 0.86f),   // socket
     glm::vec3(1.02f, 0.76f, 0.70f),   // blood
-    glm::vec3(1.02f, 1.00f, 0.91f),   // forehead
+    glm::vec3(1.02f, 0.99f, 0.94f),   // forehead
     glm::vec3(0.95f, 0.96f, 0.98f),   // beard
     glm::vec3(0.80f, 0.78f, 0.77f),   // brow
     glm::vec3(1),                     // shine
