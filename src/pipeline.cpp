@@ -37,14 +37,9 @@ void tell_result(const Options& options, const std::string& kind, const fs::path
 
 // The pose that --express asks for, else the clip's at --at or at its beginning.
 Moment find_moment(const Options& options, const Spec& spec) {
-  Moment moment = sample_performance(build_performance(spec.clip), options.at_s.value_or(0));
-  if (options.express) {
-    moment.pose = find_expression(spec, *options.express).pose;
-    if (!options.at_s) {
-      moment.turn = TurnKey{};
-      moment.camera = CameraKey{};
-    }
-  }
+  const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
+  Moment moment = sample_performance(build_performance(spec.clip), at_s);
+  if (options.express) moment = {find_expression(spec, *options.express).pose, {}, {}};
   if (options.camera_angle_deg) moment.camera.angle_deg = *options.camera_angle_deg;
   return moment;
 }

@@ -19,7 +19,7 @@ struct OptionInfo {
 };
 
 inline constexpr std::array kOptions{
-    OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, or 1.2"},
+    OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, 500ms or 36f"},
     OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},

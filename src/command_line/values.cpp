@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <string_view>
 
 #include "config/load_spec.hpp"
+#include "config/quantity.hpp"
 #include "core/text.hpp"
 
 namespace mien {
@@ -15,36 +15,28 @@ namespace {
 
 constexpr int kMaxJobs = 1024;  // more processes at once are a typing mistake
 
-// The whole of `text` as a finite number.
-template <typename Number>
-std::optional<Number> read_number(std::string_view text) {
-  Number number{};
+// All of `text` as a whole number.
+std::optional<int> read_whole(std::string_view text) {
+  int number = 0;
   const char* end = text.data() + text.size();
   const auto [stop, fault] = std::from_chars(text.data(), end, number);
-  if (fault != std::errc{} || stop != end || !std::isfinite(static_cast<double>(number))) return std::nullopt;
-  return number;
+  return fault == std::errc{} && stop == end ? std::optional(number) : std::nullopt;
 }
 
-// "1.2s" or "1.2" with the unit "s".
-std::optional<double> read_with_unit(std::string_view text, std::string_view unit) {
-  if (text.ends_with(unit)) text.remove_suffix(unit.size());
-  return read_number<double>(text);
-}
-
-// "48x60" with 'x' between.
-std::optional<std::pair<int, int>> read_pair(std::string_view text, char between) {
-  const std::size_t at = text.find(between);
-  if (at == std::string_view::npos) return std::nullopt;
-  const auto first = read_number<int>(text.substr(0, at));
-  const auto second = read_number<int>(text.substr(at + 1));
+// "10-20".
+std::optional<std::pair<int, int>> read_range(std::string_view text) {
+  const std::size_t dash = text.find('-');
+  if (dash == std::string_view::npos) return std::nullopt;
+  const auto first = read_whole(text.substr(0, dash));
+  const auto second = read_whole(text.substr(dash + 1));
   if (!first || !second) return std::nullopt;
   return std::pair{*first, *second};
 }
 
 // Each `read_` fills its option and returns what is wrong with `text`; nothing if it is right.
 std::string read_frames(const std::string& text, Options& options) {
-  const auto single = read_number<int>(text);
-  const auto range = single ? std::pair{*single, *single} : read_pair(text, '-');
+  const auto single = read_whole(text);
+  const auto range = single ? std::pair{*single, *single} : read_range(text);
   if (!range || range->first < 1 || range->second < range->first)
     return "is not a range of frames such as 10-20, counted from 1";
   options.frames = range;
@@ -52,7 +44,7 @@ std::string read_frames(const std::string& text, Options& options) {
 }
 
 std::string read_size(const std::string& text, Options& options) {
-  const auto size = read_pair(text, 'x');
+  const auto size = parse_size(text);
   if (!size) return "is not a size such as 480x600";
   const auto [low, high] = std::minmax(size->first, size->second);
   if (low < kMinSide_px || high > kMaxSide_px)
@@ -69,7 +61,7 @@ std::string read_quality(const std::string& text, Options& options) {
 }
 
 std::string read_jobs(const std::string& text, Options& options) {
-  const auto jobs = read_number<int>(text);
+  const auto jobs = read_whole(text);
   if (!jobs || *jobs < 1 || *jobs > kMaxJobs)
     return fmt::format("is not a whole number within 1..{}", kMaxJobs);
   options.jobs = *jobs;
@@ -77,12 +69,15 @@ std::string read_jobs(const std::string& text, Options& options) {
 }
 
 std::string read_at(const std::string& text, Options& options) {
-  options.at_s = read_with_unit(text, "s");
-  return options.at_s && *options.at_s >= 0 ? "" : "is not a time in seconds such as 1.2s";
+  // At one frame a second, "36f" is 36; what it is in seconds the file will tell.
+  const auto time = parse_quantity(text, build_time_measure(1));
+  if (!time || *time < 0) return "is not a time such as 1.2s, 500ms or 36f";
+  (text.ends_with('f') ? options.at_frames : options.at_s) = time;
+  return {};
 }
 
 std::string read_angle(const std::string& text, Options& options) {
-  options.camera_angle_deg = read_with_unit(text, "deg");
+  options.camera_angle_deg = parse_quantity(text, build_angle_measure());
   return options.camera_angle_deg ? "" : "is not an angle in degrees such as 30";
 }
 

@@ -58,6 +58,9 @@ TEST(arguments, set_the_options_of_stills_and_meshes) {
 TEST(arguments, may_say_a_single_frame_and_a_time_without_unit) {
   EXPECT_EQ(read({"frames", "a", "--frames", "7"}).options.frames, std::pair(7, 7));
   EXPECT_EQ(read({"still", "a", "--at", "2"}).options.at_s, 2);
+  EXPECT_EQ(read({"still", "a", "--at", "500ms"}).options.at_s, 0.5);
+  EXPECT_EQ(read({"still", "a", "--at", "36f"}).options.at_frames, 36);
+  EXPECT_FALSE(read({"still", "a", "--at", "36f"}).options.at_s);
 }
 
 TEST(arguments, give_list_a_kind_and_new_a_name_even_a_commands) {
@@ -109,11 +112,11 @@ TEST(arguments, tell_every_wrong_value_at_once) {
   EXPECT_EQ(read_mistakes({"still", "a", "--angle", "left"}),
             "--angle: 'left' is not an angle in degrees such as 30\n");
   EXPECT_EQ(read_mistakes({"still", "a", "--at", "1e999"}),
-            "--at: '1e999' is not a time in seconds such as 1.2s\n");
+            "--at: '1e999' is not a time such as 1.2s, 500ms or 36f\n");
   EXPECT_EQ(read_mistakes({"still", "a", "--at", "-1"}),
-            "--at: '-1' is not a time in seconds such as 1.2s\n");
+            "--at: '-1' is not a time such as 1.2s, 500ms or 36f\n");
   EXPECT_EQ(read_mistakes({"still", "a", "--at", "nan"}),
-            "--at: 'nan' is not a time in seconds such as 1.2s\n");
+            "--at: 'nan' is not a time such as 1.2s, 500ms or 36f\n");
   EXPECT_EQ(read_mistakes({"render", "a", "--size", "480x600px"}),
             "--size: '480x600px' is not a size such as 480x600\n");
   EXPECT_EQ(read_mistakes({"render", "a", "-o", ""}), "--output: '' is empty\n");
