@@ -70,7 +70,7 @@ HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const
   const LashNumbers& lashes = numbers.lashes;
   HeadPart part = make_hair_part("lash_left");
   part.part.is_printed = false;
-  part.part.palette = make_hair_palette(look.brow * 0.55f, 0.3f, 0.05f);  // darker than any brow
+  part.part.palette = make_hair_palette(look.brow * 0.72f, 0.3f, 0.05f);  // darker than any brow
   const double growth = 1 - (1 - lashes.infant) * youth;
   const auto grow_row = [&](const LashRowNumbers& row, std::uint32_t series) {
     for (int i = 0; i < row.count; ++i)
