@@ -95,7 +95,11 @@ double height_rad(const LidRig& rig, const glm::dvec3& point) {
 
 LidRig build_lids(const NeutralHead& head, const LidData& data) {
   const Cage& cage = head.cage;
-  const auto at = [&](const std::string& name) { return cage.points[find_point(cage, name)]; };
+  // On the skin, not at the control points: those lie up to half a millimetre nearer to the slit, and lids
+  // that shut by them would leave it open.
+  const auto at = [&](const std::string& name) {
+    return glm::dvec3(head.skin.positions[find_point(cage, name)]);
+  };
   const double size = head.eye.radius_mm / head.adult_eye.radius_mm;
   LidRig rig;
   rig.centre = head.eye.centre;
