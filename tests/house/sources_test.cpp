@@ -61,5 +61,11 @@ TEST(house, scripts_are_clean) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+TEST(house, the_workbench_says_what_it_can_do) {
+  const std::string run = fmt::format("'{}/run'", MIEN_SOURCE_DIR);
+  EXPECT_EQ(std::system((run + " | grep -q '^  demo '").c_str()), 0);
+  EXPECT_NE(std::system((run + " demonstrate >/dev/null 2>&1").c_str()), 0);
+}
+
 }  // namespace
 }  // namespace mien
