@@ -106,7 +106,7 @@ void print_line(const Progress& progress) {
   std::fflush(progress.stream);
 }
 
-void print_json(const Progress& progress, nlohmann::ordered_json event) {
+void print_json(const Progress& progress, const nlohmann::ordered_json& event) {
   fmt::print(progress.stream, "{}\n", event.dump());
   std::fflush(progress.stream);
 }
