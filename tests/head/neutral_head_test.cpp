@@ -149,6 +149,8 @@ TEST(head, random_heads_are_finite_and_not_folded) {
     const double k = share(random);
     spec.skull = {{"square", k}, {"narrow", 1 - k}};
     spec.character = sign(random);
+    for (const auto& [name, handles] : load_head_shapes(find_data_folder() / "templates/head").features)
+      spec.features[name] = sign(random);
     const NeutralHead head = build_neutral_head(spec, find_data_folder());
     std::size_t flipped = 0;
     for (std::size_t f = 0; f < head.surface->quads.size(); ++f) {
