@@ -6,17 +6,12 @@
 #include "core/error.hpp"
 #include "face/face.hpp"
 #include "face/face_data.hpp"
+#include "head/cage.hpp"
 #include "head/patterns.hpp"
 
 namespace mien {
 
 namespace {
-
-std::uint32_t find_point(const Cage& cage, const std::string& name) {
-  const auto found = cage.index.find(name);
-  if (found == cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
-  return found->second;
-}
 
 // This head's face units over the adult's.
 double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std::string& unit) {

@@ -13,6 +13,7 @@
 
 #include "core/error.hpp"
 #include "core/holes.hpp"
+#include "head/cage.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -44,12 +45,6 @@ Loop find_path(const Neighbours& neighbours, std::uint32_t from, std::uint32_t t
   Loop path;
   for (std::uint32_t at = from; at != to; at = came_from[at]) path.push_back(at);
   return path;
-}
-
-std::uint32_t find_point(const Cage& cage, const std::string& name) {
-  const auto found = cage.index.find(name);
-  if (found == cage.index.end()) throw RunError(fmt::format("internal: the cage has no point '{}'", name));
-  return found->second;
 }
 
 // The ring of the lips called `ring` ("M1") as a loop of the fine mesh, from the top over the left corner,

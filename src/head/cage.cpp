@@ -90,6 +90,12 @@ void place_free_points(Cage& cage, const std::vector<bool>& is_free) {
 
 }  // namespace
 
+std::uint32_t find_point(const Cage& cage, std::string_view name) {
+  const auto found = cage.index.find(name);
+  if (found == cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
+  return found->second;
+}
+
 bool has_prefix(std::string_view name, std::string_view prefix) {
   return strip_side(name).starts_with(prefix);
 }

@@ -34,6 +34,9 @@ HalfHead load_half_head(const std::filesystem::path& folder);
 // neighbours). Points with x = 0 are the mid-plane and stand once; the others follow as "R:name", x negated.
 Cage build_cage(const HalfHead& half);
 
+// The index of a named point of the cage. Throws RunError "the head has no point called 'NAME'".
+std::uint32_t find_point(const Cage& cage, std::string_view name);
+
 // Whether `name`, its "R:" apart, begins with `prefix`.
 bool has_prefix(std::string_view name, std::string_view prefix);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "head/cage.hpp"
 #include "head/neighbours.hpp"
 
 namespace mien {
@@ -26,12 +27,6 @@ void symmetrise(const Cage& cage, Field& field) {
     field[i] = mean;
     field[m] = mean * glm::dvec3(-1, 1, 1);
   }
-}
-
-std::uint32_t find_point(const Cage& cage, const std::string& name) {
-  const auto found = cage.index.find(name);
-  if (found == cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
-  return found->second;
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "head/cage.hpp"
 #include "head/patterns.hpp"
 
 namespace mien {
@@ -15,12 +16,6 @@ namespace {
 
 // How far the front of the cornea stands before the centre of a ball of 13 mm.
 constexpr double kCornea_mm = 14.05;
-
-std::uint32_t find_point(const NeutralHead& head, const std::string& name) {
-  const auto found = head.cage.index.find(name);
-  if (found == head.cage.index.end()) throw RunError(fmt::format("the head has no point called '{}'", name));
-  return found->second;
-}
 
 double measure(const std::string& rule, const glm::vec3& p) {
   if (rule == "highest") return p.y;
@@ -51,9 +46,9 @@ std::uint32_t find_extreme(const NeutralHead& head, const std::string& rule, con
 
 std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const YAML::Node& node) {
   std::vector<std::uint32_t> vertices;
-  if (node.IsScalar()) vertices.push_back(find_point(head, node.as<std::string>()));
+  if (node.IsScalar()) vertices.push_back(find_point(head.cage, node.as<std::string>()));
   if (node.IsSequence())
-    for (const YAML::Node& name : node) vertices.push_back(find_point(head, name.as<std::string>()));
+    for (const YAML::Node& name : node) vertices.push_back(find_point(head.cage, name.as<std::string>()));
   if (node.IsMap())
     vertices.push_back(
         find_extreme(head, node.begin()->first.as<std::string>(), node.begin()->second.as<std::string>()));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "head/cage.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -53,12 +54,6 @@ constexpr Spot kSpots[] = {
     {kShine, "p_tip", 8, 1},      {kShine, "p_F1", 22, 0.6},    {kShine, "p_b1", 8, 0.7},
     {kShine, "q12_C1", 14, 0.4},  {kShine, "M6_12", 9, 0.4},
 };
-
-std::uint32_t find_point(const Cage& cage, const std::string& name) {
-  const auto found = cage.index.find(name);
-  if (found == cage.index.end()) throw RunError(fmt::format("internal: the cage has no point '{}'", name));
-  return found->second;
-}
 
 void add_rings(const NeutralHead& head, SkinMasks& masks) {
   std::array<std::vector<double>, kSkinMaskCount> values;
