@@ -20,9 +20,11 @@ std::string format_diagnostic(const Diagnostic& diagnostic) {
     text = fmt::format("{}: {}", kind, diagnostic.message);
   else if (at.line == 0)
     text = fmt::format("{}: {}: {}", at.file, kind, diagnostic.message);
+  else if (at.column == 0)
+    text = fmt::format("{}:{}: {}: {}", at.file, at.line, kind, diagnostic.message);
   else
     text = fmt::format("{}:{}:{}: {}: {}", at.file, at.line, at.column, kind, diagnostic.message);
-  if (at.line == 0 || diagnostic.source_line.empty()) return text;
+  if (at.line == 0 || at.column == 0 || diagnostic.source_line.empty()) return text;
 
   std::string blank;  // tabs stay tabs, so that the caret stands under its letter
   for (int i = 0; i + 1 < at.column && i < static_cast<int>(diagnostic.source_line.size()); ++i)

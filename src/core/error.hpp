@@ -7,7 +7,7 @@
 
 namespace mien {
 
-// A place in an input file. Line and column count from 1; 0 means "the file as a whole".
+// A place in an input file. Line and column count from 1; 0 means "the file as a whole", or the whole line.
 struct Place {
   std::string file;
   int line = 0;

@@ -7,11 +7,12 @@
 #include "config/load_spec.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
 
-const std::filesystem::path kRoot = MIEN_SOURCE_DIR;
+const std::filesystem::path kRoot = source_folder();
 
 TEST(house, every_example_loads) {
   int count = 0;
@@ -30,6 +31,9 @@ TEST(house, every_example_loads) {
 TEST(house, every_example_of_the_readme_loads) {
   const std::string readme = read_file(kRoot / "README.md");
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_readme";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(kRoot / "templates/head/half.obj", folder / "my_half.obj",
+                             std::filesystem::copy_options::overwrite_existing);
   static const std::regex kExample("```yaml\n([^`]*)```");
   int count = 0;
   for (std::sregex_iterator found(readme.begin(), readme.end(), kExample), end; found != end; ++found) {

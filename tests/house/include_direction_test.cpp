@@ -16,8 +16,9 @@ using Rooms = std::set<std::string>;
 
 const std::map<std::string, Rooms> kMayUse{
     {"core", {}},
+    {"import", {"core"}},
     {"config", {"core"}},
-    {"head", {"config", "core"}},
+    {"head", {"import", "config", "core"}},
     {"face", {"head", "config", "core"}},
     {"timeline", {"config", "core"}},
     {"frames", {"timeline", "face", "head", "config", "core"}},
@@ -33,7 +34,8 @@ const std::map<std::string, Rooms> kMayUse{
 std::string find_room(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   const std::string room = path.substr(0, path.find_first_of("/."));
-  return room == "clip" || room == "listing" ? "pipeline" : room;
+  return room == "clip" || room == "explain" || room == "listing" || room.starts_with("sheet") ? "pipeline"
+                                                                                               : room;
 }
 
 // "src/core/mesh.cpp:3: core may not include head/head.hpp" for each wrong line.

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "places.hpp"
+
 namespace mien {
 
 struct SourceFile {
@@ -16,7 +18,7 @@ struct SourceFile {
 
 // The C++ files below a folder of the project, by name.
 inline std::vector<SourceFile> load_sources(const std::string& folder) {
-  const std::filesystem::path root = MIEN_SOURCE_DIR;
+  const std::filesystem::path root = source_folder();
   std::vector<SourceFile> sources;
   if (!std::filesystem::exists(root / folder)) return sources;
   for (const auto& entry : std::filesystem::recursive_directory_iterator(root / folder)) {

@@ -1,0 +1,94 @@
+#include "import/reading.hpp"
+
+#include <fmt/format.h>
+#include <charconv>
+#include <cmath>
+
+#include "core/error.hpp"
+
+namespace mien {
+
+bool read_line(LineReader& reader) {
+  if (reader.rest.empty()) return false;
+  const std::size_t end = reader.rest.find('\n');
+  reader.line = reader.rest.substr(0, end);
+  reader.rest = end == std::string_view::npos ? std::string_view() : reader.rest.substr(end + 1);
+  if (reader.line.ends_with('\r')) reader.line.remove_suffix(1);
+  ++reader.number;
+  return true;
+}
+
+void split_words(std::string_view line, std::vector<std::string_view>& words) {
+  words.clear();
+  while (true) {
+    const std::size_t begin = line.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return;
+    line.remove_prefix(begin);
+    const std::size_t length = std::min(line.find_first_of(" \t"), line.size());
+    words.push_back(line.substr(0, length));
+    line.remove_prefix(length);
+  }
+}
+
+std::optional<double> parse_coordinate(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  // Numbers too small for a double are as good as 0.
+  if (error == std::errc::result_out_of_range && word.find("e-") != word.npos) return 0.0;
+  if (error != std::errc() || end != word.data() + word.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<long long> parse_index(std::string_view word) {
+  long long value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) return std::nullopt;
+  return value;
+}
+
+std::string show_found(std::string_view word) {
+  constexpr std::size_t kMaxShown = 24;  // letters; more are no word
+  std::string shown;
+  for (const char c : word.substr(0, kMaxShown)) shown += c >= ' ' && c < 127 ? c : '?';
+  return word.size() > kMaxShown ? shown + "..." : shown;
+}
+
+std::string count_bytes(std::size_t count) { return fmt::format("{} byte{}", count, count == 1 ? "" : "s"); }
+
+void fail_file(const std::string& file, const std::string& message) { fail_line(file, 0, message); }
+
+void fail_line(const std::string& file, int line, const std::string& message) {
+  throw InputError(std::vector<Diagnostic>{{{file, line, 0}, message, "", false}});
+}
+
+glm::dvec3 parse_position(const std::string& file, int line, std::string_view x, std::string_view y,
+                          std::string_view z) {
+  glm::dvec3 position{0};
+  int axis = 0;
+  for (const std::string_view word : {x, y, z}) {
+    const auto value = parse_coordinate(word);
+    if (!value || std::abs(*value) > kMaxCoordinate)
+      fail_line(
+          file, line,
+          fmt::format("'{}' is no coordinate; expected a number from -1000000 to 1000000", show_found(word)));
+    position[axis++] = *value;
+  }
+  return position;
+}
+
+void check_position(const std::string& file, std::size_t offset, const glm::dvec3& position) {
+  for (int axis = 0; axis < 3; ++axis)
+    if (!std::isfinite(position[axis]) || std::abs(position[axis]) > kMaxCoordinate)
+      fail_file(file,
+                fmt::format("the point at byte {} has the {} {:.7g}; expected a number from -1000000 to "
+                            "1000000",
+                            offset, "xyz"[axis], position[axis]));
+}
+
+void check_point_count(const std::string& file, int line, std::size_t count) {
+  if (count > kMaxGeometryPoints)
+    fail_line(file, line, fmt::format("more than {} points; expected fewer", kMaxGeometryPoints));
+}
+
+}  // namespace mien
