@@ -3,8 +3,11 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <optional>
 #include <string_view>
+
+#include "core/error.hpp"
 
 namespace mien {
 
@@ -15,7 +18,7 @@ struct MoveInfo {
   std::string_view area;     // the key's stem: "brow", "lid", "eye", "lips", "corner", "chin"
   Side side;                 // none for lips and chin
   std::string_view move;     // "up", "out", "turn", "upper", "lower", "side", "press", "down"
-  double low, high;          // the range of the value
+  double low, high;          // the limits of the value
   std::string_view meaning;  // one line for `mien list areas`
 };
 
@@ -90,6 +93,7 @@ struct Pose {
 // plural one already, whatever their order in the file.
 struct AreaValues {
   std::array<std::optional<double>, kMoveCount> values{};
+  std::map<std::size_t, Place> places;  // of the values past their limits
 };
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 #include "config/load_areas.hpp"
 
@@ -47,8 +48,8 @@ std::optional<std::size_t> find_base(const ExpressionDraft& draft, const Express
 }
 
 // The weights and expressions of a mix.
-std::vector<std::pair<double, std::size_t>> load_mix(const YamlValue& value, const ExpressionBook& book) {
-  std::vector<std::pair<double, std::size_t>> mix;
+std::vector<ExpressShare> load_mix(const YamlValue& value, const ExpressionBook& book) {
+  std::vector<ExpressShare> mix;
   const YamlMapping entries = load_free_mapping(value, "");
   if (entries.empty())
     add_mistake(value, describe_subject(value) + " names no expression; expected one at least");
@@ -56,9 +57,24 @@ std::vector<std::pair<double, std::size_t>> load_mix(const YamlValue& value, con
     const auto index = find_expression(book, entry.key);
     if (!index) add_unknown_expression(value, entry.spot, entry.key, book);
     double weight = 0;
-    if (load_number(entry.value, 0, 1, weight) && index) mix.emplace_back(weight, *index);
+    if (load_number(entry.value, 0, 1, weight) && index) mix.push_back({weight, *index, entry.spot});
   }
   return mix;
+}
+
+// The line of a mix that asks most of a move.
+Place find_asking_place(const YamlValue& value, const Express& express, const ExpressionBook& book,
+                        const Held& held) {
+  Spot spot = value.spot;
+  double most = 0;
+  for (const ExpressShare& share : express.shares) {
+    const double asked = share.weight * book.expressions[share.expression].pose.values[held.move];
+    if (asked * held.asked > 0 && std::abs(asked) > most) {
+      most = std::abs(asked);
+      spot = share.spot;
+    }
+  }
+  return find_place(value.document->source, spot);
 }
 
 }  // namespace
@@ -133,6 +149,7 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
       if (find_value(body, "from") == nullptr)
         add_mistake(*strength, "'strength' weakens nothing here; expected 'from' beside it");
     }
+    load_exaggerate(body, draft.exaggerate);
     draft.areas = load_areas(body);
     drafts.push_back(std::move(draft));
   }
@@ -146,10 +163,15 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
 
   for (std::size_t first = 0; first < drafts.size(); ++first) {
     // Down the chain to what is known (a chain may be long: no recursion), then back up.
-    std::vector<std::pair<std::size_t, Pose>> chain;  // a draft, and the pose it starts from
+    struct Link {
+      std::size_t draft = 0;
+      Pose pose;  // that it starts from
+      double reach = 1;
+    };
+    std::vector<Link> chain;
     for (std::size_t at = first; states[at] == State::waiting;) {
       states[at] = State::begun;
-      chain.emplace_back(at, Pose{});
+      chain.push_back({at, {}, 1});
       const auto base = find_base(drafts[at], book);
       if (!base) break;
       const auto next = draft_of.find(*base);
@@ -161,33 +183,40 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
                                 found.name));
         break;
       }
-      chain.back().second = book.expressions[*base].pose;
+      chain.back().pose = book.expressions[*base].pose;
+      chain.back().reach = book.expressions[*base].reach;
       if (next != draft_of.end()) at = next->second;
     }
     for (std::size_t i = chain.size(); i-- > 0;) {
-      const ExpressionDraft& draft = drafts[chain[i].first];
+      const Link& link = chain[i];
+      const ExpressionDraft& draft = drafts[link.draft];
       Expression& expression = book.expressions[draft.expression];
-      expression.pose = build_pose(chain[i].second, draft.strength, draft.areas);
-      states[chain[i].first] = State::done;
-      if (i > 0) chain[i - 1].second = expression.pose;
+      HeldPose held = hold_pose({link.pose, link.reach, draft.strength, draft.areas, draft.exaggerate});
+      expression.pose = held.pose;
+      expression.reach = held.reach;
+      expression.held = std::move(held.held);
+      states[link.draft] = State::done;
+      if (i == 0) break;
+      chain[i - 1].pose = expression.pose;
+      chain[i - 1].reach = expression.reach;
     }
   }
 }
 
 Express load_express(const YamlValue& value, const ExpressionBook& book) {
   Express express;
-  std::vector<std::pair<double, std::size_t>> mix;
+  std::vector<ExpressShare>& mix = express.shares;
   if (find_node(value).kind == NodeKind::mapping) {
     mix = load_mix(value, book);
   } else if (std::string name;
              load_text(value, "an expression's name or a mix such as {smile: 0.4, fear: 0.6}", name)) {
     if (const auto index = find_expression(book, name))
-      mix.emplace_back(1.0, *index);
+      mix.push_back({1.0, *index, value.spot});
     else
       add_unknown_expression(value, value.spot, name, book);
   }
   std::vector<PoseShare> shares;
-  for (const auto& [weight, index] : mix) {
+  for (const auto& [weight, index, spot] : mix) {
     const Expression& expression = book.expressions[index];
     if (shares.empty()) express.library = expression.library;
     if (!shares.empty()) express.label.append(" + "), express.name.append("_");
@@ -195,10 +224,17 @@ Express load_express(const YamlValue& value, const ExpressionBook& book) {
     if (find_node(value).kind == NodeKind::mapping) express.label += fmt::format(" {:.3g}", weight);
     express.name += expression.name;
     shares.push_back({weight, expression.pose});
+    if (weight > 0) express.reach = std::max(express.reach, expression.reach);
+    express.held.insert(express.held.end(), expression.held.begin(), expression.held.end());
   }
   express.name.resize(std::min(express.name.size(), kMaxNameLength));
   express.pose = mix_poses(shares);
   return express;
+}
+
+void load_exaggerate(const YamlMapping& entries, double& into) {
+  if (const YamlValue* value = find_value(entries, "exaggerate"))
+    load_number(*value, 1, kMaxExaggerate, into);
 }
 
 Express load_posed(const YamlMapping& entries, const ExpressionBook& book) {
@@ -222,9 +258,20 @@ Express load_posed(const YamlMapping& entries, const ExpressionBook& book) {
     if (strength != 1 && is_mix) express.label = fmt::format("({})", express.label);
     if (strength != 1) express.label += fmt::format(" {:.3g}", strength);
   }
+  double exaggerate = book.exaggerate;
+  load_exaggerate(entries, exaggerate);
   AreaValues areas;
   if (const YamlValue* value = find_value(entries, "areas")) areas = load_areas(*value);
-  express.pose = build_pose(express.pose, strength, areas);
+  const HeldPose posed = hold_pose({express.pose, express.reach, strength, areas, exaggerate});
+  express.pose = posed.pose;
+  express.reach = posed.reach;
+  for (Held held : posed.held) {
+    if (!areas.values[held.move]) {
+      held.place = find_asking_place(*named, express, book, held);
+      held.by = express.label;
+    }
+    express.held.push_back(std::move(held));
+  }
   return express;
 }
 

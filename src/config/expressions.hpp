@@ -19,6 +19,7 @@ struct ExpressionBook {
   std::map<std::string, std::size_t> index;  // "mien/smile", "/sly" for one of the file's own
   Names libraries;                           // known ones
   std::string library = "mien";              // the file's `library:`
+  double exaggerate = 1;                     // the file's own, for what says none
 };
 
 void append_expressions(ExpressionBook& book, std::vector<Expression> expressions);
@@ -37,6 +38,7 @@ struct ExpressionDraft {
   std::size_t expression = 0;     // index in the book
   std::optional<YamlValue> from;  // the name it starts from
   double strength = 1;            // of what it starts from
+  double exaggerate = 1;
   AreaValues areas;
 };
 
@@ -48,16 +50,29 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
 // Makes the poses of the drafts, each after the one it starts from; a circle is a mistake.
 void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& book);
 
+// One name of a mix.
+struct ExpressShare {
+  double weight = 1;
+  std::size_t expression = 0;  // index in the book
+  Spot spot;
+};
+
 // What `express:` means: a name or a mix of names.
 struct Express {
   std::string label;    // "smile", "surprise 0.6 + smile 0.4"
   std::string name;     // for file names: "smile", "surprise_smile"
   std::string library;  // of the first name
   Pose pose;
+  double reach = 1;
+  std::vector<Held> held;  // its own, and those of the expressions it names
+  std::vector<ExpressShare> shares;
 };
 Express load_express(const YamlValue& value, const ExpressionBook& book);
 
-// `express`, `strength` and `areas` of a key or a bust. Without `express` it is neutral.
+// `exaggerate: 1.5`.
+void load_exaggerate(const YamlMapping& entries, double& into);
+
+// `express`, `strength`, `exaggerate` and `areas` of a key or a bust. Without `express` it is neutral.
 Express load_posed(const YamlMapping& entries, const ExpressionBook& book);
 
 }  // namespace mien

@@ -1,5 +1,7 @@
 #include "config/load_areas.hpp"
 
+#include "config/ledger.hpp"
+
 namespace mien {
 
 namespace {
@@ -19,9 +21,15 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas) {
     for (const Side side : {Side::none, Side::left, Side::right}) {
       if (key.is_both ? side == Side::none : side != key.side) continue;
       const std::size_t move = *find_move(key.area, side, entry.key);
+      const MoveInfo& info = kMoves[move];
       double number = 0;
-      if (!load_number(entry.value, kMoves[move].low, kMoves[move].high, number)) break;
+      if (!load_number(entry.value, info.low * kMaxExaggerate, info.high * kMaxExaggerate, number,
+                       "times its limit"))
+        break;
       areas.values[move] = number;
+      areas.places.erase(move);  // of a plural key that this one overrides
+      if (number < info.low || number > info.high)
+        areas.places[move] = find_place(entry.value.document->source, entry.value.spot);
     }
 }
 

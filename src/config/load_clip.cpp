@@ -41,6 +41,8 @@ void load_values(const YamlMapping& entries, const ExpressionBook& book, PoseKey
   const Express express = load_posed(entries, book);
   key.pose = express.pose;
   key.label = express.label;
+  key.reach = express.reach;
+  key.held = express.held;
 }
 
 void load_values(const YamlMapping& entries, const ExpressionBook&, CameraKey& key) {

@@ -1,7 +1,9 @@
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "config/limits.hpp"
 #include "config/sections.hpp"
 
 namespace mien {
@@ -9,6 +11,7 @@ namespace mien {
 namespace {
 
 constexpr double kLowestGuide = 0.05, kHighestGuide = 0.95;  // further out a line would leave the face
+constexpr double kMaxLimit = 2;                              // of the head's own; further the skin folds over
 constexpr double kMaxWeight = 1000;                          // of a mix; only its proportions count
 
 // `adult`, or `{child: 0.4, adult: 0.6}`.
@@ -54,8 +57,10 @@ void load_character(const YamlValue& value, double& into) {
 }
 
 void load_guides(const YamlValue& value, std::map<std::string, double>& into) {
+  Names lines = kGuides;
+  lines.insert(lines.end(), kEarGuides.begin(), kEarGuides.end());
   const YamlMapping entries =
-      load_mapping(value, kGuides, "guide lines such as {eye_line: 0.49}", "guide line");
+      load_mapping(value, lines, "guide lines such as {eye_line: 0.49}", "guide line");
   std::string below;
   for (const std::string& guide : kGuides) {
     const YamlValue* line = find_value(entries, guide);
@@ -71,6 +76,9 @@ void load_guides(const YamlValue& value, std::map<std::string, double>& into) {
     into[guide] = height;
     below = guide;
   }
+  for (const std::string& guide : kEarGuides)
+    if (const YamlValue* line = find_value(entries, guide))
+      load_number(*line, kLowestGuide, kHighestGuide, into[guide], "of the head's height");
 }
 
 void load_features(const YamlValue& value, const Names& features, std::map<std::string, double>& into) {
@@ -81,29 +89,82 @@ void load_features(const YamlValue& value, const Names& features, std::map<std::
   }
 }
 
-void load_look(const YamlValue& value, Look& look) {
-  const YamlMapping entries = load_mapping(value, kLookKeys, "colours such as {skin: \"#dcae8f\"}");
-  if (const YamlValue* skin = find_value(entries, "skin")) load_colour(*skin, look.skin);
-  if (const YamlValue* iris = find_value(entries, "iris")) load_colour(*iris, look.iris);
-  if (const YamlValue* brow = find_value(entries, "brow")) load_colour(*brow, look.brow);
-  glm::vec3 colour{0};
-  if (const YamlValue* lips = find_value(entries, "lips"); lips != nullptr && load_colour(*lips, colour))
-    look.lips = colour;
+// A skin by name brings all colours that go with it; whatever else is said stands above them.
+void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
+  YamlMapping entries = load_mapping(value, kLookKeys, "colours such as {skin: \"#dcae8f\"}");
+  const auto skin = std::ranges::find(entries, "skin", &YamlEntry::key);
+  if (skin != entries.end() && find_node(skin->value).kind == NodeKind::text &&
+      !find_node(skin->value).text.starts_with("#")) {
+    const auto found =
+        std::ranges::find(words.looks, find_node(skin->value).text, [](const auto& l) { return l.first; });
+    Names names;
+    for (const auto& [name, colours] : words.looks) names.push_back(name);
+    if (found == words.looks.end())
+      add_unexpected(skin->value, "a colour such as \"#dcae8f\", or one of: " + join_names(names));
+    else
+      look = found->second;
+    entries.erase(skin);
+  }
+  load_colours(entries, look);
+}
+
+// `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides.
+void load_limits(const YamlValue& value, std::map<std::string, double>& into) {
+  Names names;
+  for (const LimitName& limit : list_limits())
+    if (const std::string& name = limit.plural.empty() ? limit.name : limit.plural;
+        std::ranges::find(names, name) == names.end())
+      names.push_back(name);
+  for (const LimitName& limit : list_limits())
+    if (!limit.plural.empty()) names.push_back(limit.name);
+  const YamlMapping entries = load_mapping(value, names, "limits such as {brow.left.up: 0.8}", "limit");
+  for (const bool is_plural_pass : {true, false})
+    for (const YamlEntry& entry : entries) {
+      double share = 1;
+      bool is_read = false;
+      for (const LimitName& limit : list_limits()) {
+        if (entry.key != (is_plural_pass ? limit.plural : limit.name)) continue;
+        if (!is_read && !load_number(entry.value, 0, kMaxLimit, share, "times the head's own")) break;
+        is_read = true;
+        into[limit.name] = share;
+      }
+    }
+}
+
+// What the head starts from, if not from the shipped adult: one of mesh, scan and mix.
+void load_start(const YamlMapping& entries, const HeadSource& source, HeadSpec& head) {
+  const YamlEntry* start = nullptr;
+  for (const YamlEntry& entry : entries) {
+    if (entry.key != "mesh" && entry.key != "scan" && entry.key != "mix") continue;
+    if (start != nullptr)
+      add_mistake(
+          *entry.value.findings, entry.value.document->source, entry.spot,
+          fmt::format("'{}' stands beside '{}'; expected one of mesh, scan and mix", entry.key, start->key));
+    start = &entry;
+    if (entry.key == "mesh") load_mesh(entry.value, head.mesh);
+    if (entry.key == "scan") load_scan(entry.value, head.scan);
+    if (entry.key == "mix") load_head_mix(entry.value, source, head);
+  }
 }
 
 }  // namespace
 
-HeadSpec load_head(const YamlValue& value, const Names& features) {
+HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   HeadSpec head;
   const YamlMapping entries = load_mapping(value, kHeadKeys, "a mapping such as {age: adult}");
+  load_start(entries, source, head);
   if (const YamlValue* age = find_value(entries, "age")) load_mix(*age, "age", kAges, head.age);
   if (const YamlValue* skull = find_value(entries, "skull")) load_mix(*skull, "skull", kSkulls, head.skull);
   if (const YamlValue* character = find_value(entries, "character"))
     load_character(*character, head.character);
   if (const YamlValue* guides = find_value(entries, "guides")) load_guides(*guides, head.guides);
   if (const YamlValue* names = find_value(entries, "features"))
-    load_features(*names, features, head.features);
-  if (const YamlValue* look = find_value(entries, "look")) load_look(*look, head.look);
+    load_features(*names, source.words->features, head.features);
+  if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, "cut of hair", kHairs, head.hair);
+  if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
+  if (const YamlValue* look = find_value(entries, "look")) load_look(*look, *source.words, head.look);
+  if (const YamlValue* sculpt = find_value(entries, "sculpt"))
+    load_sculpt(*sculpt, *source.words, head.sculpt);
   return head;
 }
 

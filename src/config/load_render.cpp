@@ -49,7 +49,7 @@ std::vector<BustSpec> load_busts(const YamlValue& value, const ExpressionBook& b
         load_mapping(item, kBustKeys, "a mapping such as {express: laugh, height: 80mm}");
     const Express express = load_posed(entries, book);
     BustSpec bust;
-    bust.expression = {express.name, express.library, express.pose};
+    bust.expression = {express.name, express.library, express.pose, express.reach, express.held};
     if (const YamlValue* height = find_value(entries, "height"))
       load_quantity(*height, build_length_measure(), kLowestBust_mm, kHighestBust_mm, bust.height_mm);
     busts.push_back(std::move(bust));

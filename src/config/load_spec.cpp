@@ -20,7 +20,66 @@ std::optional<YamlDocument> load_document(const std::filesystem::path& file, Fin
   return source ? scan_document(std::move(*source), findings) : std::nullopt;
 }
 
-// `mien: 1`.
+// One line of text: it is written into scenes, as a comment.
+void load_title(const YamlValue& value, std::string& title) {
+  constexpr const char* kExpected = "one line of text, 200 bytes at most";
+  std::string text;
+  if (!load_text(value, kExpected, text)) return;
+  const bool is_one_line =
+      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
+  if (is_one_line && text.size() <= kMaxTitleLength)
+    title = text;
+  else
+    add_unexpected(value, kExpected);
+}
+
+void load_library(const YamlValue& root, const std::string& name, ExpressionBook& book,
+                  std::vector<ExpressionDraft>& drafts) {
+  const YamlMapping entries = load_mapping(root, kLibraryFileKeys, "a mapping that begins with 'mien: 1'");
+  if (find_node(root).kind != NodeKind::mapping) return;
+  check_version(root, entries);
+  if (const YamlValue* library = find_required(entries, "library", root, "the file's name, '" + name + "'"))
+    if (std::string word; load_text(*library, "the file's name", word) && word != name)
+      add_mistake(*library, fmt::format("library '{}' stands in another file's name; expected '{}'",
+                                        show_word(word), name));
+  if (const YamlValue* expressions =
+          find_required(entries, "expressions", root, "a mapping of names to areas"))
+    load_drafts(*expressions, name, book, drafts);
+}
+
+void load_sections(const YamlValue& root, const YamlMapping& entries, const HeadWords& words,
+                   ExpressionBook& book, Spec& spec) {
+  if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
+  if (const YamlValue* library = find_value(entries, "library"))
+    load_name(*library, "library", book.libraries, spec.library);
+  book.library = spec.library;
+  load_exaggerate(entries, spec.exaggerate);
+  book.exaggerate = spec.exaggerate;
+  if (const YamlValue* expressions = find_value(entries, "expressions")) {
+    std::vector<ExpressionDraft> drafts;
+    load_drafts(*expressions, "", book, drafts);
+    build_drafts(drafts, book);
+  }
+  int head_count = 0;
+  if (const YamlValue* head = find_value(entries, "head"))
+    spec.head = load_head(*head, {&words, {std::filesystem::weakly_canonical(spec.file)}, &head_count});
+  spec.clip = load_clip(find_value(entries, "clip"), book);
+  if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
+  if (const YamlValue* busts = find_value(entries, "busts")) spec.busts = load_busts(*busts, book);
+  check_version(root, entries);
+}
+
+ExpressionBook build_book(std::vector<Expression> expressions) {
+  ExpressionBook book;
+  for (const Expression& expression : expressions)
+    if (std::ranges::find(book.libraries, expression.library) == book.libraries.end())
+      book.libraries.push_back(expression.library);
+  append_expressions(book, std::move(expressions));
+  return book;
+}
+
+}  // namespace
+
 void check_version(const YamlValue& root, const YamlMapping& entries) {
   const YamlValue* version = find_value(entries, "mien");
   if (version == nullptr) {
@@ -39,81 +98,11 @@ void check_version(const YamlValue& root, const YamlMapping& entries) {
                                       show_word(node.text), kLanguageVersion));
 }
 
-// One line of text: it is written into scenes, as a comment.
-void load_title(const YamlValue& value, std::string& title) {
-  constexpr const char* kExpected = "one line of text, 200 bytes at most";
-  std::string text;
-  if (!load_text(value, kExpected, text)) return;
-  const bool is_one_line =
-      std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
-  if (is_one_line && text.size() <= kMaxTitleLength)
-    title = text;
-  else
-    add_unexpected(value, kExpected);
-}
-
-// The names of the keys of `features:` in the head's data; none if the file does not exist.
-Names load_feature_names(const std::filesystem::path& data_folder, Findings& findings) {
-  const std::filesystem::path file = data_folder / "templates/head/features.yaml";
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return {};
-  Names names;
-  if (const auto document = load_document(file, findings)) {
-    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
-    if (const YamlValue* features = find_value(entries, "features"))
-      for (const YamlEntry& entry : load_free_mapping(*features, "a mapping")) names.push_back(entry.key);
-  }
-  return names;
-}
-
-void load_library(const YamlValue& root, const std::string& name, ExpressionBook& book,
-                  std::vector<ExpressionDraft>& drafts) {
-  const YamlMapping entries = load_mapping(root, kLibraryFileKeys, "a mapping that begins with 'mien: 1'");
-  if (find_node(root).kind != NodeKind::mapping) return;
-  check_version(root, entries);
-  if (const YamlValue* library = find_required(entries, "library", root, "the file's name, '" + name + "'"))
-    if (std::string word; load_text(*library, "the file's name", word) && word != name)
-      add_mistake(*library, fmt::format("library '{}' stands in another file's name; expected '{}'",
-                                        show_word(word), name));
-  if (const YamlValue* expressions =
-          find_required(entries, "expressions", root, "a mapping of names to areas"))
-    load_drafts(*expressions, name, book, drafts);
-}
-
-void load_sections(const YamlValue& root, const YamlMapping& entries, const Names& features,
-                   ExpressionBook& book, Spec& spec) {
-  if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
-  if (const YamlValue* library = find_value(entries, "library"))
-    load_name(*library, "library", book.libraries, spec.library);
-  book.library = spec.library;
-  if (const YamlValue* expressions = find_value(entries, "expressions")) {
-    std::vector<ExpressionDraft> drafts;
-    load_drafts(*expressions, "", book, drafts);
-    build_drafts(drafts, book);
-  }
-  if (const YamlValue* head = find_value(entries, "head")) spec.head = load_head(*head, features);
-  spec.clip = load_clip(find_value(entries, "clip"), book);
-  if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
-  if (const YamlValue* busts = find_value(entries, "busts")) spec.busts = load_busts(*busts, book);
-  check_version(root, entries);
-}
-
-ExpressionBook build_book(std::vector<Expression> expressions) {
-  ExpressionBook book;
-  for (const Expression& expression : expressions)
-    if (std::ranges::find(book.libraries, expression.library) == book.libraries.end())
-      book.libraries.push_back(expression.library);
-  append_expressions(book, std::move(expressions));
-  return book;
-}
-
-}  // namespace
-
 Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
   Findings findings;
   ExpressionBook book = build_book(load_expression_libraries(data_folder / "configs/expressions"));
   const std::size_t library_count = book.expressions.size();
-  const Names features = load_feature_names(data_folder, findings);
+  const HeadWords words = load_head_words(data_folder, findings);
 
   Spec spec;
   spec.file = file;
@@ -121,7 +110,7 @@ Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& d
   if (const auto document = load_document(file, findings)) {
     const YamlValue root = find_root(*document, findings);
     const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
-    if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, features, book, spec);
+    if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, words, book, spec);
   }
   throw_mistakes(std::move(findings));
 
@@ -138,6 +127,14 @@ const Expression& find_expression(const Spec& spec, const std::string& name) {
   const auto index = find_expression(book, name);
   if (!index) throw InputError(describe_unknown_expression(book, name));
   return spec.expressions[*index];
+}
+
+Expression take_expression(const Spec& spec, const std::string& name) {
+  Expression expression = find_expression(spec, name);
+  HeldPose held = hold_pose({expression.pose, expression.reach, 1, {}, spec.exaggerate});
+  expression.pose = held.pose;
+  expression.reach = held.reach;
+  return expression;
 }
 
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder) {

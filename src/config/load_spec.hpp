@@ -26,6 +26,9 @@ Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& d
 // InputError "unknown expression 'smlie'; did you mean 'smile'?".
 const Expression& find_expression(const Spec& spec, const std::string& name);
 
+// A copy of it with the file's `exaggerate`: the face that --express asks for.
+Expression take_expression(const Spec& spec, const std::string& name);
+
 // Every expression of the libraries in the folder, by library and name.
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder);
 

@@ -21,11 +21,21 @@ Pose mix_poses(const std::vector<PoseShare>& shares) {
   return mixed;
 }
 
-Pose build_pose(const Pose& pose, double strength, const AreaValues& areas) {
-  Pose built;
+HeldPose hold_pose(const PoseAsk& ask) {
+  HeldPose built;
+  built.reach = std::min(kMaxExaggerate, ask.reach * ask.exaggerate);
   for (std::size_t i = 0; i < kMoveCount; ++i) {
-    const double value = areas.values[i].value_or(pose.values[i] * strength);
-    built.values[i] = std::clamp(value, kMoves[i].low, kMoves[i].high);
+    const double value = ask.areas.values[i].value_or(ask.pose.values[i] * ask.strength);
+    const double asked = value * ask.exaggerate;
+    const bool is_lifted = find_stop(i, asked < 0 ? -1 : 1).empty();
+    const double reach = is_lifted ? built.reach : 1;
+    const double held = std::clamp(asked, kMoves[i].low * reach, kMoves[i].high * reach);
+    built.pose.values[i] = held;
+    const bool is_past =
+        is_lifted ? held != asked : value != std::clamp(value, kMoves[i].low, kMoves[i].high);
+    if (!is_past) continue;
+    const auto place = ask.areas.places.find(i);
+    built.held.push_back({i, asked, held, place == ask.areas.places.end() ? Place{} : place->second, ""});
   }
   return built;
 }

@@ -1,9 +1,11 @@
-// Poses as sums of other poses.
+// Poses as sums of other poses, held within their limits.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "config/areas.hpp"
+#include "config/ledger.hpp"
 
 namespace mien {
 
@@ -16,8 +18,25 @@ struct PoseShare {
 // of an upper lid the lowest counts and not their sum.
 Pose mix_poses(const std::vector<PoseShare>& shares);
 
-// `pose` times `strength`, then with each value of `areas` in place of its own, each held within its move's
-// range.
-Pose build_pose(const Pose& pose, double strength, const AreaValues& areas);
+// What an author asks of a face.
+struct PoseAsk {
+  Pose pose;              // what it starts from
+  double reach = 1;       // how many times their limits the values of `pose` may go
+  double strength = 1;    // of `pose`
+  AreaValues areas;       // in place of `pose`'s own values
+  double exaggerate = 1;  // of all
+};
+
+// A pose within its limits, and what the limits held back of it.
+struct HeldPose {
+  Pose pose;
+  double reach = 1;        // how many times its limits it may go: at most kMaxExaggerate
+  std::vector<Held> held;  // places only of values written in `areas`
+};
+
+// `pose` times `strength`, with each value of `areas` in place of its own, times `exaggerate`, held within
+// the moves' ranges times `reach` and `exaggerate`. Limits that are ends of the body (find_stop) are not
+// lifted, and what exaggeration alone takes past them is not told.
+HeldPose hold_pose(const PoseAsk& ask);
 
 }  // namespace mien

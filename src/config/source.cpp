@@ -147,16 +147,19 @@ std::string_view find_line(const SourceText& source, int line) {
   return std::string_view(source.text).substr(start, end - start);
 }
 
-void add_mistake(Findings& findings, const SourceText& source, Spot spot, std::string message) {
-  if (is_full(findings)) {
-    ++findings.untold;  // counting the column of each would take long on a long line
-    return;
-  }
+Place find_place(const SourceText& source, Spot spot) {
   const std::string_view line = find_line(source, spot.line);
   const std::string_view before = line.substr(0, static_cast<std::size_t>(std::max(0, spot.byte)));
   const auto is_first = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  const int column = 1 + static_cast<int>(std::count_if(before.begin(), before.end(), is_first));
-  add_mistake(findings, Place{source.file, spot.line, column}, std::move(message), line);
+  return {source.file, spot.line,
+          1 + static_cast<int>(std::count_if(before.begin(), before.end(), is_first))};
+}
+
+void add_mistake(Findings& findings, const SourceText& source, Spot spot, std::string message) {
+  if (is_full(findings))
+    ++findings.untold;  // counting the column of each would take long on a long line
+  else
+    add_mistake(findings, find_place(source, spot), std::move(message), find_line(source, spot.line));
 }
 
 }  // namespace mien

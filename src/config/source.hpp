@@ -33,7 +33,10 @@ struct Spot {
   int byte = 0;
 };
 
-// Adds a mistake with the line's text, at the column in characters, as editors count.
+// The spot as editors count: lines and characters from 1.
+Place find_place(const SourceText& source, Spot spot);
+
+// Adds a mistake with the line's text, at its place.
 void add_mistake(Findings& findings, const SourceText& source, Spot spot, std::string message);
 
 }  // namespace mien

@@ -12,6 +12,7 @@
 #include <glm/glm.hpp>
 
 #include "config/areas.hpp"
+#include "config/ledger.hpp"
 #include "core/error.hpp"
 
 namespace mien {
@@ -24,15 +25,42 @@ struct Look {
   std::optional<glm::vec3> lips;           // empty: made from the skin's colour
   glm::vec3 iris{0.357f, 0.498f, 0.584f};  // "#5b7f95"
   glm::vec3 brow{0.227f, 0.165f, 0.125f};  // "#3a2a20"
+  glm::vec3 hair{0.20f, 0.14f, 0.10f};     // "#332419"
 };
 
+// A file that another file names, as found from the folder of the file that names it.
+struct FileReference {
+  std::filesystem::path path;
+  Place place;  // where it is named, for messages
+};
+
+// One local edit: the skin within `radius_mm` of a landmark follows `move_mm`, less and less outward.
+struct SculptStroke {
+  std::string at;  // a landmark ("chin" and other plain names are aliases of codes)
+  glm::dvec3 move_mm{0};
+  double radius_mm = 20;
+};
+
+struct HeadShare;
+
 struct HeadSpec {
+  std::optional<FileReference> mesh;  // the user's own half head, instead of the shipped one
+  std::optional<FileReference> scan;  // a digitised head, wrapped by the shipped one
+  std::vector<HeadShare> mix;         // heads of other files, mixed; weights sum to 1
+  std::vector<SculptStroke> sculpt;   // in the order they were written, after all else
+  std::string hair = "none";          // a cut of templates/head/hair.yaml; none: a bald head
   Mix age{{"adult", 1.0}};
   Mix skull{{"average", 1.0}};
   double character = 0;                    // -1 female .. 0 neither .. 1 male
   std::map<std::string, double> guides;    // guide line -> fraction of head height above the chin
   std::map<std::string, double> features;  // feature -> -1..1
+  std::map<std::string, double> limits;    // limit of an area -> share of the head's own, 0..2
   Look look;
+};
+
+struct HeadShare {
+  HeadSpec head;
+  double weight = 1;
 };
 
 // A named expression after `from:` and the library were looked up: the whole pose.
@@ -40,6 +68,8 @@ struct Expression {
   std::string name;     // "smile"
   std::string library;  // "mien", "tezuka", or "" for one of the file's own
   Pose pose;
+  double reach = 1;             // how many times its limits the pose may go: `exaggerate`
+  std::vector<Held> held = {};  // what the limits held back of it
 };
 
 enum class Easing { linear, in, out, in_out, hold };
@@ -50,6 +80,8 @@ struct PoseKey {
   Easing ease = Easing::in_out;  // how the way from the key before to this one is gone
   Pose pose;
   std::string label;  // "smile 0.8": for messages and charts
+  double reach = 1;   // as of an expression
+  std::vector<Held> held = {};
 };
 
 struct CameraKey {
@@ -102,6 +134,7 @@ struct Spec {
   std::string name;            // file name without folder and ending: out/<name>/
   std::string title;
   HeadSpec head;
+  double exaggerate = 1;                // of every key and bust that says none of its own
   std::string library = "mien";         // where a plain expression name is looked up after the file's own
   std::vector<Expression> expressions;  // all that can be named here: the file's own, then every library's
   ClipSpec clip;

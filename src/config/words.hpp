@@ -14,7 +14,9 @@ inline constexpr int kLanguageVersion = 1;  // `mien: 1`
 inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult"};
 inline const Names kSkulls{"average", "square", "round", "wide", "narrow"};
 inline const Names kCharacters{"female", "male"};
+inline const Names kHairs{"none", "crop", "bob", "bun"};  // none, and the cuts of templates/head/hair.yaml
 inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
+inline const Names kEarGuides{"ear_base", "ear_top"};  // beside the face's
 inline const Names kEasings{"linear", "in", "out", "in_out", "hold"};
 inline const Names kDraws{"ones", "twos", "threes"};  // held for 1, 2, 3 frames
 inline const Names kQualities{"draft", "good", "best"};
@@ -24,18 +26,21 @@ inline const Names kBackgrounds{"studio", "light", "dark"};
 inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
 
 // Keys.
-inline const Names kFileKeys{"mien", "title", "head", "library", "expressions", "clip", "render", "busts"};
+inline const Names kFileKeys{"mien",        "title", "head",   "library", "exaggerate",
+                             "expressions", "clip",  "render", "busts"};
 inline const Names kLibraryFileKeys{"mien", "library", "expressions"};
-inline const Names kHeadKeys{"age", "skull", "character", "guides", "features", "look"};
-inline const Names kLookKeys{"skin", "lips", "iris", "brow"};
-inline const Names kExpressionKeys{"from", "strength"};  // and every area's
+inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",
+                             "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
+inline const Names kSculptKeys{"at", "move", "radius"};
+inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair"};
+inline const Names kExpressionKeys{"from", "strength", "exaggerate"};  // and every area's
 inline const Names kClipKeys{"fps", "draw", "keys", "camera", "turn", "blink", "blinks", "length"};
-inline const Names kPoseKeyKeys{"at", "express", "strength", "areas", "ease"};
+inline const Names kPoseKeyKeys{"at", "express", "strength", "exaggerate", "areas", "ease"};
 inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease"};
 inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease"};
 inline const Names kBlinkKeys{"per_minute", "seed"};
 inline const Names kRenderKeys{"size", "quality", "background"};
-inline const Names kBustKeys{"express", "strength", "areas", "height"};
+inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height"};
 
 // Where a key belongs that was written in another place.
 struct Section {

@@ -9,10 +9,11 @@
 #include "config/load_spec.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "places.hpp"
 
 namespace mien {
 
-inline const std::filesystem::path kData = MIEN_SOURCE_DIR;
+inline const std::filesystem::path kData = source_folder();
 
 // An empty folder of the running test's own.
 inline std::filesystem::path make_test_folder(const std::string& ending = "") {

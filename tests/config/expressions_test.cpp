@@ -59,11 +59,12 @@ TEST(expressions, that_are_unknown_are_answered_with_the_nearest) {
   EXPECT_EQ(message("doubt_right"),
             "error: unknown expression 'doubt_right'; did you mean 'tezuka/doubt_right'?");
   EXPECT_EQ(message("tezka/smile"), "error: unknown library 'tezka'; did you mean 'tezuka'?");
-  EXPECT_EQ(message("/sly"), "error: unknown library ''; known: extras, mien, mouths, tezuka");
+  EXPECT_EQ(message("/sly"), "error: unknown library ''; known: emfacs, extras, mien, mouths, tezuka");
   EXPECT_EQ(message("tezuka/smlie"),
             "error: unknown expression 'tezuka/smlie'; did you mean 'tezuka/smile'?");
   EXPECT_EQ(message("mouths/smile"),
-            "error: unknown expression 'mouths/smile'; known in mouths: a, e, i, neutral, o, u");
+            "error: unknown expression 'mouths/smile'; known in mouths: A, B, C, D, E, F, G, H, X, a, e, i, "
+            "neutral, o, u");
 }
 
 TEST(expressions, of_ones_own_start_from_another_and_change_areas) {
@@ -142,7 +143,8 @@ TEST(libraries, are_sorted_by_library_and_name_and_each_has_a_neutral_face) {
     }
     neutral[all[i].library] += all[i].name == "neutral" && all[i].pose == Pose{};
   }
-  EXPECT_EQ(neutral, (std::map<std::string, int>{{"extras", 1}, {"mien", 1}, {"mouths", 1}, {"tezuka", 1}}));
+  EXPECT_EQ(neutral, (std::map<std::string, int>{
+                         {"emfacs", 1}, {"extras", 1}, {"mien", 1}, {"mouths", 1}, {"tezuka", 1}}));
 }
 
 TEST(libraries, may_start_from_one_another) {

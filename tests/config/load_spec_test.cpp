@@ -1,4 +1,5 @@
 #include "config/config_fixture.hpp"
+#include "config/head_words.hpp"
 #include "config/words.hpp"
 
 namespace mien {
@@ -188,6 +189,18 @@ TEST(load_spec, says_hello_in_48_drawings) {
   EXPECT_EQ(spec.busts[0].expression.name, "laugh");
 }
 
+TEST(load_spec, a_named_skin_brings_its_colours_and_what_is_said_stands_above_them) {
+  Findings findings;
+  const auto looks = load_head_words(kData, findings).looks;
+  ASSERT_EQ(looks.size(), 5u);
+  for (std::size_t i = 1; i < looks.size(); ++i)
+    EXPECT_LT(looks[i].second.skin.y, looks[i - 1].second.skin.y) << looks[i].first;  // from light to dark
+  const Look deep = load_text("mien: 1\nhead: {look: {iris: \"#ffffff\", skin: deep}}\n").head.look;
+  EXPECT_EQ(deep.skin, looks.back().second.skin);
+  EXPECT_EQ(deep.hair, looks.back().second.hair);
+  EXPECT_EQ(deep.iris, glm::vec3(1));
+}
+
 TEST(load_spec, knows_the_features_of_the_data) {
   const auto folder = make_test_folder();
   std::filesystem::create_directories(folder / "configs");
@@ -212,6 +225,14 @@ bad.yaml:2:59: error: 'head.features.mouth_width' is '2'; expected a number from
   std::filesystem::remove(folder / "templates/head/features.yaml");
   EXPECT_EQ(find_mistakes(folder / "good.yaml", folder).substr(0, 87),
             "good.yaml:2:19: error: unknown feature 'nose_length' in 'head.features'; none is known ");
+}
+
+TEST(load_spec, takes_limits_of_the_head_by_side_or_both) {
+  for (const std::string order : {"brow.left.up: 0.8, brows.up: 1.2", "brows.up: 1.2, brow.left.up: 0.8"}) {
+    const Spec spec = load_text("mien: 1\nhead: {limits: {" + order + ", chin.down: 0}}\n");
+    EXPECT_EQ(spec.head.limits, (std::map<std::string, double>{
+                                    {"brow.left.up", 0.8}, {"brow.right.up", 1.2}, {"chin.down", 0}}));
+  }
 }
 
 }  // namespace

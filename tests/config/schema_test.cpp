@@ -2,6 +2,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/config_fixture.hpp"
+#include "config/limits.hpp"
 #include "config/words.hpp"
 
 namespace mien {
@@ -34,6 +35,14 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
   const json& head = file.at("head");
   EXPECT_EQ(list_properties(head), sort(kHeadKeys));
   EXPECT_EQ(list_properties(head.at("properties").at("look")), sort(kLookKeys));
+  Names limits;
+  for (const LimitName& limit : list_limits()) {
+    limits.push_back(limit.name);
+    if (!limit.plural.empty()) limits.push_back(limit.plural);
+  }
+  limits = sort(limits);
+  limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
+  EXPECT_EQ(list_properties(head.at("properties").at("limits")), limits);
   EXPECT_EQ(list_properties(head.at("properties").at("guides")), sort(kGuides));
   EXPECT_EQ(head.at("properties").at("age").at("anyOf")[0].at("enum").get<Names>(), kAges);
   EXPECT_EQ(list_properties(head.at("properties").at("age").at("anyOf")[1]), sort(kAges));
@@ -72,8 +81,8 @@ TEST(schema, has_every_area_and_the_range_of_every_move) {
               "#/$defs/" + std::string(key.area));
   for (const MoveInfo& move : kMoves) {
     const json& number = defs.at(std::string(move.area)).at("properties").at(std::string(move.move));
-    EXPECT_EQ(number.at("minimum"), move.low) << move.area << move.move;
-    EXPECT_EQ(number.at("maximum"), move.high) << move.area << move.move;
+    EXPECT_EQ(number.at("minimum"), kMaxExaggerate * move.low) << move.area << move.move;
+    EXPECT_EQ(number.at("maximum"), kMaxExaggerate * move.high) << move.area << move.move;
   }
 }
 

@@ -1,0 +1,40 @@
+// Files that a head's description names: meshes, scans with their landmarks, other heads.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "config/head_words.hpp"
+#include "config/spec.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+inline constexpr int kMaxMixDepth = 4;     // heads that mix heads that mix heads: no author needs more
+inline constexpr int kMaxMixedHeads = 24;  // of one file, all depths together; each costs a tenth of a second
+inline constexpr double kLeastRadius_mm = 5, kMostRadius_mm = 150;  // of a sculpting stroke
+inline constexpr double kMostMove_mm = 50;                          // of a sculpting stroke, each way
+
+// Where a head is being read: its file, and those that led to it.
+struct HeadSource {
+  const HeadWords* words = nullptr;
+  std::vector<std::filesystem::path> chain;  // the files being read, the outermost first
+  int* head_count = nullptr;                 // how many heads were mixed so far
+};
+
+// The landmarks beside a mesh: NAME.landmarks.yaml, else NAME.yaml; empty if neither is there.
+std::optional<std::filesystem::path> find_landmark_file(const std::filesystem::path& mesh);
+
+// `mesh: my_half.obj`, `scan: face.ply`. What the files hold is read by whoever builds the head.
+void load_mesh(const YamlValue& value, std::optional<FileReference>& into);
+void load_scan(const YamlValue& value, std::optional<FileReference>& into);
+
+// `mix: {a.yaml: 0.5, b.yaml: 0.5}`: the heads of the files, and their colours mixed as the look to begin
+// with.
+void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& head);
+
+// `sculpt: [{at: chin, move: [0, -2mm, 3mm], radius: 25mm}]`. `at` loses its _l or _r.
+void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<SculptStroke>& into);
+
+}  // namespace mien

@@ -1,0 +1,71 @@
+#include "config/head_words.hpp"
+
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+namespace {
+
+std::optional<YamlDocument> load_data(const std::filesystem::path& file, Findings& findings) {
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return std::nullopt;
+  auto source = load_source(file, findings);
+  return source ? scan_document(std::move(*source), findings) : std::nullopt;
+}
+
+// The keys of one mapping of the file, behind `names`.
+void append_keys(const YamlMapping& entries, std::string_view key, Names& names) {
+  if (const YamlValue* mapping = find_value(entries, key))
+    for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping"))
+      if (entry.key != "pupil") names.push_back(entry.key);
+}
+
+void load_looks(const YamlMapping& entries, std::vector<std::pair<std::string, Look>>& looks) {
+  const YamlValue* mapping = find_value(entries, "looks");
+  if (mapping == nullptr) return;
+  for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping")) {
+    Look look;
+    load_colours(load_free_mapping(entry.value, "colours"), look);
+    looks.emplace_back(entry.key, look);
+  }
+}
+
+}  // namespace
+
+void load_colours(const YamlMapping& entries, Look& look) {
+  const auto load = [&](const char* key, glm::vec3& into) {
+    const YamlValue* value = find_value(entries, key);
+    return value != nullptr && load_colour(*value, into);
+  };
+  load("skin", look.skin);
+  load("iris", look.iris);
+  load("brow", look.brow);
+  load("hair", look.hair);
+  glm::vec3 lips{0};
+  if (load("lips", lips)) look.lips = lips;
+}
+
+HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings) {
+  HeadWords words;
+  if (const auto document = load_data(data_folder / "templates/head/features.yaml", findings))
+    append_keys(load_free_mapping(find_root(*document, findings), "a mapping"), "features", words.features);
+  if (const auto document = load_data(data_folder / "templates/head/landmarks.yaml", findings)) {
+    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
+    append_keys(entries, "middle", words.middle);
+    append_keys(entries, "everyday_middle", words.middle);
+    append_keys(entries, "sided", words.sided);
+    append_keys(entries, "everyday_sided", words.sided);
+  }
+  if (const auto document = load_data(data_folder / "templates/head/looks.yaml", findings))
+    load_looks(load_free_mapping(find_root(*document, findings), "a mapping"), words.looks);
+  return words;
+}
+
+Names list_places(const HeadWords& words) {
+  Names names = words.middle;
+  for (const std::string& name : words.sided)
+    for (const char* side : {"", "_l", "_r"}) names.push_back(name + side);
+  return names;
+}
+
+}  // namespace mien

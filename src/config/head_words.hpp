@@ -1,0 +1,32 @@
+// The words that the head's own data define: features, places on the skin and looks.
+#pragma once
+
+#include <filesystem>
+#include <utility>
+#include <vector>
+
+#include "config/findings.hpp"
+#include "config/spec.hpp"
+#include "config/words.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+struct HeadWords {
+  Names features;  // the keys of `head.features`
+  Names middle;    // places of the mid-plane: Farkas' codes and everyday words
+  std::vector<std::pair<std::string, Look>> looks;  // what `look.skin` may name, from light to dark
+  Names sided;  // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+};
+
+// From templates/head/features.yaml, landmarks.yaml and looks.yaml of the data folder; what does not exist
+// has no words.
+HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings);
+
+// The colours of `entries` by their keys, each as "#rrggbb"; what is missing stays as it is.
+void load_colours(const YamlMapping& entries, Look& look);
+
+// Every word for a place: the middle ones, then each sided one alone, with _l and with _r.
+Names list_places(const HeadWords& words);
+
+}  // namespace mien

@@ -1,0 +1,102 @@
+#include "config/ledger.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <array>
+#include <tuple>
+
+#include "config/spec.hpp"
+
+namespace mien {
+
+namespace {
+
+// A limit that is an end of the body's own, whatever the style.
+struct Stop {
+  std::string_view area, move;
+  double sign;
+  std::string_view reason;
+};
+
+constexpr std::array kStops{
+    Stop{"lid", "upper", -1, "shut is shut"},          Stop{"lips", "press", 1, "the lips have met"},
+    Stop{"eye", "up", 1, "an eye turns no further"},   Stop{"eye", "up", -1, "an eye turns no further"},
+    Stop{"eye", "side", 1, "an eye turns no further"}, Stop{"eye", "side", -1, "an eye turns no further"},
+};
+
+auto key_of(const Held& held) {
+  return std::tie(held.place.file, held.place.line, held.place.column, held.move, held.asked, held.held,
+                  held.by);
+}
+
+std::string describe(const Held& held, const std::string& name) {
+  const double sign = held.asked < 0 ? -1 : 1;
+  const std::string_view stop = find_stop(held.move, sign);
+  const std::string start = fmt::format("{} asked for {:.4g}{}", name, held.asked,
+                                        held.by.empty() ? "" : fmt::format(" ({})", held.by));
+  if (!stop.empty()) return fmt::format("{}; held at {:.4g}: {}", start, held.held, stop);
+  return fmt::format("{}; held at its limit, {:.4g}", start, held.held);
+}
+
+}  // namespace
+
+bool Held::operator==(const Held& other) const { return key_of(*this) == key_of(other); }
+
+std::string_view find_stop(std::size_t move, double sign) {
+  for (const Stop& stop : kStops)
+    if (stop.area == kMoves[move].area && stop.move == kMoves[move].move && stop.sign == sign)
+      return stop.reason;
+  return {};
+}
+
+void sort_ledger(std::vector<Held>& ledger) {
+  std::ranges::sort(ledger, [](const Held& a, const Held& b) { return key_of(a) < key_of(b); });
+  ledger.erase(std::unique(ledger.begin(), ledger.end()), ledger.end());
+}
+
+std::vector<Held> list_held(const Spec& spec) {
+  std::vector<Held> ledger;
+  const auto append = [&](const std::vector<Held>& held) {
+    ledger.insert(ledger.end(), held.begin(), held.end());
+  };
+  for (const Expression& expression : spec.expressions)
+    if (expression.library.empty()) append(expression.held);
+  for (const PoseKey& key : spec.clip.keys) append(key.held);
+  for (const BustSpec& bust : spec.busts) append(bust.expression.held);
+  sort_ledger(ledger);
+  return ledger;
+}
+
+std::string name_move(std::size_t move, bool is_both) {
+  const MoveInfo& info = kMoves[move];
+  if (info.side == Side::none) return fmt::format("{}.{}", info.area, info.move);
+  if (is_both) return fmt::format("{}s.{}", info.area, info.move);
+  return fmt::format("{}.{}.{}", info.area, info.side == Side::left ? "left" : "right", info.move);
+}
+
+std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {
+  std::vector<HeldNote> notes;
+  std::vector<bool> is_told(ledger.size(), false);
+  for (std::size_t i = 0; i < ledger.size(); ++i) {
+    if (is_told[i]) continue;
+    const MoveInfo& info = kMoves[ledger[i].move];
+    bool is_both = false;
+    if (info.side == Side::left) {
+      Held other = ledger[i];
+      other.move = *find_move(info.area, Side::right, info.move);
+      const auto twin = std::ranges::find(ledger, other);
+      is_both = twin != ledger.end();
+      if (is_both) is_told[static_cast<std::size_t>(twin - ledger.begin())] = true;
+    }
+    const std::string name = name_move(ledger[i].move, is_both);
+    notes.push_back({ledger[i], name, describe(ledger[i], name)});
+  }
+  return notes;
+}
+
+std::string format_note(const HeldNote& note) {
+  const Place& at = note.held.place;
+  return fmt::format("{}:{}:{}: note: {}", at.file, at.line, at.column, note.text);
+}
+
+}  // namespace mien

@@ -1,0 +1,212 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <cctype>
+
+#include "config/head_files.hpp"
+#include "config/sections.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMaxWeight = 1000;  // of a mix; only its proportions count
+
+fs::path find_folder(const YamlValue& value) { return fs::path(value.document->source.file).parent_path(); }
+
+Place find_place(const YamlValue& value) {
+  return {value.document->source.file, value.spot.line, value.spot.byte + 1};
+}
+
+bool has_ending(const fs::path& file, const Names& endings) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return std::ranges::find(endings, ending) != endings.end();
+}
+
+bool is_plain_name(const std::string& name) {
+  constexpr std::size_t kMaxName = 1000;  // bytes; systems allow some 4000
+  return !name.empty() && name.size() <= kMaxName &&
+         std::ranges::none_of(name, [](unsigned char c) { return c < 0x20 || c == 0x7F; });
+}
+
+// What is wrong with a file's name or with the file that it names; empty: nothing. Only then `path` holds.
+std::string find_fault(const std::string& name, const fs::path& folder, const Names& endings,
+                       fs::path& path) {
+  const std::string expected = "expected a file that ends in " + join_names(endings);
+  if (!is_plain_name(name) || !has_ending(name, endings))
+    return fmt::format("'{}' is no such file's name; {}", show_word(name), expected);
+  path = folder / fs::path(name);
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) return fmt::format("there is no file '{}'; {}", show_word(name), expected);
+  if (!fs::is_regular_file(status))
+    return fmt::format("'{}' is no plain file; {}", show_word(name), expected);
+  return {};
+}
+
+bool load_file(const YamlValue& value, const Names& endings, std::optional<FileReference>& into) {
+  std::string name;
+  if (!load_text(value, "a file that ends in " + join_names(endings), name)) return false;
+  fs::path path;
+  const std::string fault = find_fault(name, find_folder(value), endings, path);
+  if (!fault.empty()) {
+    add_mistake(value, fault);
+    return false;
+  }
+  into = FileReference{path, find_place(value)};
+  return true;
+}
+
+// "a.yaml mixes b.yaml mixes a.yaml", from where the circle begins.
+std::string describe_circle(const std::vector<fs::path>& chain, const fs::path& again) {
+  std::string circle;
+  for (auto file = std::ranges::find(chain, again); file != chain.end(); ++file)
+    circle += file->filename().string() + " mixes ";
+  return circle + again.filename().string();
+}
+
+// The head of another file. Its other sections are not looked at.
+bool load_other_head(const YamlEntry& entry, const HeadSource& source, HeadSpec& head) {
+  const auto tell = [&](const std::string& message) {
+    add_mistake(*entry.value.findings, entry.value.document->source, entry.spot, message);
+    return false;
+  };
+  fs::path path;
+  const std::string fault = find_fault(entry.key, find_folder(entry.value), {".yaml", ".yml"}, path);
+  if (!fault.empty()) return tell(fault);
+  HeadSource inner = source;
+  inner.chain.push_back(fs::weakly_canonical(path));
+  if (std::ranges::find(source.chain, inner.chain.back()) != source.chain.end())
+    return tell(fmt::format("heads mix each other in a circle: {}; expected none",
+                            describe_circle(source.chain, inner.chain.back())));
+  if (inner.chain.size() > static_cast<std::size_t>(kMaxMixDepth) + 1)
+    return tell(fmt::format("heads are mixed more than {} deep; expected fewer", kMaxMixDepth));
+  if (++*source.head_count > kMaxMixedHeads)
+    return tell(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
+  Findings& findings = *entry.value.findings;
+  auto text = load_source(path, findings);
+  const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
+  if (!document) return false;
+  const YamlValue root = find_root(*document, findings);
+  const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+  check_version(root, entries);
+  if (const YamlValue* value = find_value(entries, "head")) head = load_head(*value, inner);
+  return true;
+}
+
+void mix_looks(HeadSpec& head) {
+  Look sum{glm::vec3(0), std::nullopt, glm::vec3(0), glm::vec3(0), glm::vec3(0)};
+  glm::vec3 lips{0};
+  float lips_weight = 0;
+  for (const auto& [other, share] : head.mix) {
+    const auto weight = static_cast<float>(share);
+    sum.skin += weight * other.look.skin;
+    sum.iris += weight * other.look.iris;
+    sum.brow += weight * other.look.brow;
+    sum.hair += weight * other.look.hair;
+    if (!other.look.lips) continue;  // made from the skin's colour then, which is mixed
+    lips += weight * *other.look.lips;
+    lips_weight += weight;
+  }
+  if (lips_weight > 0) sum.lips = lips / lips_weight;
+  head.look = sum;
+}
+
+// "ch_l" to "ch"; false if no such place is known.
+bool find_bare_place(const HeadWords& words, std::string& place, bool& is_middle) {
+  is_middle = std::ranges::find(words.middle, place) != words.middle.end();
+  if (is_middle || std::ranges::find(words.sided, place) != words.sided.end()) return true;
+  if (!place.ends_with("_l") && !place.ends_with("_r")) return false;
+  const std::string bare = place.substr(0, place.size() - 2);
+  if (std::ranges::find(words.sided, bare) == words.sided.end()) return false;
+  place = bare;
+  return true;
+}
+
+bool load_move(const YamlValue& value, glm::dvec3& into) {
+  constexpr const char* kExpected = "three lengths, x y z, such as [0, -2mm, 3mm]";
+  const std::vector<YamlValue> items = load_list(value, kExpected);
+  if (find_node(value).kind != NodeKind::list) return false;
+  if (items.size() != 3) {
+    add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
+                                   items.size() == 1 ? "" : "s", kExpected));
+    return false;
+  }
+  bool is_right = true;
+  for (int axis = 0; axis < 3; ++axis)
+    is_right &= load_quantity(items[axis], build_length_measure(), -kMostMove_mm, kMostMove_mm, into[axis]);
+  return is_right;
+}
+
+}  // namespace
+
+std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
+  for (const char* ending : {".landmarks.yaml", ".yaml"}) {
+    const fs::path file = fs::path(mesh).replace_extension(ending);
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) return file;
+  }
+  return std::nullopt;
+}
+
+void load_mesh(const YamlValue& value, std::optional<FileReference>& into) {
+  load_file(value, {".obj"}, into);
+}
+
+void load_scan(const YamlValue& value, std::optional<FileReference>& into) {
+  if (!load_file(value, {".obj", ".ply", ".stl"}, into) || find_landmark_file(into->path)) return;
+  add_mistake(
+      value,
+      fmt::format("'{}' has no landmarks beside it; expected a file '{}' such as landmarks: {{prn: [x, "
+                  "y, z], ...}}",
+                  show_word(into->path.filename().string()),
+                  show_word(fs::path(into->path).replace_extension(".yaml").filename().string())));
+}
+
+void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& head) {
+  constexpr const char* kExpected = "files and weights such as {anna.yaml: 0.5, bert.yaml: 0.5}";
+  const YamlMapping entries = load_free_mapping(value, kExpected);
+  if (find_node(value).kind == NodeKind::mapping && entries.empty())
+    add_mistake(value, fmt::format("{} names no file; expected {}", describe_subject(value), kExpected));
+  double sum = 0;
+  for (const YamlEntry& entry : entries) {
+    HeadShare share;
+    const bool is_file = load_other_head(entry, source, share.head);
+    if (!load_number(entry.value, 0, kMaxWeight, share.weight)) continue;
+    if (share.weight == 0)
+      add_mistake(entry.value,
+                  describe_subject(entry.value) + " is 0; expected a weight above 0, or no such key");
+    if (!is_file || share.weight == 0) continue;
+    sum += share.weight;
+    head.mix.push_back(std::move(share));
+  }
+  if (head.mix.empty()) return;
+  for (HeadShare& share : head.mix) share.weight /= sum;
+  mix_looks(head);
+}
+
+void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<SculptStroke>& into) {
+  constexpr const char* kExpected = "a mapping such as {at: chin, move: [0, -2mm, 3mm], radius: 25mm}";
+  for (const YamlValue& item : load_list(value, "a list such as [{at: chin, move: [0, -2mm, 3mm]}]")) {
+    const YamlMapping entries = load_mapping(item, kSculptKeys, kExpected);
+    SculptStroke stroke;
+    const YamlValue* at = find_required(entries, "at", item, "a place of the head such as chin");
+    const YamlValue* move = find_required(entries, "move", item, "three lengths such as [0, -2mm, 3mm]");
+    bool is_middle = false;
+    if (at != nullptr && load_text(*at, "a place of the head such as chin", stroke.at) &&
+        !find_bare_place(words, stroke.at, is_middle))
+      add_mistake(*at, describe_unknown("place", stroke.at, list_places(words)));
+    if (move != nullptr && load_move(*move, stroke.move_mm) && is_middle && stroke.move_mm.x != 0)
+      add_mistake(*move,
+                  fmt::format("'{}' lies in the middle and moves {:.7g}mm aside; expected 0, as one half "
+                              "is the mirror image of the other",
+                              stroke.at, stroke.move_mm.x));
+    if (const YamlValue* radius = find_value(entries, "radius"))
+      load_quantity(*radius, build_length_measure(), kLeastRadius_mm, kMostRadius_mm, stroke.radius_mm);
+    into.push_back(std::move(stroke));
+  }
+}
+
+}  // namespace mien

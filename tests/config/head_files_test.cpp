@@ -1,0 +1,96 @@
+// Files that a head names: found from the file that names them, mixed within limits.
+#include "config/head_files.hpp"
+
+#include <fmt/format.h>
+
+#include "config/config_fixture.hpp"
+
+namespace mien {
+namespace {
+
+void write_head(const std::filesystem::path& file, const std::string& head) {
+  write_file(file, "mien: 1\nhead: " + head + "\n");
+}
+
+TEST(head_files, are_found_from_the_folder_of_the_file_that_names_them) {
+  const auto folder = make_test_folder();
+  write_file(folder / "parts/half.OBJ", "");
+  write_head(folder / "inner/a.yaml", "{mesh: ../parts/half.OBJ}");
+  write_head(folder / "b.yaml", "{mix: {inner/a.yaml: 2, plain.yml: 6}}");
+  write_head(folder / "plain.yml", "{}");
+  const HeadSpec head = load_spec(folder / "b.yaml", kData).head;
+  ASSERT_EQ(head.mix.size(), 2u);
+  EXPECT_EQ(head.mix[0].weight, 0.25);
+  ASSERT_TRUE(head.mix[0].head.mesh);
+  EXPECT_TRUE(std::filesystem::equivalent(head.mix[0].head.mesh->path, folder / "parts/half.OBJ"));
+  EXPECT_EQ(head.mix[0].head.mesh->place.line, 2);
+}
+
+TEST(head_files, landmarks_stand_beside_the_mesh) {
+  const auto folder = make_test_folder();
+  EXPECT_FALSE(find_landmark_file(folder / "face.ply"));
+  write_file(folder / "face.yaml", "");
+  EXPECT_EQ(find_landmark_file(folder / "face.ply"), folder / "face.yaml");
+  write_file(folder / "face.landmarks.yaml", "");
+  EXPECT_EQ(find_landmark_file(folder / "face.ply"), folder / "face.landmarks.yaml");
+}
+
+TEST(head_files, looks_are_mixed_and_can_be_changed) {
+  const auto folder = make_test_folder();
+  write_head(folder / "a.yaml", "{look: {skin: \"#000000\", iris: \"#ff0000\"}}");
+  write_head(folder / "b.yaml", "{look: {skin: \"#ffffff\", lips: \"#00ff00\"}}");
+  write_head(folder / "c.yaml", "{mix: {a.yaml: 1, b.yaml: 1}, look: {iris: \"#0000ff\"}}");
+  const Look look = load_spec(folder / "c.yaml", kData).head.look;
+  EXPECT_EQ(look.skin, glm::vec3(0.5f));
+  EXPECT_EQ(look.iris, glm::vec3(0, 0, 1));
+  EXPECT_EQ(look.lips, glm::vec3(0, 1, 0)) << "only one head has lips of its own";
+}
+
+TEST(head_files, heads_mix_no_circle) {
+  const auto folder = make_test_folder();
+  write_head(folder / "a.yaml", "{mix: {b.yaml: 1}}");
+  write_head(folder / "b.yaml", "{mix: {./c.yaml: 1}}");
+  write_head(folder / "c.yaml", "{mix: {../heads_mix_no_circle/b.yaml: 1}}");
+  EXPECT_EQ(find_mistakes(folder / "a.yaml"),
+            "c.yaml:2:14: error: heads mix each other in a circle: b.yaml mixes c.yaml mixes b.yaml; "
+            "expected none\n"
+            "  head: {mix: {../heads_mix_no_circle/b.yaml: 1}}\n               ^");
+}
+
+TEST(head_files, heads_are_mixed_within_limits) {
+  const auto folder = make_test_folder();
+  write_head(folder / "0.yaml", "{}");
+  for (int i = 1; i <= kMaxMixDepth + 1; ++i)
+    write_head(folder / fmt::format("{}.yaml", i), fmt::format("{{mix: {{{}.yaml: 1}}}}", i - 1));
+  EXPECT_EQ(find_mistakes(folder / fmt::format("{}.yaml", kMaxMixDepth)), "");
+  EXPECT_EQ(find_mistakes(folder / fmt::format("{}.yaml", kMaxMixDepth + 1)),
+            "1.yaml:2:14: error: heads are mixed more than 4 deep; expected fewer\n"
+            "  head: {mix: {0.yaml: 1}}\n               ^");
+
+  std::string many = "{mix: {0.yaml: 1";
+  for (int i = 1; i <= kMaxMixedHeads; ++i) {
+    write_head(folder / fmt::format("m{}.yaml", i), "{}");
+    if (i == kMaxMixedHeads) write_head(folder / "most.yaml", many + "}}");
+    many += fmt::format(", m{}.yaml: 1", i);
+  }
+  write_head(folder / "many.yaml", many + "}}");
+  EXPECT_EQ(find_mistakes(folder / "most.yaml"), "");
+  EXPECT_NE(find_mistakes(folder / "many.yaml").find("more than 24 heads are mixed; expected fewer"),
+            std::string::npos);
+}
+
+TEST(sculpt, strokes_lose_their_side) {
+  const HeadSpec head =
+      load_text(
+          "mien: 1\nhead: {sculpt: [{at: ch_r, move: [1mm, -0.2cm, 3], radius: 3cm}, {at: chin, move: [0, 0, "
+          "1]}]}\n")
+          .head;
+  ASSERT_EQ(head.sculpt.size(), 2u);
+  EXPECT_EQ(head.sculpt[0].at, "ch");
+  EXPECT_EQ(head.sculpt[0].move_mm, glm::dvec3(1, -2, 3));
+  EXPECT_EQ(head.sculpt[0].radius_mm, 30);
+  EXPECT_EQ(head.sculpt[1].radius_mm, 20);
+}
+
+}  // namespace
+}  // namespace mien
