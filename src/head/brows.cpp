@@ -140,7 +140,9 @@ SkinPatch find_brow_patch(const NeutralHead& head, const BrowLine& line) {
 
 }  // namespace
 
-HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const Look& look, double youth) {
+HeadPart build_brow(const NeutralHead& head, const BrowNumbers& average, const Look& look, double youth) {
+  BrowNumbers numbers = average;
+  for (double& half_mm : numbers.half_mm) half_mm *= head.brow_thickness;
   const BrowLine line = build_brow_line(head, numbers);
   const SkinPatch patch = find_brow_patch(head, line);
   HeadPart part = make_hair_part("brow_left");

@@ -1,8 +1,5 @@
 #include "core/holes.hpp"
-#include "head/cage.hpp"
-#include "head/head.hpp"
-#include "head/shapes.hpp"
-#include "head/solve.hpp"
+#include "head/form.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -25,20 +22,26 @@ void close_slits(const Surface& surface, Mesh& skin) {
 }  // namespace
 
 NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path& data_folder) {
-  const std::filesystem::path folder = data_folder / "templates/head";
-  const HalfHead half = load_half_head(folder);
+  HeadStock stock = load_head_stock(data_folder);
+  HeadForm form = build_form(stock, spec);
   NeutralHead head;
-  head.cage = build_cage(half);
-  solve_cage(half, head.cage);
-  head.adult_points = head.cage.points;
-  shape_head(load_head_shapes(folder), spec, head.cage, head.eye);
+  head.adult_points = std::move(stock.adult.points);
+  head.cage = std::move(stock.adult);
+  head.cage.points = std::move(form.points);
+  head.eye = form.eye;
+  head.surface = stock.surface;
+  head.hairline = form.hairline;
+  head.brow_thickness = form.brow_thickness;
 
-  head.surface = std::make_shared<const Surface>(build_surface(head.cage));
+  // The adult decides how quads are cut, so that all heads have the same triangles: an age can change in a
+  // clip.
   std::vector<glm::vec4> packed;
-  pack_points(head.cage.points, packed);
+  pack_points(head.adult_points, packed);
   deform_surface(*head.surface, packed, head.skin.positions);
   head.skin.triangles = split_quads(*head.surface, head.skin.positions);
   close_slits(*head.surface, head.skin);
+  pack_points(head.cage.points, packed);
+  deform_surface(*head.surface, packed, head.skin.positions);
   update_surface_normals(*head.surface, head.skin.positions, head.skin.normals);
   return head;
 }

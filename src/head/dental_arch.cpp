@@ -45,18 +45,19 @@ double find_arch_x(const std::vector<ArchPoint>& points, double length_mm) {
 std::vector<ToothCut> cut_row(const DentalArch& arch, const TeethRow& row) {
   static constexpr std::array kCuts{0.0, 0.05, 0.14, 0.3, 0.5, 0.7, 0.86, 0.95};
   const std::vector<ArchPoint> points = measure_arch(arch, row.numbers.half_mm);
-  const double end_mm = points.back().length_mm;
+  // Cuts are counted along the adult's row and stretched onto this one: every head has as many.
+  const double end_mm = row.numbers.row_mm, stretch = points.back().length_mm / end_mm;
   const auto& widths = arch.numbers.widths_mm;
   const auto& rises = arch.numbers.rise_mm;
   std::vector<ToothCut> cuts;
   double from_mm = 0;
   for (std::size_t tooth = 0; from_mm < end_mm; ++tooth) {
     const std::size_t kind = std::min(tooth, widths.size() - 1);
-    const double width_mm = widths[kind] * row.numbers.width * arch.scale;
+    const double width_mm = widths[kind] * row.numbers.width;
     for (const double at : kCuts) {
       const double length_mm = from_mm + at * width_mm;
       if (length_mm > end_mm) break;
-      const double x = find_arch_x(points, length_mm), step = 0.05;
+      const double x = find_arch_x(points, stretch * length_mm), step = 0.05;
       const double slope = (find_arch_depth(arch, x + step) - find_arch_depth(arch, x - step)) / (2 * step);
       ToothCut cut;
       cut.at = glm::vec2(x, -find_arch_depth(arch, x));

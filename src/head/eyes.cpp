@@ -196,11 +196,10 @@ HeadPart build_cornea(const EyeFrame& frame) {
   part.part.palette = {{glm::vec3(1), 1.0f}};
   Mesh& mesh = part.part.rest;
   constexpr int kSpokes = 40, kRings = 11;
-  constexpr double kSwell = 1.2;  // 1 would leave a kink at the edge, 2 a pointed apex
   mesh.positions.emplace_back(0, 0, eye.ball_mm + eye.cornea_rise_mm);
   for (int r = 1; r <= kRings; ++r) {
     const double share = static_cast<double>(r) / kRings, radius = eye.cornea_edge_mm * share;
-    const double rise = eye.cornea_rise_mm * std::pow(1 - share * share, kSwell) + 0.015;
+    const double rise = eye.cornea_rise_mm * std::pow(1 - share * share, kCorneaSwell) + kCorneaLift_mm;
     const Ring ring = make_circle(radius, sphere_z(eye.ball_mm, radius) + rise, kSpokes);
     mesh.positions.insert(mesh.positions.end(), ring.begin(), ring.end());
   }

@@ -47,6 +47,8 @@ struct NeutralHead {
   Cage cage;
   std::shared_ptr<const Surface> surface;  // how the skin follows the cage; see head/surface.hpp
   Eye eye;
+  double hairline = 4;        // where it crosses the mid-line; see find_hairline in head/guides.hpp
+  double brow_thickness = 1;  // width of the brows against the adult's
   Mesh skin;  // two Catmull-Clark levels at limit positions, about 27,000 vertices, triangulated
 };
 

@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "head/cage.hpp"
+#include "head/guides.hpp"
 #include "head/patterns.hpp"
 
 namespace mien {
@@ -16,6 +17,8 @@ namespace {
 
 // How far the front of the cornea stands before the centre of a ball of 13 mm.
 constexpr double kCornea_mm = 14.05;
+
+constexpr std::string_view kHairline = "hairline";  // stands for the mark of find_hairline
 
 double measure(const std::string& rule, const glm::vec3& p) {
   if (rule == "highest") return p.y;
@@ -55,6 +58,19 @@ std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const YAML::No
   return vertices;
 }
 
+std::vector<double> share_equally(const std::vector<std::uint32_t>& vertices) {
+  return std::vector<double>(vertices.size(), 1.0 / static_cast<double>(vertices.size()));
+}
+
+Landmark find_skin_landmark(const NeutralHead& head, const std::string& name, const YAML::Node& node) {
+  if (node.IsScalar() && node.Scalar() == kHairline) {
+    const HairlineMark mark = find_hairline(head.cage, head.hairline);
+    return {name, {mark.below, mark.above}, {1 - mark.share, mark.share}, false, Side::none};
+  }
+  const std::vector<std::uint32_t> vertices = find_vertices(head, node);
+  return {name, vertices, share_equally(vertices), false, Side::none};
+}
+
 glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model, const Drawing& drawing) {
   const double sign = side == Side::left ? 1 : -1;
   const double reach = kCornea_mm / 13.0 * head.eye.radius_mm;
@@ -72,22 +88,50 @@ std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesys
     std::vector<Landmark> landmarks;
     const YAML::Node root = YAML::LoadFile(file.string());
     for (const auto& entry : root["middle"])
-      landmarks.push_back(
-          {entry.first.as<std::string>(), find_vertices(head, entry.second), false, Side::none});
+      landmarks.push_back(find_skin_landmark(head, entry.first.as<std::string>(), entry.second));
     for (const auto& entry : root["sided"]) {
       const std::string name = entry.first.as<std::string>();
       if (name == "pupil") {
-        landmarks.push_back({"pupil_l", {}, true, Side::left});
-        landmarks.push_back({"pupil_r", {}, true, Side::right});
+        landmarks.push_back({"pupil_l", {}, {}, true, Side::left});
+        landmarks.push_back({"pupil_r", {}, {}, true, Side::right});
         continue;
       }
       const std::vector<std::uint32_t> left = find_vertices(head, entry.second);
       std::vector<std::uint32_t> right;
       for (const std::uint32_t v : left) right.push_back(head.cage.mirror[v]);
-      landmarks.push_back({name + "_l", left, false, Side::left});
-      landmarks.push_back({name + "_r", right, false, Side::right});
+      landmarks.push_back({name + "_l", left, share_equally(left), false, Side::left});
+      landmarks.push_back({name + "_r", right, share_equally(left), false, Side::right});
     }
     return landmarks;
+  } catch (const YAML::Exception& e) {
+    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+  }
+}
+
+SkinSpot find_place(const NeutralHead& head, const std::string& name, const std::filesystem::path& file) {
+  try {
+    const YAML::Node root = YAML::LoadFile(file.string());
+    std::string code = name;
+    for (const char* table : {"everyday_middle", "everyday_sided", "middle", "sided"})
+      if (const YAML::Node node = root[table][code]) {
+        const bool is_code =
+            node.IsScalar() && (root["middle"][node.Scalar()] || root["sided"][node.Scalar()]);
+        if (!is_code) {
+          Landmark place = find_skin_landmark(head, name, node);
+          const bool is_extreme = node.IsMap() || node.Scalar() == kHairline;
+          return {std::move(place.vertices), std::move(place.shares), is_extreme};
+        }
+        code = node.Scalar();
+      }
+    throw RunError(fmt::format("{}: no place called '{}'", file.string(), name));
+  } catch (const YAML::Exception& e) {
+    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+  }
+}
+
+std::vector<std::string> find_needed_landmarks(const std::filesystem::path& file) {
+  try {
+    return YAML::LoadFile(file.string())["needed"].as<std::vector<std::string>>();
   } catch (const YAML::Exception& e) {
     throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
   }
@@ -103,8 +147,9 @@ std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head,
       continue;
     }
     glm::dvec3 sum{0};
-    for (const std::uint32_t v : landmark.vertices) sum += glm::dvec3(drawing.parts.front().positions[v]);
-    places[landmark.name] = sum / static_cast<double>(landmark.vertices.size());
+    for (std::size_t i = 0; i < landmark.vertices.size(); ++i)
+      sum += landmark.shares[i] * glm::dvec3(drawing.parts.front().positions[landmark.vertices[i]]);
+    places[landmark.name] = sum;
   }
   return places;
 }

@@ -11,16 +11,31 @@
 
 namespace mien {
 
-// A landmark is the mean of some vertices of the skin, or a point fixed to an eyeball.
+// A landmark is a weighted mean of some vertices of the skin, or a point fixed to an eyeball.
 struct Landmark {
   std::string name;                     // "prn", "ch_l", ...
   std::vector<std::uint32_t> vertices;  // of the skin
+  std::vector<double> shares;           // of each vertex, summing to 1
   bool is_pupil = false;
   Side side = Side::none;  // of a pupil: whose
 };
 
 // In the file's order, each sided one as NAME_l, NAME_r. Throws RunError for a broken file.
 std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesystem::path& file);
+
+// A place on the left half of the skin: the weighted mean of some vertices.
+struct SkinSpot {
+  std::vector<std::uint32_t> vertices;
+  std::vector<double> shares;
+  bool is_extreme = false;  // found by a rule, such as the highest point: less sharp than a named one
+};
+
+// A landmark without its _l or _r, or an everyday word of the file. Throws RunError for a name that the file
+// does not have, and for pupils, which are no skin.
+SkinSpot find_place(const NeutralHead& head, const std::string& name, const std::filesystem::path& file);
+
+// The landmarks that a scan must have, without _l and _r.
+std::vector<std::string> find_needed_landmarks(const std::filesystem::path& file);
 
 // Where the landmarks are in a drawing of `model`, mm. A pupil is the front of the cornea, which the part
 // "eye_left" or "eye_right" of the model carries.

@@ -16,18 +16,15 @@ MonotoneCurve load_curve(const YAML::Node& node) {
   return build_monotone_curve(std::move(knots));
 }
 
-MonotoneCurve constant_curve(double value) { return build_monotone_curve({{-1, value}, {1, value}}); }
-
 Warp load_warp(const YAML::Node& node) {
-  const auto curve_or_one = [&](const char* key) {
-    return node[key] ? load_curve(node[key]) : constant_curve(1);
-  };
+  const auto curve_or_one = [&](const char* key) { return node[key] ? load_curve(node[key]) : kNoChange; };
   Warp warp;
   warp.height = load_curve(node["y"]);
   warp.outer = curve_or_one("outer");
   warp.inner = curve_or_one("inner");
   warp.front = curve_or_one("front");
   warp.back = curve_or_one("back");
+  if (node["brow_thickness"]) warp.brow_thickness = node["brow_thickness"].as<double>();
   if (node["eye"]) warp.eye = node["eye"].as<double>();
   if (const YAML::Node carry = node["carry"]) {
     warp.carry_e3 = carry["E3"].as<double>();
@@ -36,15 +33,40 @@ Warp load_warp(const YAML::Node& node) {
   return warp;
 }
 
-std::map<std::string, Handles> load_handle_tables(const YAML::Node& node) {
-  std::map<std::string, Handles> tables;
-  for (const auto& table : node)
-    for (const auto& handle : table.second) {
-      const YAML::Node& v = handle.second;
-      tables[table.first.as<std::string>()][handle.first.as<std::string>()] = {
-          v[0].as<double>(), v[1].as<double>(), v[2].as<double>()};
+Handles load_handles(const YAML::Node& node) {
+  Handles handles;
+  for (const auto& handle : node) {
+    const YAML::Node& v = handle.second;
+    handles[handle.first.as<std::string>()] = {v[0].as<double>(), v[1].as<double>(), v[2].as<double>()};
+  }
+  return handles;
+}
+
+Feature load_feature(const YAML::Node& node) {
+  const auto number_or_none = [&](const char* key) { return node[key] ? node[key].as<double>() : 0; };
+  Feature feature;
+  feature.handles = load_handles(node["handles"]);
+  feature.eye_size = number_or_none("eye_size");
+  feature.eye_move_mm = {number_or_none("eye_out"), number_or_none("eye_up")};
+  feature.eye_tilt_deg = number_or_none("eye_tilt");
+  feature.ear_size = number_or_none("ear_size");
+  feature.ear_out_deg = number_or_none("ear_out");
+  feature.character = number_or_none("character");
+  feature.ear_in_deg = number_or_none("ear_in");
+  feature.brow_thickness = number_or_none("brow_thickness");
+  return feature;
+}
+
+std::map<std::string, GuideChart> load_charts(const YAML::Node& node) {
+  std::map<std::string, GuideChart> charts;
+  for (const auto& entry : node) {
+    GuideChart& chart = charts[entry.first.as<std::string>()];
+    for (const auto& line : entry.second) {
+      const std::string name = line.first.as<std::string>();
+      (name == "height" ? chart.height_mm : chart.lines[name]) = line.second.as<double>();
     }
-  return tables;
+  }
+  return charts;
 }
 
 std::map<std::string, Mix> load_mixes(const YAML::Node& node) {
@@ -62,22 +84,47 @@ HeadShapes load_head_shapes(const std::filesystem::path& folder) {
     const YAML::Node root = YAML::LoadFile(file.string());
     shapes.ages = load_mixes(root["ages"]);
     shapes.skulls = load_mixes(root["skulls"]);
+    shapes.charts = load_charts(root["charts"]);
     for (const auto& warp : root["warps"])
       shapes.warps[warp.first.as<std::string>()] = load_warp(warp.second);
-    shapes.fields = load_handle_tables(root["fields"]);
+    for (const auto& field : root["fields"])
+      shapes.fields[field.first.as<std::string>()] = load_handles(field.second);
     file = folder / "features.yaml";
     if (std::filesystem::exists(file)) {
-      const YAML::Node features = YAML::LoadFile(file.string())["features"];
-      for (const auto& feature : features) {
-        YAML::Node one;
-        one[feature.first.as<std::string>()] = feature.second["handles"];
-        shapes.features.merge(load_handle_tables(one));
-      }
+      for (const auto& feature : YAML::LoadFile(file.string())["features"])
+        shapes.features[feature.first.as<std::string>()] = load_feature(feature.second);
     }
     return shapes;
   } catch (const YAML::Exception& e) {
     throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
   }
+}
+
+std::vector<FeatureInfo> load_features(const std::filesystem::path& folder) {
+  const std::filesystem::path file = folder / "features.yaml";
+  std::vector<FeatureInfo> features;
+  if (!std::filesystem::exists(file)) return features;
+  try {
+    const YAML::Node root = YAML::LoadFile(file.string());
+    for (const auto& entry : root["features"]) {
+      FeatureInfo feature;
+      feature.name = entry.first.as<std::string>();
+      feature.meaning = entry.second["meaning"].as<std::string>();
+      if (const YAML::Node view = entry.second["view"]) feature.view = view.as<std::string>();
+      if (feature.view != "front" && feature.view != "three_quarter" && feature.view != "side")
+        throw RunError(fmt::format("{}:{}: unknown view '{}'; expected front, three_quarter or side",
+                                   file.string(), entry.second["view"].Mark().line + 1, feature.view));
+      if (const YAML::Node around = entry.second["around"])
+        feature.around = around.as<std::vector<std::string>>();
+      else
+        for (const auto& handle : entry.second["handles"])
+          feature.around.push_back(handle.first.as<std::string>());
+      features.push_back(std::move(feature));
+    }
+  } catch (const YAML::Exception& e) {
+    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+  }
+  return features;
 }
 
 }  // namespace mien

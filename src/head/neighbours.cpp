@@ -22,4 +22,13 @@ std::vector<PointRing> find_rings(const Cage& cage) {
   return rings;
 }
 
+glm::dvec3 find_limit(const PointRing& ring, std::uint32_t point, const std::vector<glm::dvec3>& points) {
+  if (ring.is_boundary) return points[point];
+  const auto n = static_cast<double>(ring.edges.size());
+  glm::dvec3 sum = n * n * points[point];
+  for (const std::uint32_t k : ring.edges) sum += 4.0 * points[k];
+  for (const std::uint32_t k : ring.diagonals) sum += points[k];
+  return sum / (n * (n + 5));
+}
+
 }  // namespace mien

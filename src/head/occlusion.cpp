@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "core/parallel.hpp"
+
 namespace mien {
 
 namespace {
@@ -90,21 +92,28 @@ std::vector<glm::vec3> list_directions() {
 std::vector<float> measure_openness(const Mesh& mesh, const std::vector<std::uint32_t>& mirror) {
   const std::size_t count = mesh.positions.size();
   const Box box = find_bounds(mesh.positions);
-  DepthMap map;
-  map.origin = 0.5f * (box.low + box.high);
-  map.side = static_cast<int>(glm::length(box.high - box.low) / kTexel_mm) + 4;
+  const std::vector<glm::vec3> directions = list_directions();
+  std::vector<DepthMap> maps(directions.size());
+  const int jobs = count_cores();
+  std::vector<std::vector<glm::vec3>> scratch(static_cast<std::size_t>(jobs));
+  for_each_index(maps.size(), jobs, [&](std::size_t i, int worker) {
+    maps[i].origin = 0.5f * (box.low + box.high);
+    maps[i].side = static_cast<int>(glm::length(box.high - box.low) / kTexel_mm) + 4;
+    draw_depth(maps[i], mesh, directions[i], scratch[static_cast<std::size_t>(worker)]);
+  });
 
+  // Each vertex sums in the order of the directions, whoever does it.
   std::vector<float> open(count, 0.0f), all(count, 0.0f);
-  std::vector<glm::vec3> scratch;
-  for (const glm::vec3& direction : list_directions()) {
-    draw_depth(map, mesh, direction, scratch);
-    for (std::size_t i = 0; i < count; ++i) {
-      const float cosine = glm::dot(mesh.normals[i], direction);
-      if (cosine <= 0) continue;
-      all[i] += cosine;
-      open[i] += cosine * look_up(map, map.to_map(mesh.positions[i] + kLift_mm * mesh.normals[i]));
-    }
-  }
+  constexpr std::size_t kShare = 2048;  // vertices at a time
+  for_each_index((count + kShare - 1) / kShare, jobs, [&](std::size_t share, int) {
+    for (std::size_t i = share * kShare; i < std::min(count, (share + 1) * kShare); ++i)
+      for (std::size_t d = 0; d < maps.size(); ++d) {
+        const float cosine = glm::dot(mesh.normals[i], directions[d]);
+        if (cosine <= 0) continue;
+        all[i] += cosine;
+        open[i] += cosine * look_up(maps[d], maps[d].to_map(mesh.positions[i] + kLift_mm * mesh.normals[i]));
+      }
+  });
   // What a vertex sees along a direction's mirror image is what its own mirror image sees along the
   // direction.
   std::vector<float> openness(count, 1.0f);

@@ -114,6 +114,7 @@ BrowNumbers read_brow(const Table& table) {
 TeethRowNumbers read_teeth_row(const Table& table) {
   TeethRowNumbers row;
   table.read("half", row.half_mm);
+  table.read("row", row.row_mm);
   table.read("width", row.width);
   table.read("gum", row.gum_mm);
   table.read("edge", row.edge_mm);

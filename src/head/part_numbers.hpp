@@ -18,6 +18,10 @@ struct KnobNumbers {
   std::array<double, 3> half_mm{};
 };
 
+// The cornea rises by cornea_rise (1 - share^2)^kCorneaSwell above the ball, share of the way to its edge: 1
+// would leave a kink there, 2 a pointed apex. The lift keeps its rim from flickering in the white.
+inline constexpr double kCorneaSwell = 1.2, kCorneaLift_mm = 0.015;
+
 struct EyeNumbers {
   double ball_mm = 0, outward_deg = 0, limbus_mm = 0, pupil_floor_mm = 0, cornea_rise_mm = 0,
          cornea_edge_mm = 0;
@@ -52,7 +56,7 @@ struct BrowNumbers {
 };
 
 struct TeethRowNumbers {
-  double half_mm = 0, width = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
+  double half_mm = 0, row_mm = 0, width = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
 };
 
 struct TongueNumbers {

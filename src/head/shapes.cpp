@@ -5,8 +5,10 @@
 #include <array>
 #include <cmath>
 
+#include "config/words.hpp"
 #include "core/error.hpp"
 #include "head/cage.hpp"
+#include "head/organs.hpp"
 
 namespace mien {
 
@@ -15,21 +17,7 @@ namespace {
 // Where x changes over from the features' factor to the skull's, mm on the adult.
 constexpr double kFeatures_mm = 20, kSkull_mm = 62;
 
-// Heights of the guide lines on the adult, mm (chin and crown bound them all).
-constexpr double kAdultChin_mm = -114.6, kAdultCrown_mm = 113.7;
-struct GuideLine {
-  const char* name;
-  double adult_y_mm;
-};
-constexpr std::array kGuideLines{GuideLine{"mouth_line", -70.3}, GuideLine{"nose_base", -48.0},
-                                 GuideLine{"eye_line", 0.0}, GuideLine{"brow_line", 16.5},
-                                 GuideLine{"hairline", 81.0}};
-
-// The cage and the eye of one head, as they are summed and mixed.
-struct Shape {
-  std::vector<glm::dvec3> points;
-  Eye eye;
-};
+using Shape = HeadForm;  // as it is summed and mixed
 
 glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {
   const double t = glm::smoothstep(kFeatures_mm, kSkull_mm, std::abs(p.x));
@@ -38,29 +26,6 @@ glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {
   const double front = glm::smoothstep(-10.0, 10.0, p.z);
   const double z = glm::mix(sample_curve(warp.back, p.y), sample_curve(warp.front, p.y), front);
   return {p.x * x, sample_curve(warp.height, p.y, true), p.z * z};
-}
-
-// How far a point of the eye's rings follows the ball as a similarity, so that lids fit it on every head.
-double find_carry(const Warp& warp, std::string_view name) {
-  name = strip_side(name);
-  if (name.starts_with("EB_") || name.starts_with("E0_") || name.starts_with("E1_") ||
-      name.starts_with("E2_"))
-    return 1;
-  if (name.starts_with("E3_")) return warp.carry_e3;
-  if (name.starts_with("E4_")) return warp.carry_e4;
-  return 0;
-}
-
-Shape apply_warp(const Cage& cage, const Eye& eye, const Warp& warp) {
-  Shape shape{cage.points, eye};
-  shape.eye.centre = warp_point(warp, eye.centre);
-  shape.eye.radius_mm = eye.radius_mm * warp.eye;
-  for (std::size_t i = 0; i < cage.points.size(); ++i) {
-    const glm::dvec3 side(cage.names[i].starts_with("R:") ? -1 : 1, 1, 1);
-    const glm::dvec3 carried = (shape.eye.centre + warp.eye * (cage.points[i] * side - eye.centre)) * side;
-    shape.points[i] = glm::mix(warp_point(warp, cage.points[i]), carried, find_carry(warp, cage.names[i]));
-  }
-  return shape;
 }
 
 // What a character field leaves alone: ear, back and crown of the head, the eye opening, the neck.
@@ -93,7 +58,10 @@ void add_field(const Cage& cage, const Handles& handles, double scale, std::vect
 Shape make_variant(const HeadShapes& shapes, const std::string& name, const Cage& cage, const Eye& eye) {
   Shape shape{cage.points, eye};
   const auto warp = shapes.warps.find(name);
-  if (warp != shapes.warps.end()) shape = apply_warp(cage, eye, warp->second);
+  if (warp != shapes.warps.end()) {
+    shape = apply_warp(cage, eye, warp->second);
+    shape.brow_thickness = warp->second.brow_thickness;
+  }
   const auto field = shapes.fields.find(name);
   if (field != shapes.fields.end()) add_field(cage, field->second, 1, shape.points);
   return shape;
@@ -103,6 +71,12 @@ void add_shape(Shape& sum, const Shape& addition, double weight) {
   for (std::size_t i = 0; i < sum.points.size(); ++i) sum.points[i] += weight * addition.points[i];
   sum.eye.centre += weight * addition.eye.centre;
   sum.eye.radius_mm += weight * addition.eye.radius_mm;
+  sum.hairline += weight * addition.hairline;
+  sum.brow_thickness += weight * addition.brow_thickness;
+}
+
+Shape make_empty_shape(const Cage& cage) {
+  return {std::vector<glm::dvec3>(cage.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
 }
 
 // Which warps and fields a mix of names comes to: {child: 0.5, adult: 0.5} of ages, say.
@@ -122,74 +96,90 @@ void add_variant(const HeadShapes& shapes, const std::string& name, double weigh
                  const Cage& adult, const Eye& eye, Shape& shape) {
   if (weight == 0) return;
   const Shape variant = make_variant(shapes, name, adult, eye);
+  const Shape before = shape;
   add_shape(shape, variant, weight * size);
   add_shape(shape, {adult.points, eye}, -weight * size);
+  // These are no lengths.
+  shape.hairline = before.hairline;
+  shape.brow_thickness = before.brow_thickness + weight * (variant.brow_thickness - 1);
 }
 
-// Height of the chin and crown of a shape, mm, read off the cage's own points.
-glm::dvec2 find_height(const Cage& adult, const Shape& shape) {
-  const auto height_of = [&](std::string_view name) {
-    return shape.points[adult.index.find(name)->second].y;
-  };
-  const double adult_chin = adult.points[adult.index.find("m12_D1")->second].y;
-  const double adult_crown = adult.points[adult.index.find("cap_0_2")->second].y;
-  // The cage stands off the skin by a fixed small amount at both ends: scale that with the head.
-  const double scale = (height_of("cap_0_2") - height_of("m12_D1")) / (adult_crown - adult_chin);
-  return {height_of("m12_D1") + scale * (kAdultChin_mm - adult_chin),
-          height_of("cap_0_2") + scale * (kAdultCrown_mm - adult_crown)};
+// One age, its guide lines as far from the start's as its chart is from the adult's.
+Shape build_age(const HeadShapes& shapes, const std::string& age, const Cage& adult, const Shape& start) {
+  Cage cage = adult;
+  cage.points = start.points;
+  Shape shape = make_empty_shape(adult);
+  for (const auto& [name, weight] : flatten_mix(shapes.ages, {{age, 1.0}}))
+    add_shape(shape, make_variant(shapes, name, cage, start.eye), weight);
+  shape.hairline = start.hairline;
+  shape.brow_thickness *= start.brow_thickness;
+  if (age == kAges.back()) return shape;
+  const GuideChart &of_adult = shapes.charts.at(kAges.back()), &of_age = shapes.charts.at(age);
+  GuideChart chart = measure_chart(adult, start);
+  chart.height_mm *= of_age.height_mm / of_adult.height_mm;
+  for (auto& [line, height] : chart.lines) height += of_age.lines.at(line) - of_adult.lines.at(line);
+  fit_chart(adult, chart, shape);
+  return shape;
 }
 
-// Where each guide line of the adult has gone on `shape`: interpolated along the mid-plane and the eye.
-std::map<std::string, double> measure_guides(const Cage& adult, const Shape& shape, const Eye& adult_eye) {
-  const auto y_of = [](const Cage& cage, const std::vector<glm::dvec3>& points, std::string_view name) {
-    return points[cage.index.find(name)->second].y;
-  };
-  std::vector<glm::dvec2> knots;
-  for (const std::string_view name :
-       {"m12_D1", "M6_12", "M1_12", "M6_0", "p_b1", "p_g", "p_F1", "p_F3", "p_F4"})
-    knots.emplace_back(y_of(adult, adult.points, name), y_of(adult, shape.points, name));
-  const MonotoneCurve curve = build_monotone_curve(std::move(knots));
-  const glm::dvec2 ends = find_height(adult, shape);
-  std::map<std::string, double> guides;
-  for (const GuideLine& line : kGuideLines) {
-    const double y = line.adult_y_mm == 0 ? shape.eye.centre.y - adult_eye.centre.y
-                                          : sample_curve(curve, line.adult_y_mm, true);
-    guides[line.name] = (y - ends.x) / (ends.y - ends.x);
+void add_features(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, double size,
+                  Shape& shape) {
+  Handles handles;
+  std::map<std::string, double> reach;  // mm: how far the strongest of the features moves a point alone
+  EyeChange eyes;
+  EarChange ears;
+  for (const auto& [name, value] : spec.features) {
+    const Feature& feature = shapes.features.at(name);
+    for (const auto& [point, move] : feature.handles) {
+      handles[point] += value * size * move;
+      reach[point] = std::max(reach[point], size * glm::length(move));
+    }
+    eyes.size += value * feature.eye_size;
+    eyes.move_mm += value * size * feature.eye_move_mm;
+    eyes.tilt_deg += value * feature.eye_tilt_deg;
+    ears.size += value * feature.ear_size;
+    ears.out_deg += value * (value > 0 ? feature.ear_out_deg : feature.ear_in_deg);
+    shape.brow_thickness *= 1 + value * feature.brow_thickness;
   }
-  return guides;
+  // Features that pull the same way yield, or a long, drooping, far-standing nose would fold its nostrils.
+  constexpr double kYield = 0.35;  // of what goes beyond the reach of the strongest
+  for (auto& [point, move] : handles)
+    if (const double length = glm::length(move), most = reach[point]; length > most)
+      move *= (most + kYield * (length - most)) / length;
+  if (!handles.empty()) add_field(adult, handles, 1, shape.points);
+  change_eyes(adult, eyes, shape);
+  change_ears(adult, ears, shape);
 }
 
-void move_guides(const Cage& adult, const Eye& adult_eye, const std::map<std::string, double>& wanted,
-                 Shape& shape) {
-  if (wanted.empty()) return;
-  const glm::dvec2 ends = find_height(adult, shape);
-  const double height = ends.y - ends.x;
-  const std::map<std::string, double> now = measure_guides(adult, shape, adult_eye);
-  std::vector<glm::dvec2> knots{{ends.x - height, ends.x - height}, {ends.x, ends.x}};
-  for (const GuideLine& line : kGuideLines) {
-    const auto moved = wanted.find(line.name);
-    const double to = ends.x + height * (moved == wanted.end() ? now.at(line.name) : moved->second);
-    if (to <= knots.back().y + 0.01 * height)
-      throw InputError(
-          fmt::format("guide line '{}' meets the one below it; expected the order mouth_line, nose_base, "
-                      "eye_line, brow_line, hairline from chin to crown on this head",
-                      line.name));
-    knots.emplace_back(ends.x + height * now.at(line.name), to);
+double find_character(const HeadShapes& shapes, const HeadSpec& spec) {
+  double character = spec.character;
+  for (const auto& [name, value] : spec.features) character += value * shapes.features.at(name).character;
+  return std::clamp(character, -1.0, 1.0);
+}
+
+Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Shape& start) {
+  Cage cage = adult;
+  cage.points = start.points;
+  Shape shape = make_empty_shape(adult);
+  double growth = 0;  // against the start
+  for (const auto& [age, weight] : spec.age) {
+    add_shape(shape, build_age(shapes, age, adult, start), weight);
+    growth += weight * shapes.charts.at(age).height_mm / shapes.charts.at(kAges.back()).height_mm;
   }
-  if (knots.back().y >= ends.y - 0.01 * height)
-    throw InputError("guide line 'hairline' meets the crown; expected it below");
-  knots.emplace_back(ends.y, ends.y);
-  Warp warp;
-  warp.height = build_monotone_curve(std::move(knots));
-  warp.outer = warp.inner = warp.front = warp.back = build_monotone_curve({{-1, 1}, {1, 1}});
-  Cage now_cage = adult;
-  now_cage.points = shape.points;
-  shape = apply_warp(now_cage, shape.eye, warp);
+  for (const auto& [name, weight] : flatten_mix(shapes.skulls, spec.skull))
+    add_variant(shapes, name, weight, growth, cage, start.eye, shape);
+  const double character = find_character(shapes, spec);
+  add_variant(shapes, character < 0 ? "female" : "male", std::abs(character), growth, cage, start.eye, shape);
+  const double size =
+      growth * measure_chart(adult, start).height_mm / shapes.charts.at(kAges.back()).height_mm;
+  add_features(shapes, spec, cage, size, shape);
+  close_lips(cage, growth, shape);
+  return shape;
 }
 
-// Fuller lips part and thinner ones bare the teeth: brings the two back to the adult's contact, column by
-// column, at the head's size. What one lip moves its rings share, so the borders hardly know.
-void close_lips(const Cage& adult, double size, Shape& shape) {
+}  // namespace
+
+void close_lips(const Cage& adult, double size, HeadForm& shape) {
   struct RingShare {
     const char* ring;
     double share;
@@ -212,36 +202,40 @@ void close_lips(const Cage& adult, double size, Shape& shape) {
   }
 }
 
-Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Eye& eye) {
-  Shape shape{std::vector<glm::dvec3>(adult.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}};
-  for (const auto& [name, weight] : flatten_mix(shapes.ages, spec.age))
-    add_shape(shape, make_variant(shapes, name, adult, eye), weight);
-  const glm::dvec2 ends = find_height(adult, shape);
-  const double size = (ends.y - ends.x) / (kAdultCrown_mm - kAdultChin_mm);
-  for (const auto& [name, weight] : flatten_mix(shapes.skulls, spec.skull))
-    add_variant(shapes, name, weight, size, adult, eye, shape);
-  add_variant(shapes, spec.character < 0 ? "female" : "male", std::abs(spec.character), size, adult, eye,
-              shape);
-  Handles features;
-  for (const auto& [name, value] : spec.features)
-    for (const auto& [point, move] : shapes.features.at(name)) features[point] += value * size * move;
-  if (!features.empty()) add_field(adult, features, 1, shape.points);
-  close_lips(adult, size, shape);
+HeadForm apply_warp(const Cage& cage, const Eye& eye, const Warp& warp) {
+  HeadForm shape{cage.points, eye};
+  // The ball's front keeps its place in the socket; behind it there is room.
+  shape.eye.radius_mm = eye.radius_mm * warp.eye;
+  shape.eye.centre = warp_point(warp, eye.centre + glm::dvec3(0, 0, eye.radius_mm));
+  shape.eye.centre.z -= shape.eye.radius_mm;
+  for (std::size_t i = 0; i < cage.points.size(); ++i) {
+    const glm::dvec3 side(cage.names[i].starts_with("R:") ? -1 : 1, 1, 1);
+    const glm::dvec3 carried = (shape.eye.centre + warp.eye * (cage.points[i] * side - eye.centre)) * side;
+    shape.points[i] = glm::mix(warp_point(warp, cage.points[i]), carried,
+                               find_eye_share(cage.names[i], warp.carry_e3, warp.carry_e4, 0));
+  }
   return shape;
 }
 
-}  // namespace
-
-void shape_head(const HeadShapes& shapes, const HeadSpec& spec, Cage& cage, Eye& eye) {
-  Shape shape = build_shape(shapes, spec, cage, eye);
-  move_guides(cage, eye, spec.guides, shape);
-  cage.points = std::move(shape.points);
-  eye = shape.eye;
+void shape_head(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, HeadForm& form) {
+  Shape shape = build_shape(shapes, spec, adult, form);
+  move_guides(adult, spec.guides, shape);
+  form = std::move(shape);
 }
 
-std::map<std::string, double> find_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& cage,
-                                          const Eye& eye) {
-  return measure_guides(cage, build_shape(shapes, spec, cage, eye), eye);
+GuideLines find_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& cage, const Eye& eye) {
+  return measure_guides(cage, build_shape(shapes, spec, cage, {cage.points, eye}));
+}
+
+std::vector<std::pair<std::string, double>> measure_guide_heights(const NeutralHead& head) {
+  const Shape shape{head.cage.points, head.eye, head.hairline};
+  const glm::dvec2 ends = find_height(head.cage, shape);
+  const GuideLines lines = measure_guides(head.cage, shape);
+  std::vector<std::pair<std::string, double>> heights{{"chin", ends.x}};
+  for (const std::string& line : kGuides)
+    heights.emplace_back(line, glm::mix(ends.x, ends.y, lines.at(line)));
+  heights.emplace_back("crown", find_bounds(head.skin.positions).high.y);
+  return heights;
 }
 
 }  // namespace mien

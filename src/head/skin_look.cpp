@@ -22,8 +22,8 @@ constexpr std::array<glm::vec3, kSkinMaskCount> kTints = {
     glm::vec3(1),                     // mouth: a colour of its own
     glm::vec3(0.30f, 0.20f, 0.20f),   // throat
     glm::vec3(0.07f, 0.03f, 0.025f),  // nostril
-    glm::vec3(0.98f, 0.66f, 0.62f),   // rim of the lids
-    glm::vec3(0.95f, 0.86f, 0.84f),   // lids
+    glm::vec3(0.98f, 0.74f, 0.70f),   // rim of the lids
+    glm::vec3(0.97f, 0.90f, 0.88f),   // lids
     glm::vec3(0.42f, 0.34f, 0.32f),   // lashes' roots
     glm::vec3(0.88f, 0.82f, 0.86f),   // socket
     glm::vec3(1.02f, 0.76f, 0.70f),   // blood
@@ -38,6 +38,7 @@ constexpr glm::vec3 kMouthColour{0.20f, 0.045f, 0.04f};  // linear: deep red, wh
 constexpr float kExposure = 1.30f, kShoulder = 0.46f;
 constexpr float kShadesPerChannel = 160;  // steps of the palette; fewer show as patches on dark skin
 constexpr float kGlossSteps = 16;
+constexpr float kOpenEnough = 0.5f;  // share of the sky above which a place is as glossy as it is wet
 
 glm::vec3 to_linear(const glm::vec3& srgb) { return glm::pow(srgb, glm::vec3(2.2f)); }
 glm::vec3 to_srgb(const glm::vec3& linear) {
@@ -116,6 +117,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     float gloss = 0.25f + 0.20f * masks[kShine][i] - 0.15f * masks[kSocket][i];
     gloss = std::max({gloss, 0.62f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});
     gloss *= 1 - masks[kNostril][i];
+    gloss *= glm::smoothstep(0.0f, kOpenEnough, openness[i]);  // no lamp is mirrored in a slit
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
     gloss = std::round(gloss * kGlossSteps) / kGlossSteps;

@@ -120,6 +120,21 @@ struct RowSum {
   }
 };
 
+// The row of a vertex of the mid-plane in pairs of mirror images of one weight: summed in this order, they
+// cancel to an x of exactly 0.
+Row pair_row(const Row& row, const std::vector<std::uint32_t>& mirror) {
+  const std::map<std::uint32_t, double> weight_of(row.begin(), row.end());
+  Row paired;
+  for (const auto& [point, weight] : row) {
+    const std::uint32_t image = mirror[point];
+    if (image < point) continue;
+    const double mean = 0.5 * (weight + weight_of.at(image));
+    paired.emplace_back(point, mean);
+    if (image != point) paired.emplace_back(image, mean);
+  }
+  return paired;
+}
+
 }  // namespace
 
 Surface build_surface(const Cage& cage) {
@@ -154,6 +169,8 @@ Surface build_surface(const Cage& cage) {
     }
     rows[v] = sum.take();
   }
+  for (std::uint32_t v = 0; v < count; ++v)
+    if (surface.mirror[v] == v) rows[v] = pair_row(rows[v], cage.mirror);
   surface.first.push_back(0);
   for (const Row& row : rows) {
     for (const auto& [point, weight] : row) {
@@ -162,10 +179,12 @@ Surface build_surface(const Cage& cage) {
     }
     surface.first.push_back(static_cast<std::uint32_t>(surface.point.size()));
   }
-  for (int f = 0; f < fine.GetNumFaces(); ++f) {
+  for (int f = 0; f < fine.GetNumFaces() / 2; ++f) {  // the cage's left quads come first, and so do theirs
     const auto v = fine.GetFaceVertices(f);
+    const auto image = [&](int i) { return surface.mirror[v[i]]; };
     surface.quads.push_back({static_cast<std::uint32_t>(v[0]), static_cast<std::uint32_t>(v[1]),
                              static_cast<std::uint32_t>(v[2]), static_cast<std::uint32_t>(v[3])});
+    surface.quads.push_back({image(0), image(3), image(2), image(1)});
   }
   return surface;
 }

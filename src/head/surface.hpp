@@ -14,14 +14,17 @@ struct Surface {
   std::vector<std::uint32_t> first;  // one more than there are vertices
   std::vector<std::uint32_t> point;  // index of the control point
   std::vector<float> weight;
-  std::vector<Quad> quads;            // of the fine mesh, counter-clockwise from outside
+  std::vector<Quad> quads;  // of the fine mesh, counter-clockwise from outside: each left one and then its
+                            // mirror image; 32 in a row lie in one quad of the cage's left half and its image
   std::vector<std::uint32_t> mirror;  // the fine vertex that is the mirror image
 
   std::size_t vertex_count() const { return first.empty() ? 0 : first.size() - 1; }
 };
 
 // Two levels of Catmull-Clark (OpenSubdiv), pushed to the limit. The rows of mirror images hold mirrored
-// points in the same order, so a mirrored cage gives bit for bit the mirrored skin.
+// points in the same order, and quads come in pairs: a mirrored cage gives bit for bit the mirrored skin and
+// normals, and a mirror-symmetric one a mid-plane of x exactly 0. The cage's quads must be those of its left
+// half and then their mirror images in the same order.
 Surface build_surface(const Cage& cage);
 
 // The skin of `points` (the cage's, deformed), into `positions` (resized).

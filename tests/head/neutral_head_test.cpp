@@ -133,8 +133,11 @@ TEST(head, mixes_ages_without_a_jump) {
     return build_neutral_head(spec, find_data_folder()).cage.points;
   };
   const auto a = at(0.25), b = at(0.5), c = at(0.75);
-  for (std::size_t i = 0; i < a.size(); ++i)
-    EXPECT_LT(glm::length(a[i] + c[i] - 2.0 * b[i]), 1e-9);  // ages mix linearly, point by point
+  for (std::size_t i = 0; i < a.size(); ++i) {  // ages mix linearly, but for what is kept clear of each other
+    const char ring = strip_side(adult().cage.names[i])[0];
+    const bool is_settled = ring == 'E' || ring == 'M' || ring == 'n';  // lids, lips, nostrils
+    EXPECT_LT(glm::length(a[i] + c[i] - 2.0 * b[i]), is_settled ? 0.2 : 1e-9) << adult().cage.names[i];
+  }
 }
 
 TEST(head, random_heads_are_finite_and_not_folded) {
@@ -149,7 +152,7 @@ TEST(head, random_heads_are_finite_and_not_folded) {
     const double k = share(random);
     spec.skull = {{"square", k}, {"narrow", 1 - k}};
     spec.character = sign(random);
-    for (const auto& [name, handles] : load_head_shapes(find_data_folder() / "templates/head").features)
+    for (const auto& [name, feature] : load_head_shapes(find_data_folder() / "templates/head").features)
       spec.features[name] = sign(random);
     const NeutralHead head = build_neutral_head(spec, find_data_folder());
     std::size_t flipped = 0;

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/error.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
@@ -14,7 +15,7 @@ class PartNumbersFile : public testing::Test {
  protected:
   // The real file with one text replaced by another.
   std::filesystem::path write_changed(const std::string& from, const std::string& to) {
-    std::ifstream in(std::filesystem::path(MIEN_SOURCE_DIR) / "templates/head/parts.yaml");
+    std::ifstream in(std::filesystem::path(source_folder()) / "templates/head/parts.yaml");
     std::string text((std::istreambuf_iterator<char>(in)), {});
     const auto at = text.find(from);
     if (at != std::string::npos) text.replace(at, from.size(), to);

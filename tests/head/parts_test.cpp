@@ -8,12 +8,13 @@
 #include "core/holes.hpp"
 #include "head/binding.hpp"
 #include "head/head.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
 
 const NeutralHead& average_head() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, MIEN_SOURCE_DIR);
+  static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
   return head;
 }
 
@@ -21,7 +22,7 @@ const NeutralHead& infant_head() {
   static const NeutralHead head = [] {
     HeadSpec spec;
     spec.age = {{"infant", 1.0}};
-    return build_neutral_head(spec, MIEN_SOURCE_DIR);
+    return build_neutral_head(spec, source_folder());
   }();
   return head;
 }

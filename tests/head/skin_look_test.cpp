@@ -8,12 +8,13 @@
 #include "head/occlusion.hpp"
 #include "head/skin_masks.hpp"
 #include "head/surface.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
 
 const NeutralHead& average_head() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, MIEN_SOURCE_DIR);
+  static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
   return head;
 }
 

@@ -1,0 +1,251 @@
+#include "head/contact.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "core/conventions.hpp"
+#include "head/cage.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr int kLidColumns = 16;
+constexpr int kLipColumns = 6;  // from the middle to the corner of the mouth
+
+// Where a vertex of the skin lies while the cage is moved.
+glm::dvec3 find_limit(const Surface& surface, const Cage& cage, std::uint32_t vertex) {
+  glm::dvec3 sum{0};
+  for (std::uint32_t k = surface.first[vertex]; k < surface.first[vertex + 1]; ++k)
+    sum += static_cast<double>(surface.weight[k]) * cage.points[surface.point[k]];
+  return sum;
+}
+
+void move_both(Cage& cage, std::uint32_t point, const glm::dvec3& move) {
+  cage.points[point] += move;
+  if (cage.mirror[point] == point)
+    cage.points[point].x = 0;
+  else
+    cage.points[cage.mirror[point]] = cage.points[point] * glm::dvec3(-1, 1, 1);
+}
+
+// The vertices of the skin in the cage's left quads whose corners all fulfil `is_wanted`, each once, and the
+// quads they make.
+struct Sheet {
+  std::vector<std::uint32_t> vertices;
+  std::vector<Quad> quads;
+};
+
+template <typename Wanted>
+Sheet find_sheet(const Surface& surface, const Cage& cage, const Wanted& is_wanted) {
+  Sheet sheet;
+  for (std::size_t q = 0; q < cage.quads.size() / 2; ++q) {
+    const Quad& quad = cage.quads[q];
+    if (!std::all_of(quad.begin(), quad.end(), is_wanted)) continue;
+    for (std::size_t i = 0; i < 32; i += 2) sheet.quads.push_back(surface.quads[32 * q + i]);
+  }
+  for (const Quad& quad : sheet.quads) sheet.vertices.insert(sheet.vertices.end(), quad.begin(), quad.end());
+  std::sort(sheet.vertices.begin(), sheet.vertices.end());
+  sheet.vertices.erase(std::unique(sheet.vertices.begin(), sheet.vertices.end()), sheet.vertices.end());
+  return sheet;
+}
+
+// The number behind the underscore of "M1_10", and -1 for a point of another ring.
+int find_column(std::string_view name, std::string_view ring) {
+  name = strip_side(name);
+  if (!name.starts_with(ring)) return -1;
+  int column = 0;
+  for (const char digit : name.substr(ring.size())) column = 10 * column + (digit - '0');
+  return column;
+}
+
+}  // namespace
+
+bool touches_eye(double at) {
+  constexpr double kInner = 1.4, kOuter = 0.6;  // columns beside the corners
+  return at > kInner && at < kLidColumns - kInner && std::abs(at - 8) > kOuter;
+}
+
+std::vector<MarginVertex> find_lid_margin(const Surface& surface, const Cage& cage) {
+  std::vector<int> column(cage.points.size());
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_column(cage.names[i], "E0_");
+  const auto is_in = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with("E1_"); };
+  const auto is_out = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with("EB_"); };
+  const Sheet in = find_sheet(surface, cage, is_in), out = find_sheet(surface, cage, is_out);
+  std::vector<std::uint32_t> shared;
+  std::set_intersection(in.vertices.begin(), in.vertices.end(), out.vertices.begin(), out.vertices.end(),
+                        std::back_inserter(shared));
+  std::vector<MarginVertex> margin;
+  for (const std::uint32_t v : shared) {
+    // The ring's own weights are those of a spline along it: their middle is the place along it.
+    double sum = 0, x = 0, y = 0;
+    for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k)
+      if (const int c = column[surface.point[k]]; c >= 0) {
+        const double turn = 2 * std::numbers::pi * c / kLidColumns;
+        sum += surface.weight[k];
+        x += surface.weight[k] * std::cos(turn);
+        y += surface.weight[k] * std::sin(turn);
+      }
+    if (sum <= 0) continue;
+    const double at = std::atan2(y, x) / (2 * std::numbers::pi) * kLidColumns;
+    margin.push_back({v, at < 0 ? at + kLidColumns : at});
+  }
+  return margin;
+}
+
+double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point) {
+  const double scale = eye.radius_mm / numbers.ball_mm, out = numbers.outward_deg * kRadiansPerDegree;
+  const glm::dvec3 arm = (point - eye.centre) / scale;
+  const glm::dvec3 axis(std::sin(out), 0, std::cos(out));
+  const double length = glm::length(arm), along = glm::dot(arm, axis);
+  const double share = std::sqrt(std::max(0.0, length * length - along * along)) / numbers.cornea_edge_mm;
+  if (along <= 0 || share >= 1) return scale * (length - numbers.ball_mm);
+  const double rise = numbers.cornea_rise_mm * std::pow(1 - share * share, kCorneaSwell) + kCorneaLift_mm;
+  return scale * (length - numbers.ball_mm - rise * along / length);
+}
+
+void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
+  constexpr double kOff_mm = 0.16;  // 0 shows the ball's facets through the lid, 0.4 a gap from the side
+  constexpr int kRounds = 8;        // a round leaves about a third of what is amiss
+  const std::vector<MarginVertex> margin = find_lid_margin(surface, cage);
+  std::array<std::uint32_t, kLidColumns> points{};
+  for (int c = 0; c < kLidColumns; ++c) points[c] = find_point(cage, fmt::format("E0_{}", c));
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<double, kLidColumns> sum{}, weight{};
+    for (const auto& [vertex, at] : margin) {
+      if (!touches_eye(at)) continue;
+      const double lack = kOff_mm - find_standoff_mm(numbers, eye, find_limit(surface, cage, vertex));
+      for (int c = 0; c < kLidColumns; ++c)
+        if (const double near = 1 - std::abs(at - c); near > 0) {
+          sum[c] += near * lack;
+          weight[c] += near;
+        }
+    }
+    for (int c = 0; c < kLidColumns; ++c)
+      if (weight[c] > 0)
+        move_both(cage, points[c],
+                  glm::normalize(cage.points[points[c]] - eye.centre) * (1.3 * sum[c] / weight[c]));
+  }
+}
+
+namespace {
+
+// One lip of the left half: its sheet, and for each of its vertices the column and where it lies now.
+struct Lip {
+  Sheet sheet;
+  std::vector<double> column;  // 0 the middle, 6 the corner
+  std::vector<glm::dvec3> at;  // by vertex, as `column`
+};
+
+constexpr std::array<const char*, 3> kLipRings{"M0_", "M1_", "M2_"};
+
+int find_lip_column(std::string_view name) {
+  for (const char* ring : kLipRings)
+    if (const int column = find_column(name, ring); column >= 0) return column;
+  return -1;
+}
+
+Lip find_lip(const Surface& surface, const Cage& cage, bool is_upper) {
+  std::vector<int> column(cage.points.size());
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    column[i] = find_lip_column(cage.names[i]);
+    if (column[i] >= 0 && !is_upper) column[i] = 2 * kLipColumns - column[i];
+  }
+  Lip lip;
+  lip.sheet =
+      find_sheet(surface, cage, [&](std::uint32_t p) { return column[p] >= 0 && column[p] <= kLipColumns; });
+  for (const std::uint32_t v : lip.sheet.vertices) {
+    double sum = 0, weights = 0;
+    for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k)
+      if (const int c = column[surface.point[k]]; c >= 0) {
+        sum += surface.weight[k] * static_cast<double>(c);
+        weights += surface.weight[k];
+      }
+    lip.column.push_back(weights > 0 ? sum / weights : kLipColumns);
+  }
+  return lip;
+}
+
+void place_lip(const Surface& surface, const Cage& cage, Lip& lip) {
+  lip.at.clear();
+  for (const std::uint32_t v : lip.sheet.vertices) lip.at.push_back(find_limit(surface, cage, v));
+}
+
+std::size_t find_slot(const Lip& lip, std::uint32_t vertex) {
+  return static_cast<std::size_t>(
+      std::lower_bound(lip.sheet.vertices.begin(), lip.sheet.vertices.end(), vertex) -
+      lip.sheet.vertices.begin());
+}
+
+// How far the vertices of `one` come nearer than wanted to the other lip's sheet straight above or below:
+// the worst for each column. `sign` is 1 if `one` is the upper lip.
+void find_lacks(const Lip& one, const Lip& other, double sign, std::array<double, kLipColumns + 1>& lacks) {
+  constexpr double kApart_mm = 0.03;  // less lets facets of the two touch; more shows a slit
+  for (const Quad& quad : other.sheet.quads)
+    for (const auto& [i, j, k] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
+      const std::array corner{find_slot(other, quad[i]), find_slot(other, quad[j]),
+                              find_slot(other, quad[k])};
+      const glm::dvec3 &a = other.at[corner[0]], &b = other.at[corner[1]], &c = other.at[corner[2]];
+      const double low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
+      const double low_z = std::min({a.z, b.z, c.z}), high_z = std::max({a.z, b.z, c.z});
+      const double area = (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+      if (std::abs(area) < 1e-9) continue;
+      for (std::size_t v = 0; v < one.at.size(); ++v) {
+        const glm::dvec3& p = one.at[v];
+        if (p.x < low_x || p.x > high_x || p.z < low_z || p.z > high_z) continue;
+        if (std::find(quad.begin(), quad.end(), one.sheet.vertices[v]) != quad.end()) continue;
+        const double u = ((b.x - p.x) * (c.z - p.z) - (b.z - p.z) * (c.x - p.x)) / area;
+        const double w = ((a.x - p.x) * (b.z - p.z) - (a.z - p.z) * (b.x - p.x)) / area;
+        if (u < -1e-9 || w < -1e-9 || u + w > 1 + 1e-9) continue;
+        const double y = u * a.y + w * c.y + (1 - u - w) * b.y;
+        const double wanted = kApart_mm * std::clamp(kLipColumns - one.column[v], 0.0, 1.0);
+        const double lack = wanted - sign * (p.y - y);
+        for (int column = 0; column < kLipColumns; ++column)
+          if (const double near = 1 - std::abs(one.column[v] - column); near > 0)
+            lacks[column] = std::max(lacks[column], lack * near);
+      }
+    }
+}
+
+// Where the lips' lines lie one before the other they do not touch, but the upper one stays the upper one.
+void keep_order(const Surface& surface, const Cage& cage, std::array<double, kLipColumns + 1>& lacks) {
+  constexpr double kLeast_mm = 0.01;
+  for (int column = 0; column < kLipColumns; ++column)
+    for (const char* ring : kLipRings) {
+      const auto height = [&](int i) {
+        return find_limit(surface, cage, find_point(cage, ring + std::to_string(i))).y;
+      };
+      lacks[column] =
+          std::max(lacks[column], kLeast_mm - (height(column) - height(2 * kLipColumns - column)));
+    }
+}
+
+}  // namespace
+
+void part_lips(const Surface& surface, Cage& cage) {
+  constexpr std::array kShares{1.0, 1.0, 0.35};  // of rings M0, M1, M2: the red's border hardly knows
+  constexpr int kRounds = 12;                    // each takes away half or more; lips that are apart need one
+  Lip upper = find_lip(surface, cage, true), lower = find_lip(surface, cage, false);
+  for (int round = 0; round < kRounds; ++round) {
+    place_lip(surface, cage, upper);
+    place_lip(surface, cage, lower);
+    std::array<double, kLipColumns + 1> lacks{};
+    find_lacks(upper, lower, 1, lacks);
+    find_lacks(lower, upper, -1, lacks);
+    keep_order(surface, cage, lacks);
+    if (*std::max_element(lacks.begin(), lacks.end()) <= 0) return;
+    for (int column = 0; column < kLipColumns; ++column)
+      for (std::size_t ring = 0; ring < kLipRings.size(); ++ring) {
+        const glm::dvec3 move(0, 0.55 * lacks[column] * kShares[ring], 0);
+        move_both(cage, find_point(cage, kLipRings[ring] + std::to_string(column)), move);
+        move_both(cage, find_point(cage, kLipRings[ring] + std::to_string(2 * kLipColumns - column)), -move);
+      }
+  }
+}
+
+}  // namespace mien

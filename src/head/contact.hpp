@@ -1,0 +1,35 @@
+// What must touch and must not pass through each other on every head: lids and ball, upper and lower lip.
+#pragma once
+
+#include "head/head.hpp"
+#include "head/part_numbers.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+// How far `point` stands off the left eye, mm: off its ball, or off the cornea where that stands out of the
+// ball. Negative inside. Measured from the ball's centre outward.
+double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point);
+
+// A vertex of the inner edge of the left lids' margins; `at` counts columns: 0 the inner corner, 4 the middle
+// of the upper lid, 8 the outer corner, 12 the middle of the lower lid.
+struct MarginVertex {
+  std::uint32_t vertex = 0;
+  double at = 0;
+};
+
+std::vector<MarginVertex> find_lid_margin(const Surface& surface, const Cage& cage);
+
+// Whether the margin touches the eye at a column: not in the corners, where the outer one has a fold of its
+// own and the inner one the caruncle.
+bool touches_eye(double at);
+
+// Moves the inner edge of the lids' margins (E0) out of the ball or onto it where they touch it. Both
+// eyes alike.
+void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage);
+
+// Parts the lips where the smooth skin of one passes through the other's: rows M0 to M2 of both give way by
+// halves, column by column. Lips that are apart stay as they are.
+void part_lips(const Surface& surface, Cage& cage);
+
+}  // namespace mien

@@ -1,0 +1,94 @@
+#include "head/form.hpp"
+
+#include <array>
+#include <functional>
+
+#include "core/parallel.hpp"
+#include "head/contact.hpp"
+#include "head/nostrils.hpp"
+#include "head/own_half.hpp"
+#include "head/part_numbers.hpp"
+#include "head/sculpt.hpp"
+#include "head/solve.hpp"
+#include "head/surface.hpp"
+#include "head/wrap.hpp"
+
+namespace mien {
+
+namespace {
+
+void settle_contacts(const HeadStock& stock, const Eye& eye, Cage& cage) {
+  seat_lids(*stock.surface, load_part_numbers().eye, eye, cage);
+  part_lips(*stock.surface, cage);
+}
+
+HeadForm mix_forms(const HeadStock& stock, const std::vector<HeadShare>& shares) {
+  HeadForm sum{std::vector<glm::dvec3>(stock.adult.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
+  for (const auto& [head, weight] : shares) {
+    const HeadForm form = build_form(stock, head);
+    for (std::size_t i = 0; i < sum.points.size(); ++i) sum.points[i] += weight * form.points[i];
+    sum.eye.centre += weight * form.eye.centre;
+    sum.eye.radius_mm += weight * form.eye.radius_mm;
+    sum.hairline += weight * form.hairline;
+    sum.brow_thickness += weight * form.brow_thickness;
+  }
+  return sum;
+}
+
+HeadForm build_start(const HeadStock& stock, const HeadSpec& spec) {
+  if (spec.mesh) return build_own_half(stock, spec.mesh->path);
+  if (spec.scan) return wrap_head(stock, load_scan_files(stock, spec.scan->path, false));
+  if (!spec.mix.empty()) return mix_forms(stock, spec.mix);
+  return {stock.adult.points, Eye{}};
+}
+
+// Parts what sums of changes have brought into each other's way. Sculpting comes after it: it is free.
+void settle(const HeadStock& stock, const HeadForm& start, HeadForm& form) {
+  if (form.points == stock.adult.points) return;  // settled when it was loaded
+  keep_nostrils(stock.adult, start.points, form.points);
+  Cage cage = stock.adult;
+  cage.points = std::move(form.points);
+  settle_contacts(stock, form.eye, cage);
+  form.points = std::move(cage.points);
+}
+
+}  // namespace
+
+HeadStock load_head_stock(const std::filesystem::path& data_folder) {
+  HeadStock stock;
+  stock.folder = data_folder / "templates/head";
+  stock.half = load_half_head(stock.folder);
+  stock.adult = build_cage(stock.half);
+  const Cage unsolved = stock.adult;  // the surface asks for its quads only
+  const std::array<std::function<void()>, 2> works{
+      [&] { solve_cage(stock.half, stock.adult); },
+      [&] {
+        stock.surface = std::make_shared<const Surface>(build_surface(unsolved));
+        stock.shapes = load_head_shapes(stock.folder);
+      }};
+  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  settle_contacts(stock, Eye{}, stock.adult);
+  return stock;
+}
+
+NeutralHead build_bare_head(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
+  NeutralHead head;
+  head.cage = stock.adult;
+  head.cage.points = points;
+  head.hairline = kAdultHairline;
+  std::vector<glm::vec4> packed;
+  pack_points(points, packed);
+  deform_surface(*stock.surface, packed, head.skin.positions);
+  return head;
+}
+
+HeadForm build_form(const HeadStock& stock, const HeadSpec& spec) {
+  const HeadForm start = build_start(stock, spec);
+  HeadForm form = start;
+  shape_head(stock.shapes, spec, stock.adult, form);
+  settle(stock, start, form);
+  sculpt_form(stock, spec.sculpt, form);
+  return form;
+}
+
+}  // namespace mien

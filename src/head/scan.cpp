@@ -1,0 +1,197 @@
+#include "head/scan.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "config/head_files.hpp"
+#include "core/error.hpp"
+#include "head/landmarks.hpp"
+#include "head/nearest.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kExtremeWeight = 0.05;  // nobody finds the highest point of a skull to the millimetre
+constexpr double kMostOff = 0.03;        // of the mesh's size: a landmark further off it is a slip
+
+const Names kScanKeys{"landmarks", "unit"};
+const Names kUnits{"mm", "cm", "m", "in"};
+constexpr std::array kUnits_mm{1.0, 10.0, 1000.0, 25.4};
+
+double find_size(const Polygons& mesh) {
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
+  return glm::distance(low, high);
+}
+
+// The place of one landmark: three coordinates, or the number of one of the mesh's points as its file counts.
+bool load_mark(const YamlValue& value, const Polygons& mesh, glm::dvec3& at) {
+  const bool is_obj = is_geometry_name(mesh.file) && (mesh.file.ends_with("j") || mesh.file.ends_with("J"));
+  const bool is_ply = mesh.file.ends_with("y") || mesh.file.ends_with("Y");
+  if (find_node(value).kind != NodeKind::list && (is_obj || is_ply)) {
+    const int first = is_obj ? 1 : 0, last = static_cast<int>(mesh.positions.size()) - 1 + first;
+    int number = 0;
+    if (!load_whole(value, first, last, number, "(a point of the mesh), or a place such as [0, -30.5, 112]"))
+      return false;
+    at = mesh.positions[static_cast<std::size_t>(number - first)];
+    return true;
+  }
+  const std::vector<YamlValue> items = load_list(value, "a place such as [0, -30.5, 112]");
+  if (find_node(value).kind != NodeKind::list) return false;
+  if (items.size() != 3) {
+    add_mistake(value, fmt::format("{} has {} number{}; expected three, x y z", describe_subject(value),
+                                   items.size(), items.size() == 1 ? "" : "s"));
+    return false;
+  }
+  bool is_right = true;
+  for (int axis = 0; axis < 3; ++axis)
+    is_right &= load_number(items[axis], -kMaxCoordinate, kMaxCoordinate, at[axis]);
+  return is_right;
+}
+
+// Makes a half whole: mirrored triangles beside it, points of the middle shared.
+void complete_half(Polygons& mesh) {
+  const double near = 1e-4 * find_size(mesh);
+  std::vector<std::uint32_t> image(mesh.positions.size());
+  const std::size_t count = mesh.positions.size(), faces = mesh.face_count();
+  for (std::size_t i = 0; i < count; ++i) {
+    glm::dvec3 p = mesh.positions[i];
+    if (std::abs(p.x) < near) {
+      image[i] = static_cast<std::uint32_t>(i);
+      continue;
+    }
+    image[i] = static_cast<std::uint32_t>(mesh.positions.size());
+    p.x = -p.x;
+    mesh.positions.push_back(p);
+  }
+  for (std::size_t f = 0; f < faces; ++f) {
+    for (std::uint32_t i = mesh.first[f + 1]; i-- > mesh.first[f];)
+      mesh.corners.push_back(image[mesh.corners[i]]);
+    mesh.first.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
+  }
+}
+
+void check_half(const Polygons& mesh) {
+  const double near = 0.01 * find_size(mesh);
+  const auto [low, high] = std::ranges::minmax_element(mesh.positions, {}, &glm::dvec3::x);
+  if (low->x >= -near || high->x <= near) return;
+  throw InputError(std::vector<Diagnostic>{
+      {{mesh.file, 0, 0},
+       fmt::format(
+           "not a half: points lie from x = {:.4g} to x = {:.4g}; expected all on one side of x = 0 (a whole "
+           "head is named by head.scan)",
+           low->x, high->x),
+       "",
+       false}});
+}
+
+struct MarkReader {
+  const HeadStock& stock;
+  const HeadWords& words;
+  NeutralHead adult;
+  bool is_half = false;
+  Scan& scan;
+};
+
+void add_mark(MarkReader& reader, const std::string& name, const std::string& bare, bool is_right,
+              const glm::dvec3& at) {
+  const SkinSpot spot = find_place(reader.adult, bare, reader.stock.folder / "landmarks.yaml");
+  LinearRow place = find_mean_row(*reader.stock.surface, spot.vertices, spot.shares);
+  if (is_right)
+    for (auto& entry : place) entry.first = reader.stock.adult.mirror[entry.first];
+  reader.scan.marks.push_back({name, at, std::move(place), spot.is_extreme ? kExtremeWeight : 1});
+}
+
+void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTree& tree) {
+  Scan& scan = reader.scan;
+  const double size = find_size(scan.mesh);
+  for (const YamlEntry& entry : entries) {
+    const bool is_sided = entry.key.ends_with("_l") || entry.key.ends_with("_r");
+    const std::string bare = is_sided ? entry.key.substr(0, entry.key.size() - 2) : entry.key;
+    glm::dvec3 at{0};
+    if (!load_mark(entry.value, scan.mesh, at) || bare == "pupil") continue;  // a pupil is no skin
+    const double off = find_nearest(tree, at, size * 10).distance;
+    if (off > kMostOff * size) {
+      add_mistake(entry.value,
+                  fmt::format("landmark '{}' lies {:.3g} off the mesh, which is {:.3g} large; expected it "
+                              "on the mesh",
+                              entry.key, off, size));
+      continue;
+    }
+    if (!reader.is_half || !is_sided) {
+      if (reader.is_half) at.x = 0;
+      add_mark(reader, entry.key, bare, entry.key.ends_with("_r"), at);
+      continue;
+    }
+    // Of a half one side is told: the other one is its mirror image. Ours is the side with x > 0.
+    at.x = std::abs(at.x);
+    add_mark(reader, bare + "_l", bare, false, at);
+    add_mark(reader, bare + "_r", bare, true, at * glm::dvec3(-1, 1, 1));
+  }
+}
+
+// Landmarks without which no head can be laid on the scan.
+void check_needed(const MarkReader& reader, const YamlValue& root) {
+  const auto has = [&](const std::string& name) {
+    return std::ranges::find(reader.scan.marks, name, &ScanMark::name) != reader.scan.marks.end();
+  };
+  Names missing;
+  for (const std::string& name : find_needed_landmarks(reader.stock.folder / "landmarks.yaml")) {
+    const bool is_sided = std::ranges::find(reader.words.sided, name) != reader.words.sided.end();
+    for (const std::string& each : is_sided ? Names{name + "_l", name + "_r"} : Names{name})
+      if (!has(each)) missing.push_back(each);
+  }
+  if (!missing.empty())
+    add_mistake(root, fmt::format("landmarks are missing: {}; expected all of these, more are welcome",
+                                  join_names(missing)));
+}
+
+}  // namespace
+
+Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half) {
+  Scan scan;
+  scan.mesh = load_polygons(file);
+  if (is_half) check_half(scan.mesh);
+  const auto beside = find_landmark_file(file);
+  if (!beside)
+    throw InputError(std::vector<Diagnostic>{
+        {{file.string(), 0, 0},
+         fmt::format(
+             "has no landmarks beside it; expected a file '{}' such as landmarks: {{prn: [x, y, z], ...}}",
+             fs::path(file).replace_extension(".yaml").filename().string()),
+         "",
+         false}});
+
+  Findings findings;
+  const HeadWords words = load_head_words(stock.folder.parent_path().parent_path(), findings);
+  Names names = words.middle;
+  for (const std::string& name : words.sided)
+    for (const char* side : {"_l", "_r"}) names.push_back(name + side);
+  for (const char* pupil : {"pupil_l", "pupil_r"}) names.push_back(pupil);
+  auto source = load_source(*beside, findings);
+  if (const auto document = source ? scan_document(std::move(*source), findings) : std::nullopt) {
+    MarkReader reader{stock, words, build_bare_head(stock, stock.adult.points), is_half, scan};
+    const YamlValue root = find_root(*document, findings);
+    const YamlMapping entries =
+        load_mapping(root, kScanKeys, "a mapping such as landmarks: {prn: [x, y, z], ...}");
+    if (const YamlValue* unit = find_value(entries, "unit")) {
+      std::string name;
+      if (load_name(*unit, "unit", kUnits, name))
+        scan.unit_mm = kUnits_mm[static_cast<std::size_t>(std::ranges::find(kUnits, name) - kUnits.begin())];
+    }
+    if (const YamlValue* marks = find_required(entries, "landmarks", root, "names and places"))
+      load_marks(reader, load_mapping(*marks, names, "names and places such as {prn: [x, y, z]}", "landmark"),
+                 build_surface_tree(scan.mesh));
+    if (findings.mistakes.empty()) check_needed(reader, root);
+  }
+  throw_mistakes(std::move(findings));
+  if (is_half) complete_half(scan.mesh);
+  return scan;
+}
+
+}  // namespace mien

@@ -1,0 +1,32 @@
+// Somebody else's mesh with landmarks on it, ready to be wrapped.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "head/form.hpp"
+#include "head/least_squares.hpp"
+#include "import/polygons.hpp"
+
+namespace mien {
+
+struct ScanMark {
+  std::string name;   // as in the file: "ex_l"
+  glm::dvec3 at{0};   // in the mesh's unit
+  LinearRow place;    // the same place on our skin, as a form over the cage
+  double weight = 1;  // how well the place is defined: less for extremes such as the crown
+};
+
+struct Scan {
+  Polygons mesh;
+  std::vector<ScanMark> marks;
+  double unit_mm = 0;  // 0: not told; the unit that makes a head of it is taken
+};
+
+// The mesh and the landmarks beside it (NAME.landmarks.yaml, else NAME.yaml). A half (all x on one side of 0,
+// to a hundredth of its size) is made whole; of its landmarks one side is enough. Throws InputError for
+// broken files, unknown or missing landmarks, and landmarks that do not lie on the mesh.
+Scan load_scan_files(const HeadStock& stock, const std::filesystem::path& mesh, bool is_half);
+
+}  // namespace mien

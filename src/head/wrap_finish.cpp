@@ -1,0 +1,46 @@
+#include "head/wrap_finish.hpp"
+
+#include "head/eye_fit.hpp"
+#include "head/least_squares.hpp"
+#include "head/nostrils.hpp"
+
+namespace mien {
+
+namespace {
+
+// To its own size and to the origin of every head: pupils at height 0, ear canals at the adult's share.
+void place_head(const HeadStock& stock, double growth, HeadForm& form) {
+  const std::uint32_t ear = find_point(stock.adult, "er5_13");  // the tragion
+  const glm::dvec3 origin(0, form.eye.centre.y, form.points[ear].z - stock.adult.points[ear].z);
+  for (glm::dvec3& p : form.points) p = growth * (p - origin);
+  form.eye.centre = growth * (form.eye.centre - origin);
+  form.eye.radius_mm *= growth;
+}
+
+// The mouth's bag goes with the mouth as a whole: far behind the lips fairness would guess too much, and a
+// bag of the adult's size would stick out of a child's throat.
+void carry_mouth_bag(const Cage& cage, HeadForm& form) {
+  std::vector<glm::dvec3> from, to;
+  for (std::size_t i = 0; i < cage.points.size(); ++i)
+    for (const char* ring : {"M3_", "M4_", "M5_", "M6_"})
+      if (has_prefix(cage.names[i], ring)) {
+        from.push_back(cage.points[i]);
+        to.push_back(form.points[i]);
+      }
+  const Similarity carried = fit_similarity(from, to);
+  for (std::size_t i = 0; i < cage.points.size(); ++i)
+    if (has_prefix(cage.names[i], "MB")) form.points[i] = apply_similarity(carried, cage.points[i]);
+  mirror_half(cage, form.points);
+}
+
+}  // namespace
+
+void finish_wrap(const HeadStock& stock, double growth, HeadForm& form) {
+  keep_nostrils(stock.adult, stock.adult.points, form.points);
+  carry_mouth_bag(stock.adult, form);
+  close_lips(stock.adult, 1, form);
+  fit_eye(stock, stock.adult.points, form);
+  place_head(stock, growth, form);
+}
+
+}  // namespace mien

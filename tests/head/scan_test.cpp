@@ -1,0 +1,152 @@
+// Scans as files: the mesh, the landmarks beside it, and what is said of wrong ones.
+#include "head/scan.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "face/face.hpp"
+#include "head/landmarks.hpp"
+#include "head/own_half.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+namespace {
+
+namespace fs = std::filesystem;
+
+const HeadStock& stock() {
+  static const HeadStock stock = load_head_stock(find_data_folder());
+  return stock;
+}
+
+fs::path find_file(const std::string& name) { return fs::path(testing::TempDir()) / "mien_scan" / name; }
+
+// The skin of a head as OBJ in metres, x kept at or above `lowest_x`, quads as triangles.
+std::string build_obj(const NeutralHead& head, double lowest_x) {
+  std::string text;
+  for (const glm::vec3& p : head.skin.positions)
+    text += fmt::format("v {:.7f} {:.7f} {:.7f}\n", std::max<double>(p.x, lowest_x) / 1000, p.y / 1000,
+                        p.z / 1000);
+  for (const auto& [a, b, c, d] : head.surface->quads) {
+    bool is_kept = true;
+    for (const std::uint32_t v : {a, b, c, d})
+      is_kept = is_kept && head.skin.positions[v].x > lowest_x - 0.01;
+    if (is_kept) text += fmt::format("f {} {} {}\nf {} {} {}\n", a + 1, b + 1, c + 1, a + 1, c + 1, d + 1);
+  }
+  return text;
+}
+
+std::string build_landmarks(const NeutralHead& head, const std::vector<const char*>& sides) {
+  std::string text = "landmarks:\n";
+  for (const char* name : {"n", "prn", "sn", "gn", "en", "ex", "ch", "t"}) {
+    const SkinSpot spot = find_place(head, name, find_data_folder() / "templates/head/landmarks.yaml");
+    const glm::vec3 p = head.skin.positions[spot.vertices.front()] / 1000.0f;
+    if (std::abs(p.x) < 1e-5f) {
+      text += fmt::format("  {}: [{}, {}, {}]\n", name, p.x, p.y, p.z);
+      continue;
+    }
+    for (const std::string side : sides)
+      text += fmt::format("  {}{}: [{}, {}, {}]\n", name, side, side == "_r" ? -p.x : p.x, p.y, p.z);
+  }
+  return text;
+}
+
+NeutralHead build(const fs::path& file, bool is_half) {
+  HeadSpec spec;
+  (is_half ? spec.mesh : spec.scan) = FileReference{file, {}};
+  return build_neutral_head(spec, find_data_folder());
+}
+
+NeutralHead build_sitter() {
+  HeadSpec spec;
+  spec.character = -0.7;
+  spec.features = {{"nose_length", 0.5}};
+  return build_neutral_head(spec, find_data_folder());
+}
+
+std::string find_fault(const std::string& landmarks, const std::string& mesh = "") {
+  static const std::string obj = build_obj(build_sitter(), -1e9);
+  write_file(find_file("fault.obj"), mesh.empty() ? obj : mesh);
+  write_file(find_file("fault.yaml"), landmarks);
+  try {
+    load_scan_files(stock(), find_file("fault.obj"), false);
+  } catch (const InputError& e) {
+    std::string text;
+    for (Diagnostic diagnostic : e.diagnostics) {
+      diagnostic.place.file = fs::path(diagnostic.place.file).filename();
+      diagnostic.source_line.clear();
+      text += format_diagnostic(diagnostic) + "\n";
+    }
+    return text;
+  }
+  return "";
+}
+
+TEST(scan, wraps_a_file_into_a_head_that_can_shut_its_eyes) {
+  const NeutralHead sitter = build_sitter();
+  write_file(find_file("face.obj"), build_obj(sitter, -1e9));
+  write_file(find_file("face.yaml"), "unit: m\n" + build_landmarks(sitter, {"_l", "_r"}));
+  const NeutralHead head = build(find_file("face.obj"), false);
+  for (std::size_t v = 0; v < stock().half.points.size(); ++v) {
+    if (stock().half.points[v].is_hard) continue;
+    EXPECT_LT(glm::distance(head.skin.positions[v], sitter.skin.positions[v]), 2) << stock().adult.names[v];
+  }
+  const Face face = build_face(head, find_data_folder() / "templates/head/areas.yaml");
+  Pose shut;
+  for (const Side side : {Side::left, Side::right}) shut.values[*find_move("lid", side, "upper")] = -1;
+  std::vector<glm::dvec3> points;
+  pose_cage(head, face, shut, points);
+  const NeutralHead asleep = build_bare_head(stock(), points);
+  const auto at = [&](const char* name) { return asleep.skin.positions[find_point(head.cage, name)]; };
+  for (const auto& [upper, lower] : {std::pair{"E1_3", "E1_13"}, {"E1_4", "E1_12"}, {"E1_5", "E1_11"}})
+    EXPECT_LT(glm::distance(at(upper), at(lower)), 1.5) << upper;
+  for (const char* name : {"E1_4", "E2_4", "E2_12", "E1_12"})
+    EXPECT_GT(glm::distance(glm::dvec3(at(name)), head.eye.centre), head.eye.radius_mm) << name;
+}
+
+TEST(scan, a_half_of_other_points_is_made_whole) {
+  const NeutralHead sitter = build_sitter();
+  write_file(find_file("half.obj"), build_obj(sitter, 0));
+  write_file(find_file("half.landmarks.yaml"), build_landmarks(sitter, {"_l"}));
+  const NeutralHead head = build(find_file("half.obj"), true);
+  for (const char* name : {"p_tip", "M1_6", "q12_C4", "p_F2", "E1_4", "M6_12"}) {
+    const std::uint32_t v = find_point(head.cage, name);
+    EXPECT_LT(glm::distance(head.skin.positions[v], sitter.skin.positions[v]), 1.5) << name;
+  }
+}
+
+TEST(scan, tells_what_is_wrong_with_its_landmarks) {
+  const std::string good = build_landmarks(build_sitter(), {"_l", "_r"});
+  EXPECT_EQ(find_fault(good), "");
+  EXPECT_EQ(find_fault(good + "unit: feet\n"),
+            fmt::format("fault.yaml:{}:7: error: unknown unit 'feet'; known: mm, cm, m, in\n",
+                        std::ranges::count(good, '\n') + 1));
+  EXPECT_EQ(find_fault("landmarks: {prm: [0, 0, 0]}\n"),
+            "fault.yaml:1:13: error: unknown landmark 'prm' in 'landmarks'; did you mean 'prn'?\n");
+  EXPECT_EQ(find_fault("landmarks: {prn: [0, 0]}\n"),
+            "fault.yaml:1:18: error: 'landmarks.prn' has 2 numbers; expected three, x y z\n");
+  EXPECT_EQ(
+      find_fault("landmarks: {prn: 1000000}\n"),
+      fmt::format(
+          "fault.yaml:1:18: error: 'landmarks.prn' is '1000000'; expected a whole number from 1 to {} (a "
+          "point of the mesh), or a place such as [0, -30.5, 112]\n",
+          stock().surface->vertex_count()));
+  EXPECT_EQ(find_fault("landmarks: {prn: [0, 0, 1]}\n").substr(0, 47),
+            "fault.yaml:1:18: error: landmark 'prn' lies 0.8");
+  EXPECT_EQ(find_fault("landmarks: {prn: 1, ex_l: 2, ex_r: 3}\n"),
+            "fault.yaml:1:1: error: landmarks are missing: n, sn, gn, en_l, en_r, ch_l, ch_r, t_l, t_r; "
+            "expected all of "
+            "these, more are welcome\n");
+  EXPECT_EQ(find_fault("unit: mm\n"),
+            "fault.yaml:1:1: error: the file has no 'landmarks'; expected names and places\n");
+  EXPECT_EQ(find_fault("mien: 1\nlandmarks: {}\n").substr(0, 50),
+            "fault.yaml:1:1: error: unknown key 'mien'; known: ");
+}
+
+}  // namespace
+}  // namespace mien
