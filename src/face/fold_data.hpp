@@ -1,0 +1,54 @@
+// templates/head/folds.yaml as values: where the skin folds and which moves of the face fold it.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "face/face_data.hpp"
+
+namespace mien {
+
+// A place of the left half: a point of the cage, or one a share of the way from it to another.
+struct FoldPoint {
+  std::string from, to;  // the same: no way to go
+  double share = 0;
+};
+
+struct FoldLine {
+  std::vector<FoldPoint> through;  // at least 2
+  std::vector<double> depths;      // shares of the set's depth at even steps along the line; ends are 0
+  int file_line = 0;
+};
+
+// A product of signed values, each only where positive, times a share.
+struct FoldDrive {
+  double share = 1;
+  std::vector<Driver> drivers;
+};
+
+struct FoldSet {
+  std::string name;
+  std::vector<FoldDrive> drives;  // summed
+  double from = 0, to = 1;        // the sum at which a fold begins and is whole
+  double depth_mm = 0;            // of the whole fold, on the adult
+  double width_mm = 1;            // half width of the groove in the skin at rest
+  std::array<double, 2> rolls{};  // height of the swelling left and right of the line, shares of the depth
+  double spread = 2;              // how many widths from the line the swelling is highest
+  double across_mm = 0;           // how far one side's folds go on over the mid-line; 0: they do not
+  std::vector<FoldLine> lines;
+};
+
+struct FoldData {
+  std::map<std::string, double> ages;  // age -> how deep folds are against an adult's
+  double female = 1, male = 1;         // the same for characters
+  double edge = 1;                     // longest edge of the skin in a groove, in its widths
+  std::vector<FoldSet> sets;
+};
+
+// Throws RunError "FILE:LINE: ..." for what it does not understand.
+FoldData load_fold_data(const std::filesystem::path& file);
+
+}  // namespace mien

@@ -1,0 +1,55 @@
+// Folds of the skin: grooves and the swellings beside them, pressed into the fine skin by what the face does.
+//
+// A fold is a height over the smooth skin, a sum of sets each of which grows with its drive. Normals follow
+// from the height's slope, so a groove is as crisp as the mesh allows.
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "face/fold_data.hpp"
+#include "head/fine_skin.hpp"
+
+namespace mien {
+
+// How deep a vertex of the left half (or the mid-plane) lies in a set's whole folds, mm: of those of its own
+// side and of the other's.
+struct FoldedVertex {
+  std::uint32_t vertex = 0;
+  float near_mm = 0, far_mm = 0;
+};
+
+struct FoldField {
+  std::vector<FoldDrive> drives;
+  double from = 0, to = 1;
+  std::vector<FoldedVertex> vertices;
+};
+
+// Folds of one head; built once.
+struct Folds {
+  FineSkin skin;
+  std::vector<FoldField> fields;
+  std::vector<std::uint32_t> pairs;     // left triangles of `skin` with a vertex in any fold: 2 * k
+  std::vector<std::uint32_t> vertices;  // of those, both sides
+};
+
+// Buffers of one thread, all zero between calls.
+struct FoldBuffers {
+  std::vector<float> heights;     // mm, a vertex
+  std::vector<glm::vec4> slopes;  // sum of area x slope, and of area
+};
+
+// Solves `file` (templates/head/folds.yaml) for this head; `spec` tells its age and character. Throws
+// RunError for broken data.
+Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::filesystem::path& file);
+
+// How much of a set's folds there is on one side: 0..1, of slope 0 where it begins and ends.
+double find_fold_amount(const FoldField& field, const Pose& pose, Side side);
+
+// Folds the skin of `pose`: `positions` and `normals` are those of folds.skin, smooth. Nothing is changed
+// where there is no fold, nor anything at all in the neutral pose. Mirrored poses give mirrored skins bit for
+// bit.
+void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
+                 std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals);
+
+}  // namespace mien

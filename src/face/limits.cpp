@@ -1,0 +1,110 @@
+// Face units after MPEG-4's FAPU (ISO/IEC 14496-2), limits after Yen (1990).
+#include "face/limits.hpp"
+
+#include <fmt/format.h>
+#include <yaml-cpp/yaml.h>
+#include <cmath>
+
+#include "core/conventions.hpp"
+#include "core/error.hpp"
+
+namespace mien {
+
+namespace {
+
+double find_unit_mm(const FaceUnits& units, const std::string& name) {
+  if (name == "eye_separation") return units.eye_separation;
+  if (name == "eye_nose") return units.eye_nose;
+  if (name == "mouth_nose") return units.mouth_nose;
+  if (name == "mouth_width") return units.mouth_width;
+  if (name == "iris") return units.iris;
+  throw RunError(fmt::format("unknown face unit '{}'", name));
+}
+
+// How far a point of the cage goes with one move alone.
+double find_way_mm(const NeutralHead& head, const Face& face, const Pose& pose, const std::string& point) {
+  std::vector<glm::dvec3> points;
+  pose_cage(head, face, pose, points);
+  const auto found = head.cage.index.find(point);
+  if (found == head.cage.index.end()) throw RunError(fmt::format("unknown point '{}' of a limit", point));
+  return glm::distance(points[found->second], head.cage.points[found->second]);
+}
+
+double find_angle_deg(const Face& face, const LimitName& name) {
+  const MoveInfo& info = kMoves[name.move];
+  double angle = face.jaw.open_rad;
+  if (info.area == "lid") angle = info.move == "upper" ? face.lids.wide_rad : face.lids.raised_rad;
+  if (info.area == "eye" && info.move == "up") angle = name.sign > 0 ? face.eye_up_rad : face.eye_down_rad;
+  if (info.area == "eye" && info.move == "side") angle = face.eye_side_rad;
+  return angle / kRadiansPerDegree;
+}
+
+Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& name, double share,
+                   const std::string& point) {
+  Limit limit{&name, "deg", share * find_angle_deg(face, name), 0, point, -1};
+  if (kMoves[name.move].area == "eye") {
+    // The pupil's way is the chord of its turn about the eye's centre.
+    limit.mm = 2 * head.eye.radius_mm * std::sin(limit.value * kRadiansPerDegree / 2);
+    return limit;
+  }
+  Pose pose;
+  pose.values[name.move] = name.sign * share;
+  limit.mm = find_way_mm(head, face, pose, point);
+  return limit;
+}
+
+std::vector<Limit> measure_all(const NeutralHead& head, const Face& face, const LimitShares& shares,
+                               const YAML::Node& table) {
+  const FaceUnits adult = measure_face(head.cage, head.adult_points, head.adult_eye);
+  std::vector<Limit> limits;
+  for (const LimitName& name : list_limits()) {
+    const MoveInfo& info = kMoves[name.move];
+    const YAML::Node row = table[fmt::format("{}.{}", info.area, info.move)];
+    const double share = (name.sign > 0 ? shares.plus : shares.minus)[name.move];
+    const std::string point =
+        (info.side == Side::right && info.area != "eye" ? "R:" : "") + row["at"].as<std::string>();
+    if (!row["axis"]) {
+      limits.push_back(measure_turn(head, face, name, share, point));
+      continue;
+    }
+    const std::string unit = row["unit"].as<std::string>();
+    const double adult_mm = row[name.sign > 0 ? "plus_mm" : "minus_mm"].as<double>();
+    const double value = share * adult_mm / find_unit_mm(adult, unit);
+    limits.push_back({&name, unit, value, value * find_unit_mm(face.units, unit), point,
+                      row["axis"].as<std::string>() == "x" ? 0 : 1});
+  }
+  return limits;
+}
+
+}  // namespace
+
+LimitShares::LimitShares() {
+  plus.fill(1);
+  minus.fill(1);
+}
+
+LimitShares find_limit_shares(const std::map<std::string, double>& limits) {
+  LimitShares shares;
+  for (const LimitName& name : list_limits())
+    if (const auto found = limits.find(name.name); found != limits.end())
+      (name.sign > 0 ? shares.plus : shares.minus)[name.move] = found->second;
+  return shares;
+}
+
+Pose apply_limits(const LimitShares& shares, const Pose& pose) {
+  Pose limited = pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    limited.values[i] *= pose.values[i] > 0 ? shares.plus[i] : shares.minus[i];
+  return limited;
+}
+
+std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares,
+                                  const std::filesystem::path& file) {
+  try {
+    return measure_all(head, face, shares, YAML::LoadFile(file.string())["limits"]);
+  } catch (const YAML::Exception& e) {
+    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,43 @@
+// The limits of the areas on one head: how far each way of each move goes at value 1.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "config/limits.hpp"
+#include "face/face.hpp"
+
+namespace mien {
+
+// Each limit's share of what the head would have without `head.limits`, by move: 1 leaves it as it is.
+struct LimitShares {
+  std::array<double, kMoveCount> plus, minus;
+  LimitShares();
+};
+
+// `limits` by the names of config/limits.hpp.
+LimitShares find_limit_shares(const std::map<std::string, double>& limits);
+
+// The pose of this head's areas: each value times the share of its limit. Without shares it is the same to
+// the last bit.
+Pose apply_limits(const LimitShares& shares, const Pose& pose);
+
+// One limit, measured. Limits that are turns (lids, eyes, chin) are angles; the others are stored in face
+// units, so that one performance reads the same on every head.
+struct Limit {
+  const LimitName* name = nullptr;
+  std::string unit;   // "eye_nose"; "deg" for a turn
+  double value = 0;   // in `unit`, the same on every head but for its share
+  double mm = 0;      // on this head, along the axis; of a turn the way of the point
+  std::string point;  // where it is measured, of the cage: "E5_4", "R:E5_4"; "pupil" of an eye
+  int axis = -1;      // along which: 0 x, 1 y; -1 for a turn
+};
+
+// `file` is templates/head/areas.yaml. Throws RunError for broken data.
+std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares,
+                                  const std::filesystem::path& file);
+
+}  // namespace mien

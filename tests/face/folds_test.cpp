@@ -1,0 +1,215 @@
+#include "face/folds.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <random>
+
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "frames/figure.hpp"
+#include "head/cage.hpp"
+
+namespace mien {
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path find_fold_file() { return find_data_folder() / "templates/head/folds.yaml"; }
+
+Figure build(const std::string& age) {
+  HeadSpec spec;
+  spec.age = {{age, 1.0}};
+  return build_figure(spec, find_data_folder());
+}
+
+const Figure& adult() {
+  static const Figure figure = build("adult");
+  return figure;
+}
+
+Pose build_random_pose(std::mt19937& random) {
+  Pose pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
+  return pose;
+}
+
+// All that folds at once is no face; this is the most that one half of them asks for.
+Pose build_folded_pose() {
+  Pose pose;
+  const auto set = [&](const char* area, const char* move, double value) {
+    for (const Side side : {Side::none, Side::left, Side::right})
+      if (const auto found = find_move(area, side, move)) pose.values[*found] = value;
+  };
+  set("brow", "up", 1);
+  set("brow", "turn", 1);
+  set("lips", "upper", 1);
+  set("corner", "up", 1);
+  set("corner", "out", 1);
+  set("lid", "lower", 1);
+  return pose;
+}
+
+PartShape draw_skin(const Figure& figure, const Pose& pose, bool has_folds) {
+  DeformBuffers buffers;
+  buffers.has_folds = has_folds;
+  Drawing drawing;
+  deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+  return drawing.parts.front();
+}
+
+double find_deepest_mm(const Figure& figure, const Pose& pose) {
+  const PartShape folded = draw_skin(figure, pose, true), smooth = draw_skin(figure, pose, false);
+  double deepest_mm = 0;
+  for (std::size_t v = 0; v < folded.positions.size(); ++v)
+    deepest_mm = std::max<double>(deepest_mm, glm::distance(folded.positions[v], smooth.positions[v]));
+  return deepest_mm;
+}
+
+TEST(fine_skin, has_the_edges_of_the_skin_and_no_others) {
+  const FineSkin& fine = adult().folds.skin;
+  EXPECT_GT(fine.parents.size(), 2000U);
+  EXPECT_LT(fine.parents.size(), 14000U);  // else scenes grow by half
+  EXPECT_EQ(count_open_edges(fine.triangles), count_open_edges(adult().head.skin.triangles));
+  ASSERT_EQ(fine.mirror.size(), fine.vertex_count());
+  for (std::uint32_t v = 0; v < fine.vertex_count(); ++v) ASSERT_EQ(fine.mirror[fine.mirror[v]], v);
+  for (std::size_t i = 0; i < fine.parents.size(); ++i)
+    for (const std::uint32_t parent : fine.parents[i]) ASSERT_LT(parent, fine.base_count + i);
+}
+
+TEST(fine_skin, is_the_same_for_every_age) {
+  const Figure infant = build("infant");
+  EXPECT_EQ(infant.folds.skin.parents, adult().folds.skin.parents);
+  EXPECT_EQ(infant.folds.skin.triangles, adult().folds.skin.triangles);
+}
+
+TEST(folds, the_neutral_pose_is_smooth_to_the_last_bit) {
+  const PartShape folded = draw_skin(adult(), Pose{}, true), smooth = draw_skin(adult(), Pose{}, false);
+  EXPECT_TRUE(folded.positions == smooth.positions);
+  EXPECT_TRUE(folded.normals == smooth.normals);
+}
+
+TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit) {
+  const Folds& folds = adult().folds;
+  std::mt19937 random(3);
+  for (int round = 0; round < 20; ++round) {
+    const Pose pose = build_random_pose(random);
+    Pose image;
+    for (std::size_t i = 0; i < kMoveCount; ++i) {
+      const MoveInfo& move = kMoves[i];
+      const Side other = move.side == Side::left ? Side::right : Side::left;
+      const double sign = move.area == "eye" && move.move == "side" ? -1 : 1;
+      image.values[move.side == Side::none ? i : *find_move(move.area, other, move.move)] =
+          sign * pose.values[i];
+    }
+    PartShape here = draw_skin(adult(), pose, false), there = here;
+    for (std::size_t v = 0; v < here.positions.size(); ++v) {
+      there.positions[folds.skin.mirror[v]] = here.positions[v] * glm::vec3(-1, 1, 1);
+      there.normals[folds.skin.mirror[v]] = here.normals[v] * glm::vec3(-1, 1, 1);
+    }
+    FoldBuffers buffers;
+    press_folds(folds, pose, buffers, here.positions, here.normals);
+    press_folds(folds, image, buffers, there.positions, there.normals);
+    for (std::size_t v = 0; v < here.positions.size(); ++v) {
+      const std::uint32_t m = folds.skin.mirror[v];
+      ASSERT_TRUE(here.positions[v] == there.positions[m] * glm::vec3(-1, 1, 1)) << v;
+      ASSERT_TRUE(here.normals[v] == there.normals[m] * glm::vec3(-1, 1, 1)) << v;
+    }
+  }
+}
+
+TEST(folds, one_brow_folds_its_own_side) {
+  Pose pose;
+  pose.values[*find_move("brow", Side::left, "up")] = 1;
+  const PartShape folded = draw_skin(adult(), pose, true), smooth = draw_skin(adult(), pose, false);
+  double left_mm = 0, right_mm = 0;
+  for (std::size_t v = 0; v < folded.positions.size(); ++v) {
+    double& side_mm = smooth.positions[v].x > 0 ? left_mm : right_mm;
+    if (std::abs(smooth.positions[v].x) > 15)
+      side_mm = std::max<double>(side_mm, glm::distance(folded.positions[v], smooth.positions[v]));
+  }
+  EXPECT_GT(left_mm, 0.5);
+  EXPECT_EQ(right_mm, 0);
+}
+
+TEST(folds, grow_without_a_jerk) {
+  constexpr int kSteps = 200;
+  constexpr double kSteepest = 6;  // of an amount against a move; the eye takes more for a pop
+  for (const FoldField& field : adult().folds.fields) {
+    double before = 0, slope_before = 0;
+    for (int i = 0; i <= kSteps; ++i) {
+      Pose pose = build_folded_pose();
+      for (const FoldDrive& drive : field.drives)
+        for (const Driver& driver : drive.drivers)
+          for (const Side side : {Side::none, Side::left})
+            if (const auto move = find_move(driver.area, side, driver.move))
+              pose.values[*move] = driver.sign * static_cast<double>(i) / kSteps;
+      const double now = find_fold_amount(field, pose, Side::left), slope = (now - before) * kSteps;
+      EXPECT_LE(std::abs(slope), kSteepest);
+      EXPECT_LE(std::abs(i > 0 ? slope - slope_before : now), i > 0 ? 0.6 : 0.0);
+      before = now;
+      slope_before = i > 0 ? slope : 0;
+    }
+  }
+}
+
+TEST(folds, turn_no_part_of_the_skin_over) {
+  std::mt19937 random(5);
+  for (int round = 0; round < 12; ++round) {
+    const Pose pose = round == 0 ? build_folded_pose() : build_random_pose(random);
+    const PartShape folded = draw_skin(adult(), pose, true), smooth = draw_skin(adult(), pose, false);
+    int turned = 0;
+    for (const auto& [a, b, c] : adult().folds.skin.triangles) {
+      const auto area = [&, a = a, b = b, c = c](const std::vector<glm::vec3>& p) {
+        return glm::cross(p[b] - p[a], p[c] - p[a]);
+      };
+      turned += glm::dot(area(folded.positions), area(smooth.positions)) < 0;
+    }
+    EXPECT_EQ(turned, 0) << "round " << round;
+    for (const glm::vec3& n : folded.normals) ASSERT_NEAR(glm::length(n), 1, 1e-3);
+  }
+}
+
+TEST(folds, are_deep_on_an_adult_and_hardly_seen_on_an_infant) {
+  const double adult_mm = find_deepest_mm(adult(), build_folded_pose());
+  EXPECT_GT(adult_mm, 0.8);
+  EXPECT_LT(adult_mm, 3.0);
+  EXPECT_LT(find_deepest_mm(build("child"), build_folded_pose()), 0.4 * adult_mm);
+  EXPECT_LT(find_deepest_mm(build("infant"), build_folded_pose()), 0.15 * adult_mm);
+}
+
+// The message for the shipped file with `from` replaced by `to`, less the folder.
+std::string find_mistake(const std::string& from, const std::string& to) {
+  std::string text = read_file(find_fold_file());
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, text.npos) << from;
+  text.replace(at, from.size(), to);
+  const fs::path file = fs::path(testing::TempDir()) / "folds.yaml";
+  write_file(file, text);
+  try {
+    build_folds(adult().head, HeadSpec{}, file);
+  } catch (const RunError& e) {
+    const std::string message = e.what();
+    EXPECT_TRUE(message.starts_with(file.string() + ":")) << message;
+    return message.substr(message.find(": ") + 2);
+  }
+  return "none";
+}
+
+TEST(folds, mistakes_in_the_file_are_told_at_their_line) {
+  EXPECT_EQ(find_mistake("edge: 1.0", "edge: wide"), "found 'wide'; expected a number from 0.3 to 3");
+  EXPECT_EQ(find_mistake("[brow.up+]", "[brow.upp+]"), "unknown move 'brow.upp'");
+  EXPECT_EQ(find_mistake("[brow.up+]", "[brow.up]"),
+            "'brow.up' is not a driver; expected area.move+ or area.move-");
+  EXPECT_EQ(
+      find_mistake("    spread:", "    spred:"),
+      "unknown key 'spred'; expected drive, from, to, depth_mm, width_mm, rolls, spread, across_mm, lines");
+  EXPECT_EQ(find_mistake("edge: 1.0", ""), "'edge' is missing");
+  EXPECT_EQ(find_mistake("[p_F1, p_F2,", "[p_F1, p_Q2,"), "the head has no point called 'p_Q2'");
+}
+
+}  // namespace
+}  // namespace mien
