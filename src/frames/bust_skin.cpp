@@ -223,7 +223,9 @@ bool close_eye(const NeutralHead& head, Mesh& mesh, const Loop& loop) {
 
 BustSkin build_bust_skin(const NeutralHead& head, const std::vector<glm::vec3>& positions) {
   BustSkin skin;
-  skin.mesh.positions = positions;
+  // Without the vertices that only folds need.
+  skin.mesh.positions.assign(positions.begin(),
+                             positions.begin() + static_cast<std::ptrdiff_t>(head.skin.positions.size()));
   skin.mesh.triangles = head.skin.triangles;
   close_mouth(head, skin.mesh);
   const std::vector<Loop> loops = find_boundary_loops(skin.mesh.triangles);

@@ -1,8 +1,12 @@
 #include "frames/figure.hpp"
 
+#include <array>
+#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/conventions.hpp"
+#include "core/parallel.hpp"
+#include "head/hair.hpp"
 #include "head/skin_look.hpp"
 #include "head/surface.hpp"
 
@@ -71,16 +75,30 @@ void deform_strands(const HeadPart& bound, const Part& part, const Mesh& rest_sk
 Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder) {
   Figure figure;
   figure.head = build_neutral_head(spec, data_folder);
-  figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml");
-  figure.parts.push_back({build_skin_part(figure.head, spec.look), Mount::skin, {}});
-  for (auto* build : {&build_eyes, &build_mouth, &build_hairs})
-    for (HeadPart& part : build(figure.head, spec.look)) figure.parts.push_back(std::move(part));
+  figure.limits = find_limit_shares(spec.limits);
+  // Independent of each other, the slow ones first.
+  std::array<std::vector<HeadPart>, 5> made;
+  const std::array<std::function<void()>, 7> works{
+      [&] { figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml"); },
+      [&] { figure.folds = build_folds(figure.head, spec, data_folder / "templates/head/folds.yaml"); },
+      [&] {
+        made[0].push_back({build_skin_part(figure.head, spec.look), Mount::skin, {}});
+      },
+      [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
+      [&] { made[3] = build_hairs(figure.head, spec.look); },
+      [&] { made[2] = build_mouth(figure.head, spec.look); },
+      [&] { made[1] = build_eyes(figure.head, spec.look); }};
+  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for (std::vector<HeadPart>& parts : made)
+    for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
+  refine_part(figure.folds.skin, figure.model.parts.front());
   return figure;
 }
 
-void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
+void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
                    Drawing& drawing) {
+  const Pose pose = apply_limits(figure.limits, asked);
   drawing.parts.resize(figure.parts.size());
   const bool is_neutral = pose == Pose{} && !is_turned(turn);
   const glm::dmat4 head_turn = is_turned(turn) ? find_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
@@ -105,6 +123,9 @@ void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, 
       deform_strands(bound, part, figure.head.skin, skin, shape);
     }
   }
+  // Last: hairs stand on the smooth skin, whose normals do not shake.
+  append_fine_points(figure.folds.skin, skin.positions, skin.normals);
+  if (buffers.has_folds) press_folds(figure.folds, pose, buffers.folds, skin.positions, skin.normals);
 }
 
 }  // namespace mien

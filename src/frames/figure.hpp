@@ -7,6 +7,8 @@
 #include "config/spec.hpp"
 #include "core/model.hpp"
 #include "face/face.hpp"
+#include "face/folds.hpp"
+#include "face/limits.hpp"
 #include "head/head.hpp"
 
 namespace mien {
@@ -15,17 +17,21 @@ namespace mien {
 struct Figure {
   NeutralHead head;
   Face face;
+  Folds folds;
+  LimitShares limits;           // of `head.limits`
   std::vector<HeadPart> parts;  // their `part` is moved into `model`: parts[i] carries model.parts[i]
   Model model;
 };
 
-// The buffers of one thread; contents mean nothing between calls.
+// The buffers of one thread; contents mean nothing between calls. Without `has_folds` the skin stays smooth.
 struct DeformBuffers {
+  bool has_folds = true;
+  FoldBuffers folds;
   std::vector<glm::dvec3> points;
   std::vector<glm::vec4> packed;
 };
 
-// About 0.3 s. Throws RunError for broken data in `data_folder`.
+// About 0.2 s on two cores. Throws RunError for broken data in `data_folder`.
 Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder);
 
 // The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives

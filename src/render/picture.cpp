@@ -69,28 +69,33 @@ PictureSize read_size(const Chunks& chunks) {
   return {static_cast<int>(read_number(header)), static_cast<int>(read_number(header.substr(4)))};
 }
 
-struct Pixels {
-  std::vector<png_byte> rgba;
+struct Decoded {
+  std::vector<png_byte> bytes;
   std::string fault;
 };
 
-Pixels decode_picture(std::string_view png) {
-  Pixels pixels;
+// `format` is libpng's: PNG_FORMAT_RGBA, ...
+Decoded decode_picture(std::string_view png, png_uint_32 format = PNG_FORMAT_RGBA) {
+  Decoded decoded;
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
   if (png_image_begin_read_from_memory(&image, png.data(), png.size()) != 0) {
-    image.format = PNG_FORMAT_RGBA;
-    pixels.rgba.resize(PNG_IMAGE_SIZE(image));
-    if (png_image_finish_read(&image, nullptr, pixels.rgba.data(), 0, nullptr) != 0) return pixels;
+    image.format = format;
+    decoded.bytes.resize(PNG_IMAGE_SIZE(image));
+    if (png_image_finish_read(&image, nullptr, decoded.bytes.data(), 0, nullptr) != 0) return decoded;
   }
-  pixels.fault = image.message;
+  decoded.fault = image.message;
   png_image_free(&image);
-  return pixels;
+  return decoded;
 }
 
 bool is_one_colour(const std::vector<png_byte>& rgba) {
   // Equal to itself shifted by one pixel.
   return std::equal(rgba.begin() + 4, rgba.end(), rgba.begin());
+}
+
+[[noreturn]] void fail_picture(const std::filesystem::path& picture, const std::string& fault) {
+  throw RunError(fmt::format("{} is not a whole PNG picture: {}", picture.string(), fault));
 }
 
 void append_chunk(std::string& png, std::string_view type, std::string_view data) {
@@ -110,9 +115,9 @@ std::string find_picture_fault(std::string_view png, const PictureSize& expected
   if (width_px != expected.width_px || height_px != expected.height_px)
     return fmt::format("is {}x{} pixels, not {}x{}", width_px, height_px, expected.width_px,
                        expected.height_px);
-  const Pixels pixels = decode_picture(png);
-  if (!pixels.fault.empty()) return "does not decode: " + pixels.fault;
-  return is_one_colour(pixels.rgba) ? "is all one colour" : "";
+  const Decoded decoded = decode_picture(png);
+  if (!decoded.fault.empty()) return "does not decode: " + decoded.fault;
+  return is_one_colour(decoded.bytes) ? "is all one colour" : "";
 }
 
 std::string mark_picture(std::string_view png, std::string_view key) {
@@ -142,9 +147,42 @@ std::string read_picture_key(const std::filesystem::path& picture) {
 PictureSize read_picture_size(const std::filesystem::path& picture) {
   const std::string png = read_file(picture);
   const Chunks chunks = find_chunks(png);
-  if (!chunks.fault.empty())
-    throw RunError(fmt::format("{} is not a whole PNG picture: {}", picture.string(), chunks.fault));
+  if (!chunks.fault.empty()) fail_picture(picture, chunks.fault);
   return read_size(chunks);
+}
+
+Pixels read_pixels(const std::filesystem::path& picture) {
+  const std::string png = read_file(picture);
+  const Chunks chunks = find_chunks(png);
+  if (!chunks.fault.empty()) fail_picture(picture, chunks.fault);
+  Decoded decoded = decode_picture(png, PNG_FORMAT_RGB);
+  if (!decoded.fault.empty()) fail_picture(picture, decoded.fault);
+  return {read_size(chunks), std::move(decoded.bytes)};
+}
+
+void paste_pixels(Pixels& page, const Pixels& part, int left_px, int top_px) {
+  if (left_px < 0 || top_px < 0 || left_px + part.size.width_px > page.size.width_px ||
+      top_px + part.size.height_px > page.size.height_px)
+    throw RunError("internal: a picture lies outside its page");
+  const std::ptrdiff_t row = std::ptrdiff_t{3} * part.size.width_px;
+  for (int y = 0; y < part.size.height_px; ++y) {
+    const std::ptrdiff_t at = std::ptrdiff_t{3} * ((top_px + y) * page.size.width_px + left_px);
+    std::copy_n(part.rgb.begin() + y * row, row, page.rgb.begin() + at);
+  }
+}
+
+std::string build_png(const Pixels& pixels) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = static_cast<png_uint_32>(pixels.size.width_px);
+  image.height = static_cast<png_uint_32>(pixels.size.height_px);
+  image.format = PNG_FORMAT_RGB;
+  png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
+  std::string png(size, '\0');
+  if (png_image_write_to_memory(&image, png.data(), &size, 0, pixels.rgb.data(), 0, nullptr) == 0)
+    throw RunError(fmt::format("cannot encode a picture: {}", image.message));
+  png.resize(size);
+  return png;
 }
 
 }  // namespace mien

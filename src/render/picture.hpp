@@ -1,9 +1,11 @@
-// PNG pictures: judged, stripped of their date, marked with the key of what they show.
+// PNG pictures: judged, stripped of their date, marked with the key of what they show, joined into one.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace mien {
 
@@ -24,5 +26,20 @@ std::string read_picture_key(const std::filesystem::path& picture);
 
 // Throws RunError "PATH is not a whole PNG picture: reason" if a chunk is missing, cut or damaged.
 PictureSize read_picture_size(const std::filesystem::path& picture);
+
+// A picture in memory: rows from the top, three bytes (red, green, blue; sRGB) a pixel.
+struct Pixels {
+  PictureSize size;
+  std::vector<std::uint8_t> rgb;
+};
+
+// Throws RunError as read_picture_size does.
+Pixels read_pixels(const std::filesystem::path& picture);
+
+// `part` onto `page` with its corner at `left_px`, `top_px`; throws RunError if it does not lie within it.
+void paste_pixels(Pixels& page, const Pixels& part, int left_px, int top_px);
+
+// A PNG file's content without date or remarks: the same pixels are the same bytes.
+std::string build_png(const Pixels& pixels);
 
 }  // namespace mien

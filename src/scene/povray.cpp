@@ -10,6 +10,7 @@
 #include "core/conventions.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "scene/plate.hpp"
 #include "scene/povray_quality.hpp"
 
 namespace mien {
@@ -28,6 +29,9 @@ constexpr int kGrainDecimals = 2;
 // How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
 // nearer makes the nose big, farther flattens the face.
 constexpr double kLensDistance_mm = 900;
+
+// POV-Ray refuses a cylinder that has no length.
+constexpr float kShortest_mm = 0.002f;
 
 // A camera that looks straight up or down has no upright of its own; POV-Ray would turn it at will.
 constexpr double kSteepest_deg = 89.5;
@@ -162,8 +166,8 @@ void append_camera(std::string& text, const CameraView& view) {
   const double height = std::clamp(view.height_deg, -kSteepest_deg, kSteepest_deg) * kRadiansPerDegree;
   const glm::vec3 toward_camera(std::sin(angle) * std::cos(height), std::sin(height),
                                 std::cos(angle) * std::cos(height));
-  const double distance_mm = kLensDistance_mm * view.frame_height_mm / CameraView{}.frame_height_mm;
-  text += "stage_camera(";
+  const double distance_mm = find_camera_distance_mm(view);
+  text += view.is_orthographic ? "stage_flat_camera(" : "stage_camera(";
   append_vector(text, view.look_at + static_cast<float>(distance_mm * view.distance) * toward_camera, 4);
   text += ", ";
   append_vector(text, view.look_at, 4);
@@ -173,6 +177,10 @@ void append_camera(std::string& text, const CameraView& view) {
 }
 
 }  // namespace
+
+double find_camera_distance_mm(const CameraView& view) {
+  return kLensDistance_mm * view.frame_height_mm / CameraView{}.frame_height_mm;
+}
 
 std::string build_povray_include(const Model& model, const RenderSpec& render,
                                  const std::filesystem::path& templates_folder) {
@@ -220,6 +228,37 @@ void append_povray_frame(std::string& text, const Model& model, const Drawing& d
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
     text += fmt::format("surface_of_{}() }}\n", part.name);
+  }
+}
+
+void append_povray_overlay(std::string& text, const Overlay& overlay, const CameraView& view) {
+  const auto append_colour = [&](const glm::vec3& srgb) {
+    text += "srgb <";
+    append_numbers(text, srgb, kColourDecimals);
+    text += ">)";
+  };
+  for (const OverlayLine& line : overlay.lines) {
+    if (line.segments.empty()) continue;
+    text += "union {\n";
+    for (const auto& [from, to] : line.segments) {
+      if (glm::distance(from, to) < kShortest_mm) continue;
+      text += "stage_line(";
+      append_vector(text, from, kPositionDecimals);
+      text += ", ";
+      append_vector(text, to, kPositionDecimals);
+      text += fmt::format(", {})\n", format_number(line.radius_mm, kPositionDecimals));
+    }
+    text += "stage_ink(";
+    append_colour(line.srgb);
+    text += " }\n";
+  }
+  for (const OverlayWords& words : overlay.words) {
+    text += fmt::format("stage_words({}, ", quote_povray(words.words));
+    append_vector(text, words.at, kPositionDecimals);
+    text += fmt::format(", {}, {}, ", format_number(words.size_mm, kPositionDecimals),
+                        format_number(-view.angle_deg, 4));
+    append_colour(words.srgb);
+    text += "\n";
   }
 }
 

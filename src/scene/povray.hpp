@@ -7,8 +7,10 @@
 // scenes/NAME.ini    build_povray_ini: `povray out/NAME/scenes/NAME.ini` renders them all
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "config/spec.hpp"
@@ -24,7 +26,29 @@ struct CameraView {
   glm::vec3 look_at{0, -20, 0};  // mm, the middle of the framed box
   double frame_width_mm = 240;   // the box that distance 1 just fits, whatever the picture's shape
   double frame_height_mm = 300;
+  bool is_orthographic = false;  // without perspective; `distance` only moves the camera then
 };
+
+// Lines and words drawn over a head in a picture without perspective. They lie in space as meshes do: what
+// stands before them hides them.
+struct OverlayLine {
+  std::vector<std::array<glm::vec3, 2>> segments;  // mm
+  double radius_mm = 0.5;
+  glm::vec3 srgb{0};
+};
+struct OverlayWords {
+  std::string words;
+  glm::vec3 at{0};  // mm, the left end of the line they stand on
+  double size_mm = 8;
+  glm::vec3 srgb{0};
+};
+struct Overlay {
+  std::vector<OverlayLine> lines;
+  std::vector<OverlayWords> words;
+};
+
+// How far the camera stands from the middle of the framed box at distance 1, mm.
+double find_camera_distance_mm(const CameraView& view);
 
 // The text of scenes/head.inc: materials, lights and background from `templates_folder`/povray, quality
 // settings, each part's shades, faces and (for rigid parts) vertices. A material is the macro
@@ -39,14 +63,19 @@ std::string build_povray_include(const Model& model, const RenderSpec& render,
 void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
                          const CameraView& view);
 
+// Appends what is drawn over the head to a frame's file. The words face the camera of `view`, whose height is
+// to be 0.
+void append_povray_overlay(std::string& text, const Overlay& overlay, const CameraView& view);
+
 // The text of scenes/loop.pov, which includes the scene of the frame that is being rendered ("f0007.pov").
 std::string build_povray_loop();
 
 // The text of scenes/<name>.ini: POV-Ray alone renders all `frame_count` frames at this size and quality to
 // frames/f0001.png, ..., mien's own names. `clip_folder` holds scenes/ and frames/, as seen from the folder
-// in which povray will be started ("out/hello"), since POV-Ray takes no path relative to an .ini.
+// in which povray will be started ("out/hello"), since POV-Ray takes no path relative to an .ini. Of all
+// these frames only those from `range.first` to `range.second` if scenes were written for no others.
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
-                             const std::filesystem::path& clip_folder);
+                             const std::filesystem::path& clip_folder, std::pair<int, int> range);
 
 // The command-line options that stand for a quality (anti-aliasing, dithering), in POV-Ray's own words.
 std::vector<std::string> list_quality_options(Quality quality);

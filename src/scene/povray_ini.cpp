@@ -33,7 +33,7 @@ std::string build_povray_loop() {
 }
 
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
-                             const std::filesystem::path& clip_folder) {
+                             const std::filesystem::path& clip_folder, std::pair<int, int> range) {
   // POV-Ray glues the frame's number to the stem with as many digits as the last frame has; zeros fill up to
   // four.
   const std::size_t digits = std::to_string(frame_count).size();
@@ -45,6 +45,9 @@ std::string build_povray_ini(const RenderSpec& render, const std::string& name, 
                       quote_ini(clip_folder / fmt::format("frames/f{}.png", zeros)));
   text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", frame_count, render.width_px,
                       render.height_px);
+  // The first and last frame stay the clip's, since they decide on the number of digits.
+  if (range != std::pair(1, frame_count))
+    text += fmt::format("Subset_Start_Frame={}\nSubset_End_Frame={}\n", range.first, range.second);
   text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
   for (const std::string& option : list_quality_options(render.quality)) text += fmt::format("{}\n", option);
   return text;

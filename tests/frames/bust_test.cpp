@@ -14,6 +14,7 @@
 #include "frames/bust_pieces.hpp"
 #include "frames/bust_skin.hpp"
 #include "frames/figure.hpp"
+#include "places.hpp"
 #include "solids.hpp"
 
 namespace mien {
@@ -23,7 +24,7 @@ using testing::Contains;
 using testing::Not;
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, MIEN_SOURCE_DIR);
+  static const Figure figure = build_figure(HeadSpec{}, source_folder());
   return figure;
 }
 
@@ -114,7 +115,7 @@ TEST(bust, other_heads_and_heights_are_printable) {
   HeadSpec spec;
   spec.age = {{"infant", 1.0}};
   spec.skull = {{"square", 1.0}};
-  const Figure infant = build_figure(spec, MIEN_SOURCE_DIR);
+  const Figure infant = build_figure(spec, source_folder());
   for (const double height_mm : {40.0, 150.0})
     expect_printable(print_pose(infant, build_pose({{"corner", "up", 1}, {"corner", "out", 1}}), height_mm),
                      "infant");

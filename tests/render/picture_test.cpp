@@ -82,5 +82,27 @@ TEST(picture, has_no_key_unless_it_is_whole) {
   EXPECT_EQ(read_picture_size(path).width_px, 8);
 }
 
+TEST(picture, is_pasted_into_a_page_that_reads_back) {
+  Pixels page{{5, 4}, std::vector<std::uint8_t>(60, 200)};
+  Pixels part{{2, 2}, {}};
+  for (std::uint8_t i = 0; i < 12; ++i) part.rgb.push_back(i);
+  paste_pixels(page, part, 3, 1);
+  const Scratch scratch;
+  write_file(scratch.path / "page.png", build_png(page));
+  const Pixels read = read_pixels(scratch.path / "page.png");
+  EXPECT_EQ(read.size.width_px, 5);
+  EXPECT_EQ(read.size.height_px, 4);
+  EXPECT_EQ(read.rgb, page.rgb);
+  const auto at = [&](int x, int y) { return read.rgb[3 * (5 * y + x)]; };
+  EXPECT_EQ(at(3, 1), 0);
+  EXPECT_EQ(at(4, 1), 3);
+  EXPECT_EQ(at(3, 2), 6);
+  EXPECT_EQ(at(2, 1), 200);
+  EXPECT_EQ(build_png(page), build_png(read));
+  EXPECT_EQ(find_message<RunError>([&] { paste_pixels(page, part, 4, 0); }),
+            "internal: a picture lies outside its page");
+  EXPECT_THROW(paste_pixels(page, part, 0, -1), RunError);
+}
+
 }  // namespace
 }  // namespace mien

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "places.hpp"
 #include "render/process.hpp"
 #include "render/scratch.hpp"
 #include "solids.hpp"
@@ -17,7 +18,7 @@ namespace {
 
 using testing::HasSubstr;
 
-const std::filesystem::path kTemplates = std::filesystem::path(MIEN_SOURCE_DIR) / "templates";
+const std::filesystem::path kTemplates = std::filesystem::path(source_folder()) / "templates";
 
 bool has_program(const char* name) {
   return std::system(fmt::format("command -v {} >/dev/null 2>&1", name).c_str()) == 0;

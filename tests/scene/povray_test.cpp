@@ -12,13 +12,14 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
 
 using testing::HasSubstr;
 
-const std::filesystem::path kTemplates = std::filesystem::path(MIEN_SOURCE_DIR) / "templates";
+const std::filesystem::path kTemplates = std::filesystem::path(source_folder()) / "templates";
 
 // Corners 0 1 2 3 of a square that looks along +z, one shade different.
 Part build_square(const std::string& name, bool is_rigid) {
@@ -200,11 +201,19 @@ TEST(povray, writes_the_same_text_under_any_locale) {
 
 TEST(povray, names_the_frames_of_the_ini_as_mien_does) {
   RenderSpec render;
-  EXPECT_THAT(build_povray_ini(render, "hello", 72, "out/hello"),
+  EXPECT_THAT(build_povray_ini(render, "hello", 72, "out/hello", {1, 72}),
               HasSubstr("Input_File_Name=\"loop.pov\"\nLibrary_Path=\"out/hello/scenes\"\n"
                         "Output_File_Name=\"out/hello/frames/f00.png\"\n"
                         "Initial_Frame=1\nFinal_Frame=72\nWidth=480\nHeight=600\n"));
-  EXPECT_THAT(build_povray_ini(render, "hello", 12345, "out/hello"), HasSubstr("frames/f.png\"\n"));
+  EXPECT_THAT(build_povray_ini(render, "hello", 12345, "out/hello", {1, 12345}),
+              HasSubstr("frames/f.png\"\n"));
+}
+
+TEST(povray, names_only_the_frames_that_were_written) {
+  EXPECT_EQ(build_povray_ini({}, "hello", 72, "out/hello", {1, 72}).find("Subset"), std::string::npos);
+  EXPECT_THAT(build_povray_ini({}, "hello", 72, "out/hello", {10, 20}),
+              HasSubstr("Initial_Frame=1\nFinal_Frame=72\nWidth=480\nHeight=600\n"
+                        "Subset_Start_Frame=10\nSubset_End_Frame=20\n"));
 }
 
 // POV-Ray itself reads what we write: a folder as mien fills it, a picture of two frames out of the .ini.
@@ -220,7 +229,7 @@ TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
   render.quality = Quality::draft;
   write_file(clip / "scenes/head.inc", build_povray_include(model, render, kTemplates));
   write_file(clip / "scenes/loop.pov", build_povray_loop());
-  write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards"));
+  write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards", {1, 2}));
   write_file(clip / "scenes/f0001.pov", format_frame(model, draw_at_rest(model)));
   CameraView from_above;
   from_above.height_deg = 90;
