@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "config/load_spec.hpp"
+#include "core/conventions.hpp"
 #include "core/parallel.hpp"
 #include "core/text.hpp"
 #include "render/driver.hpp"
@@ -22,6 +23,8 @@ namespace fs = std::filesystem;
 // Around the head, as shares of its height from chin to crown: air above, the neck below, ears and air at the
 // sides.
 constexpr double kAbove = 0.10, kBelow = 0.25, kWide = 1.08;
+constexpr double kAside = 1.08;    // from one side of the head to the other, with the least air at the sides
+constexpr double kNeckEnd = 0.08;  // above its lowest place the neck is still whole
 
 int count_jobs(const Options& options) { return options.jobs > 0 ? options.jobs : count_cores(); }
 
@@ -44,7 +47,34 @@ void draw_frame(const Clip& clip, const Figure& figure, int frame, SceneBuffers&
   const Moment moment = sample_performance(clip.performance, time_s);
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, buffers.drawing);
   buffers.text.clear();
-  append_povray_frame(buffers.text, figure.model, buffers.drawing, find_view(figure, moment.camera));
+  append_povray_frame(buffers.text, figure.model, buffers.drawing,
+                      find_view(figure, moment.camera, clip.spec.render));
+}
+
+// The picture's own x.
+glm::dvec3 find_right(const CameraView& view) {
+  const double angle = view.angle_deg * kRadiansPerDegree;
+  return {std::cos(angle), 0, -std::sin(angle)};
+}
+
+// How far all that lies above `lowest_mm` reaches to the left (below 0) and to the right of the picture's
+// middle, mm in the plane of the middle: what is nearer to the camera counts for more.
+glm::dvec2 find_reach(const Model& model, double lowest_mm, const CameraView& view) {
+  const glm::dvec3 right = find_right(view);
+  const double height = view.height_deg * kRadiansPerDegree;
+  const glm::dvec3 level = glm::cross(right, glm::dvec3(0, 1, 0));  // toward the camera, were it level
+  const glm::dvec3 toward = level * std::cos(height) + glm::dvec3(0, std::sin(height), 0);
+  const double distance_mm = find_camera_distance_mm(view);
+  glm::dvec2 reach(0);
+  for (const Part& part : model.parts)
+    for (const glm::vec3& vertex : part.rest.positions) {
+      if (vertex.y < lowest_mm) continue;
+      const glm::dvec3 p = glm::dvec3(vertex) - glm::dvec3(view.look_at);
+      const double nearness = distance_mm / (distance_mm - glm::dot(p, toward));
+      const double x = glm::dot(p, right) * nearness;
+      reach = {std::min(reach.x, x), std::max(reach.y, x)};
+    }
+  return reach;
 }
 
 void write_held_frames(const Clip& clip) {
@@ -79,9 +109,10 @@ Clip plan_clip(const Options& options, const fs::path& data_folder) {
   return clip;
 }
 
-CameraView find_view(const Figure& figure, const CameraKey& camera) {
+CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render) {
   const NeutralHead& head = figure.head;
-  const double crown = find_bounds(head.skin.positions).high.y;
+  const Box skin = find_bounds(head.skin.positions);
+  const double crown = skin.high.y;
   const double chin = head.skin.positions[head.cage.index.find("m12_D1")->second].y;
   const double height = crown - chin;
   CameraView view;
@@ -89,8 +120,18 @@ CameraView find_view(const Figure& figure, const CameraKey& camera) {
   view.height_deg = camera.height_deg;
   view.distance = camera.distance;
   view.frame_height_mm = height * (1 + kAbove + kBelow);
-  view.frame_width_mm = height * kWide;
   view.look_at = glm::vec3(0, crown + height * kAbove - view.frame_height_mm / 2, 0);
+
+  const glm::dvec3 right = find_right(view);
+  const glm::dvec2 reach = find_reach(figure.model, chin, view);
+  view.look_at += glm::vec3(right * ((reach.x + reach.y) / 2));
+  view.frame_width_mm = std::max(height * kWide, (reach.y - reach.x) * kAside);
+
+  // A frame that grew to be wide enough would show where the neck ends.
+  const double tall =
+      std::max(view.frame_height_mm, view.frame_width_mm * render.height_px / render.width_px);
+  const double floor = skin.low.y + height * kNeckEnd;
+  view.look_at.y = static_cast<float>(std::max<double>(view.look_at.y, floor + tall / 2));
   return view;
 }
 
@@ -104,7 +145,8 @@ std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, co
   write_file(clip.files.scenes() / "head.inc", include);
   write_file(clip.files.scenes() / "loop.pov", build_povray_loop());
   write_file(clip.files.scenes() / (clip.files.name + ".ini"),
-             build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder));
+             build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder,
+                              {clip.plan.frames.front(), clip.plan.frames.back()}));
 
   const std::vector<int>& drawings = clip.plan.drawings;
   std::vector<std::string> keys(drawings.size());

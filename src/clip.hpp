@@ -31,8 +31,10 @@ struct Clip {
 
 Clip plan_clip(const Options& options, const std::filesystem::path& data_folder);
 
-// The camera of one moment. Distance 1 frames the whole face and neck of this head, whatever its size.
-CameraView find_view(const Figure& figure, const CameraKey& camera);
+// The camera of one moment. Distance 1 frames the whole face and neck of this head, whatever its size and
+// whatever the angle: a long head from the side is framed wider than from the front. Between two angles the
+// frame changes as smoothly as they do.
+CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render);
 
 // Writes the shared include, a scene for each frame asked for (a held drawing includes the one it repeats)
 // and the .ini. Returns for each drawing of the plan the key of its picture: a hash of all that its pixels

@@ -2,16 +2,20 @@
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/findings.hpp"
 #include "config/load_spec.hpp"
+#include "config/words.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "frames/figure.hpp"
 #include "head/landmarks.hpp"
+#include "head/shapes.hpp"
 #include "pipeline.hpp"
 
 namespace mien {
@@ -28,7 +32,41 @@ Rows list_heads(const std::filesystem::path& data, const char* map) {
   return rows;
 }
 
-Rows list_areas() {
+// None, then the cuts of templates/head/hair.yaml in its order.
+Rows list_hair(const std::filesystem::path& data) {
+  Rows rows{{"none", "a bald head: the default"}};
+  const YAML::Node hair = YAML::LoadFile((data / "templates/head/hair.yaml").string());
+  for (const auto& cut : hair["cuts"])
+    rows.emplace_back(cut.first.as<std::string>(), cut.second["meaning"].as<std::string>());
+  return rows;
+}
+
+Rows list_looks(const std::filesystem::path& data) {
+  Rows rows;
+  const YAML::Node looks = YAML::LoadFile((data / "templates/head/looks.yaml").string());
+  for (const auto& look : looks["looks"])
+    rows.emplace_back(look.first.as<std::string>(),
+                      fmt::format("{}  {}", look.second["skin"].as<std::string>(),
+                                  look.second["meaning"].as<std::string>()));
+  return rows;
+}
+
+// Where each line lies in the charts of the ages.
+Rows list_guides(const std::filesystem::path& data) {
+  Rows rows;
+  const YAML::Node charts = YAML::LoadFile((data / "templates/head/heads.yaml").string())["charts"];
+  for (const Names* names : {&kGuides, &kEarGuides})
+    for (const std::string& line : *names) {
+      std::string meaning;
+      for (const auto& chart : charts)
+        meaning += fmt::format("{}{} {:.3f}", meaning.empty() ? "" : ", ", chart.first.as<std::string>(),
+                               chart.second[line].as<double>());
+      rows.emplace_back(line, meaning);
+    }
+  return rows;
+}
+
+Rows list_areas(const std::filesystem::path&) {
   Rows rows;
   for (const MoveInfo& move : kMoves) {
     std::string key(move.area);
@@ -58,42 +96,78 @@ Rows list_landmarks(const std::filesystem::path& data) {
   Drawing drawing;
   deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
   const auto landmarks = find_landmarks(figure.head, data / "templates/head/landmarks.yaml");
+  const auto needed = find_needed_landmarks(data / "templates/head/landmarks.yaml");
   Rows rows;
-  for (const auto& [name, at] : measure_landmarks(figure.head, landmarks, figure.model, drawing))
-    rows.emplace_back(name, fmt::format("{:7.1f} {:7.1f} {:7.1f} mm on the adult", at.x, at.y, at.z));
+  for (const auto& [name, at] : measure_landmarks(figure.head, landmarks, figure.model, drawing)) {
+    const bool is_sided = name.ends_with("_l") || name.ends_with("_r");
+    const std::string bare = name.substr(0, name.size() - (is_sided ? 2 : 0));
+    const bool is_needed = std::find(needed.begin(), needed.end(), bare) != needed.end();
+    rows.emplace_back(name, fmt::format("{:7.1f} {:7.1f} {:7.1f} mm on the adult{}", at.x, at.y, at.z,
+                                        is_needed ? "; a scan needs it" : ""));
+  }
+  const YAML::Node words = YAML::LoadFile((data / "templates/head/landmarks.yaml").string());
+  for (const char* table : {"everyday_middle", "everyday_sided"})
+    for (const auto& word : words[table])
+      rows.emplace_back(word.first.as<std::string>(),
+                        fmt::format("for sculpting: {}{}", word.second.as<std::string>(),
+                                    table == std::string_view("everyday_sided") ? ", both sides" : ""));
+  return rows;
+}
+
+// Each limit by its thesis's name, in face units (the same on every head), and as millimetres on the adult.
+Rows list_limits_of_adult(const std::filesystem::path& data) {
+  const Figure figure = build_figure(HeadSpec{}, data);
+  Rows rows;
+  for (const Limit& limit :
+       measure_limits(figure.head, figure.face, figure.limits, data / "templates/head/areas.yaml"))
+    rows.emplace_back(limit.name->name, fmt::format("{:<27} {:6.3g} {:<14} {:5.1f} mm on the adult",
+                                                    limit.name->thesis.empty() ? "-" : limit.name->thesis,
+                                                    limit.value, limit.unit, limit.mm));
   return rows;
 }
 
 Rows list_features(const std::filesystem::path& data) {
   Rows rows;
-  const auto file = data / "templates/head/features.yaml";
-  if (!std::filesystem::exists(file)) return rows;
-  const YAML::Node features = YAML::LoadFile(file.string())["features"];
-  for (const auto& feature : features)
-    rows.emplace_back(feature.first.as<std::string>(),
-                      "-1..1  " + feature.second["meaning"].as<std::string>());
+  for (const FeatureInfo& feature : load_features(data / "templates/head"))
+    rows.emplace_back(feature.name, "-1..1  " + feature.meaning);
   return rows;
 }
 
+Rows list_qualities(const std::filesystem::path&) {
+  return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
+          {"good", "about 3 s: the default"},
+          {"best", "about 10 s: for the last run"}};
+}
+
+struct Kind {
+  std::string_view name;
+  Rows (*list)(const std::filesystem::path& data);
+};
+
+constexpr std::array kKinds{
+    Kind{"ages", [](const std::filesystem::path& data) { return list_heads(data, "ages"); }},
+    Kind{"skulls", [](const std::filesystem::path& data) { return list_heads(data, "skulls"); }},
+    Kind{"guides", list_guides},
+    Kind{"features", list_features},
+    Kind{"hair", list_hair},
+    Kind{"looks", list_looks},
+    Kind{"areas", list_areas},
+    Kind{"limits", list_limits_of_adult},
+    Kind{"expressions", list_expressions},
+    Kind{"landmarks", list_landmarks},
+    Kind{"qualities", list_qualities},
+};
+
 Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
-  if (kind == "ages") return list_heads(data, "ages");
-  if (kind == "skulls") return list_heads(data, "skulls");
-  if (kind == "features") return list_features(data);
-  if (kind == "areas") return list_areas();
-  if (kind == "expressions") return list_expressions(data);
-  if (kind == "landmarks") return list_landmarks(data);
-  if (kind == "qualities")
-    return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
-            {"good", "about 3 s: the default"},
-            {"best", "about 10 s: for the last run"}};
-  const std::vector<std::string> kinds{"ages",        "skulls",    "features", "areas",
-                                       "expressions", "landmarks", "qualities"};
-  const std::string near = find_nearest(kind, kinds);
-  throw InputError(
-      near.empty() ? fmt::format("unknown kind '{}'; expected ages, skulls, features, areas, expressions, "
-                                 "landmarks or qualities",
-                                 kind)
-                   : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
+  Names names;
+  for (const Kind& known : kKinds) {
+    if (known.name == kind) return known.list(data);
+    names.emplace_back(known.name);
+  }
+  const std::string near = find_nearest(kind, names);
+  throw InputError(near.empty()
+                       ? fmt::format("unknown kind '{}'; expected one of: {}", kind, join_names(names))
+                       : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
 }
 
 }  // namespace

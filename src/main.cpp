@@ -40,6 +40,9 @@ int run_command(const Request& request) {
     case Command::still:
       render_still(options);
       break;
+    case Command::sheet:
+      render_sheet(request.kind, options);
+      break;
     case Command::mesh:
       write_mesh(options);
       break;
@@ -48,6 +51,9 @@ int run_command(const Request& request) {
       break;
     case Command::check:
       check_file(options);
+      break;
+    case Command::explain:
+      explain_pose(options);
       break;
     case Command::list:
       list_kind(request.kind, options);
@@ -67,7 +73,7 @@ std::string format_json(const Diagnostic& diagnostic) {
   if (!diagnostic.place.file.empty()) object["file"] = diagnostic.place.file;
   if (diagnostic.place.line > 0) {
     object["line"] = diagnostic.place.line;
-    object["column"] = diagnostic.place.column;
+    if (diagnostic.place.column > 0) object["column"] = diagnostic.place.column;
   }
   object["message"] = diagnostic.message;
   return object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);

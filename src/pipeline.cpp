@@ -11,14 +11,18 @@
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "explain.hpp"
 #include "frames/bust.hpp"
 #include "head/landmarks.hpp"
+#include "head/own_half.hpp"
 #include "render/driver.hpp"
 #include "render/process.hpp"
 #include "render/video.hpp"
 #include "render/work_folder.hpp"
+#include "scene/mesh_files.hpp"
 #include "scene/openscad.hpp"
 #include "scene/wavefront.hpp"
+#include "sheet.hpp"
 #include "timeline/drawings.hpp"
 
 namespace mien {
@@ -39,13 +43,14 @@ void tell_result(const Options& options, const std::string& kind, const fs::path
 Moment find_moment(const Options& options, const Spec& spec) {
   const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
   Moment moment = sample_performance(build_performance(spec.clip), at_s);
-  if (options.express) moment = {find_expression(spec, *options.express).pose, {}, {}};
+  if (options.express) moment = {take_expression(spec, *options.express).pose, {}, {}};
   if (options.camera_angle_deg) moment.camera.angle_deg = *options.camera_angle_deg;
   return moment;
 }
 
-Drawing draw_moment(const Figure& figure, const Moment& moment) {
+Drawing draw_moment(const Figure& figure, const Moment& moment, bool has_folds = true) {
   DeformBuffers buffers;
+  buffers.has_folds = has_folds;
   Drawing drawing;
   deform_figure(figure, moment.pose, moment.turn, buffers, drawing);
   return drawing;
@@ -76,7 +81,8 @@ void write_clip(const Clip& clip, const Options& options) {
 // One bust: its source, and the STL that OpenSCAD makes of it, read back and compared with what we meant.
 void write_bust(const Figure& figure, const BustSpec& bust, const std::string& stem, const Spec& spec,
                 const fs::path& data, const Options& options) {
-  const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}});
+  // A print's layers are as thick as folds are deep: they would come out as specks.
+  const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}}, false);
   const std::string title =
       fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
   const BustPrint print = build_bust(figure.head, figure.model, drawing, bust.height_mm, title);
@@ -111,9 +117,21 @@ std::vector<std::string> name_busts(const std::vector<BustSpec>& busts) {
 
 // The busts of the file, or the one that --express names.
 std::vector<BustSpec> find_busts(const Options& options, const Spec& spec) {
-  if (options.express) return {BustSpec{find_expression(spec, *options.express)}};
+  if (options.express) return {BustSpec{take_expression(spec, *options.express)}};
   if (spec.busts.empty()) return {BustSpec{find_expression(spec, "neutral")}};
   return spec.busts;
+}
+
+// The neutral head's left half as people edit it, for `head: {mesh: FILE}`.
+void write_half(const Options& options, const Spec& spec, const fs::path& data, const fs::path& path) {
+  const HeadStock stock = load_head_stock(data);
+  std::string text;
+  append_wavefront(
+      text, find_half_places(stock, build_form(stock, spec.head).points), find_half_quads(stock), "half",
+      {"The left half of a head (x >= 0): millimetres; x to the character's left, y up, z forward.",
+       "Move its points, keep their order and the faces, and name the file: head: {mesh: my_half.obj}"});
+  write_file(path, text);
+  tell_result(options, "half", path);
 }
 
 }  // namespace
@@ -121,6 +139,7 @@ std::vector<BustSpec> find_busts(const Options& options, const Spec& spec) {
 void render_clip(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = plan_clip(options, data);
+  tell_held(options, clip.spec);
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
   const Figure figure = build_figure(clip.spec.head, data);
   const std::vector<std::string> keys = write_scenes(clip, figure, options, data);
@@ -146,7 +165,8 @@ void render_still(const Options& options) {
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
   write_file(work.path / "head.inc", build_povray_include(figure.model, spec.render, data / "templates"));
   std::string scene;
-  append_povray_frame(scene, figure.model, draw_moment(figure, moment), find_view(figure, moment.camera));
+  append_povray_frame(scene, figure.model, draw_moment(figure, moment),
+                      find_view(figure, moment.camera, spec.render));
   write_file(work.path / "still.pov", scene);
 
   RenderSettings settings;
@@ -158,19 +178,24 @@ void render_still(const Options& options) {
   tell_result(options, "picture", picture);
 }
 
+void render_sheet(const std::string& kind, const Options& options) {
+  tell_result(options, "sheet", write_sheet(kind, options));
+}
+
 void write_mesh(const Options& options) {
   const fs::path data = find_data_folder();
   const Spec spec = load_request(options, data);
   const Moment moment = find_moment(options, spec);
   const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
-  if (path.extension() != ".obj")
-    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in .obj",
-                                 path.string(), path.extension().string()));
+  const std::string ending = path.extension().string();
+  if (options.is_half ? ending != ".obj" : !is_mesh_ending(ending))
+    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in {}",
+                                 path.string(), ending, options.is_half ? ".obj" : ".obj, .ply or .stl"));
+  if (options.is_half) return write_half(options, spec, data, path);
   const Figure figure = build_figure(spec.head, data);
   const Drawing drawing = draw_moment(figure, moment);
-  std::string text;
-  append_wavefront(text, figure.model, drawing, spec.title.empty() ? spec.name : spec.title);
-  write_file(path, text);
+  write_file(path,
+             build_mesh_file(ending, figure.model, drawing, spec.title.empty() ? spec.name : spec.title));
   tell_result(options, "mesh", path);
   if (!options.landmarks) return;
   const std::vector<Landmark> landmarks = find_landmarks(figure.head, data / "templates/head/landmarks.yaml");
@@ -192,6 +217,8 @@ void write_busts(const Options& options) {
 void check_file(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = plan_clip(options, data);
+  build_neutral_head(clip.spec.head, data);  // files it names may be wrong, guide lines may cross
+  tell_held(options, clip.spec);
   if (options.is_quiet) return;
   const RenderSpec& render = clip.spec.render;
   if (options.is_json) {

@@ -25,8 +25,10 @@ struct Options {
   std::optional<double> at_s;                  // --at, for still and mesh
   std::optional<double> at_frames;             // --at in frames of the clip, as in 36f; then at_s is empty
   std::optional<std::string> express;          // --express NAME, for still, mesh and bust
+  std::optional<std::string> area;             // --area brow.left, for explain
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::optional<std::filesystem::path> landmarks;  // --landmarks face.json, for mesh
+  bool is_half = false;                            // --half, for mesh
 };
 
 // Each throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted (exit 130).
@@ -34,9 +36,11 @@ struct Options {
 void render_clip(const Options& options);   // scenes, frames and clip into out/<name>/
 void write_frames(const Options& options);  // scenes only
 void render_still(const Options& options);  // one picture
-void write_mesh(const Options& options);    // one head as OBJ; landmarks as JSON
+void render_sheet(const std::string& kind, const Options& options);  // many heads on one page
+void write_mesh(const Options& options);    // one head as OBJ, PLY or STL; landmarks as JSON
 void write_busts(const Options& options);   // OpenSCAD sources and STL
 void check_file(const Options& options);    // every mistake, or one line that says what the file holds
+void explain_pose(const Options& options);  // who moves what, and which limit held it
 void list_kind(const std::string& kind,
                const Options& options);      // ages, skulls, features, areas, expressions, ...
 void write_starter(const Options& options);  // a commented file to begin with; refuses to overwrite

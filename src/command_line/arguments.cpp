@@ -80,7 +80,9 @@ std::string describe_unknown_option(const CommandInfo& command, const std::strin
 
 std::string describe_missing_argument(const CommandInfo& command) {
   const std::string_view example = command.examples.substr(0, command.examples.find_first_of("\n&"));
-  return fmt::format("'mien {}' needs a {}, as in: {}", command.name, command.argument, example);
+  std::string needed(command.argument);
+  if (const std::size_t blank = needed.find(' '); blank != needed.npos) needed.replace(blank, 1, " and a ");
+  return fmt::format("'mien {}' needs a {}, as in: {}", command.name, needed, example);
 }
 
 // What is wrong with the words themselves, before any value is looked at.
@@ -91,7 +93,8 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
     add(describe_unknown_option(typed.command ? *typed.command : kNoCommand, word));
   // What follows an unknown option may be its value: more words are no mistake of their own then.
   if (!typed.command || !typed.unknown.empty()) return;
-  const std::size_t wanted = typed.command->argument.empty() ? 0 : 1;
+  const std::string_view argument = typed.command->argument;
+  const std::size_t wanted = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
   if (typed.words.size() < wanted) add(describe_missing_argument(*typed.command));
   for (std::size_t i = wanted; i < typed.words.size(); ++i)
     add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
@@ -112,11 +115,12 @@ Request read_arguments(int argc, const char* const* argv) {
                   {},
                   build_usage()};
   if (!mistakes.empty()) throw InputError(std::move(mistakes));
-  const std::string word = typed.words.empty() ? "" : typed.words.front();
-  if (request.command == Command::list)
-    request.kind = word;
-  else
-    request.options.file = word;
+  std::vector<std::string> words = typed.words;
+  if (request.command == Command::list || request.command == Command::sheet) {
+    request.kind = words.front();
+    words.erase(words.begin());
+  }
+  if (!words.empty()) request.options.file = words.front();
   return request;
 }
 

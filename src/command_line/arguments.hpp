@@ -11,7 +11,7 @@ namespace mien {
 struct Request {
   Command command = Command::usage;
   Options options;
-  std::string kind;  // of Command::list: "ages", "skulls", ...
+  std::string kind;  // of Command::list and Command::sheet: "ages", "skulls", ...
   std::string text;  // of Command::usage and Command::text
 };
 

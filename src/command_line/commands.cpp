@@ -53,7 +53,7 @@ const CommandInfo* find_command(std::string_view name) {
 std::vector<const OptionInfo*> list_options(const CommandInfo& command) {
   std::vector<const OptionInfo*> options;
   append_options(options, command.options);
-  if (command.argument == "FILE") append_options(options, kFileOptions);
+  if (command.argument.ends_with("FILE")) append_options(options, kFileOptions);
   append_options(options, kAllOptions);
   return options;
 }
@@ -73,11 +73,11 @@ std::string build_help() {
                      ": a head and its performance as one text file, from guide lines to clip and print.\n\n"
                      "Usage: mien COMMAND FILE [options]\n";
   text += "\nPictures\n";
-  for (const char* name : {"render", "frames", "still"}) text += format_command(name);
+  for (const char* name : {"render", "frames", "still", "sheet"}) text += format_command(name);
   text += "\nShapes\n";
   for (const char* name : {"mesh", "bust"}) text += format_command(name);
   text += "\nThe file\n";
-  for (const char* name : {"new", "check", "list", "schema"}) text += format_command(name);
+  for (const char* name : {"new", "check", "explain", "list", "schema"}) text += format_command(name);
   text += "\nOptions of every command with a FILE\n";
   std::vector<const OptionInfo*> options;
   append_options(options, kFileOptions);

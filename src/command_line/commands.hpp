@@ -9,7 +9,21 @@
 namespace mien {
 
 // `usage` is mien without a command; `text` wants nothing but a text shown: help, or the version.
-enum class Command { usage, text, render, frames, still, mesh, bust, check, list, create, schema };
+enum class Command {
+  usage,
+  text,
+  render,
+  frames,
+  still,
+  sheet,
+  mesh,
+  bust,
+  check,
+  explain,
+  list,
+  create,
+  schema
+};
 
 struct OptionInfo {
   std::string_view name;   // long name without dashes
@@ -21,8 +35,10 @@ struct OptionInfo {
 inline constexpr std::array kOptions{
     OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, 500ms or 36f"},
     OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
+    OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
+    OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
     OptionInfo{"output", 'o', "PATH", "where to write: a folder, or the one file a command makes"},
     OptionInfo{"frames", 0, "A-B", "only these frames, counted from 1"},
     OptionInfo{"size", 0, "WxH", "picture size in pixels, over the file's"},
@@ -36,7 +52,7 @@ inline constexpr std::array kOptions{
 struct CommandInfo {
   Command command;
   std::string_view name;
-  std::string_view argument;  // the word it needs; empty: none
+  std::string_view argument;  // the words it needs: "FILE", "KIND FILE"; empty: none
   std::string_view summary;
   std::string_view details;   // the first paragraph of its own help
   std::string_view options;   // long names with spaces between, beyond the common ones
@@ -62,11 +78,19 @@ inline constexpr std::array kCommands{
                 "mien still configs/hello.yaml --at 1.2s -o face.png\n"
                 "mien still configs/hello.yaml --express surprise --angle 30 -o face.png"},
     CommandInfo{
-        Command::mesh, "mesh", "FILE", "one head as OBJ, its landmarks as JSON",
-        "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), with\n"
-        "one group a part.",
-        "at express landmarks",
-        "mien mesh configs/hello.yaml --express smile -o face.obj --landmarks face.json"},
+        Command::sheet, "sheet", "KIND FILE", "many heads on one page, to compare them",
+        "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
+        "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, or features (each at -1,\n"
+        "0 and 1). --size is the size of one picture.",
+        "", "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png"},
+    CommandInfo{
+        Command::mesh, "mesh", "FILE", "one head as OBJ, PLY or STL, its landmarks as JSON",
+        "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), in the\n"
+        "format that the name after -o ends in: .obj (one group a part), .ply (with colours and each face's\n"
+        "part) or .stl.",
+        "at express landmarks half",
+        "mien mesh configs/hello.yaml --express smile -o face.obj --landmarks face.json\n"
+        "mien mesh configs/hello.yaml --half -o my_half.obj"},
     CommandInfo{
         Command::bust, "bust", "FILE", "OpenSCAD source and STL to print",
         "Writes each bust of the file, or one with the expression that is given, as an OpenSCAD source that\n"
@@ -74,9 +98,19 @@ inline constexpr std::array kCommands{
         "express", "mien bust configs/hello.yaml --express laugh -o busts"},
     CommandInfo{Command::check, "check", "FILE", "every mistake in the file; writes nothing",
                 "Reads and judges the file. Writes nothing.", "", "mien check configs/hello.yaml"},
-    CommandInfo{Command::list, "list", "KIND", "the words of the language",
-                "Lists one kind of word: ages, skulls, features, areas, expressions, landmarks or qualities.",
-                "", "mien list expressions\nmien list areas --json"},
+    CommandInfo{
+        Command::explain, "explain", "FILE", "who moves what, and which limit held it",
+        "Tells one moment of the clip, or one expression, in full: the keys it lies between, the value of\n"
+        "each area's moves, the limits (and what they held back), and the millimetres that the skin moved\n"
+        "at the area's landmark on this head.",
+        "at express area",
+        "mien explain configs/hello.yaml --at 1.2s\n"
+        "mien explain configs/hello.yaml --express smile --area corner.left"},
+    CommandInfo{
+        Command::list, "list", "KIND", "the words of the language",
+        "Lists one kind of word: ages, skulls, guides, features, hair, looks, areas, limits, expressions,\n"
+        "landmarks or qualities.",
+        "", "mien list expressions\nmien list areas --json"},
     CommandInfo{Command::create, "new", "NAME", "a commented file to begin with",
                 "Writes NAME.yaml with a short performance and a comment on every part of the language.", "",
                 "mien new my_face && mien render my_face.yaml"},

@@ -89,12 +89,14 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "at") return read_at(text, options);
   if (name == "angle") return read_angle(text, options);
   if (name == "quiet") options.is_quiet = true;
+  if (name == "half") options.is_half = true;
   if (name == "json") options.is_json = true;
-  if (name == "quiet" || name == "json") return {};
+  if (name == "quiet" || name == "json" || name == "half") return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;
   if (name == "landmarks") options.landmarks = text;
   if (name == "express") options.express = text;
+  if (name == "area") options.area = text;
   return {};
 }
 
@@ -116,6 +118,10 @@ Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistake
       add_mistake(mistakes, fmt::format("--{}: '{}' {}", name, text, wrong));
   if (typed.contains("at") && typed.contains("express"))
     add_mistake(mistakes, "--at and --express ask for two things; give one of them");
+  for (const char* other : {"at", "express", "landmarks"})
+    if (typed.contains("half") && typed.contains(other))
+      add_mistake(mistakes,
+                  fmt::format("--half is the neutral head's half alone; give it without --{}", other));
   return options;
 }
 

@@ -71,6 +71,19 @@ TEST(arguments, give_list_a_kind_and_new_a_name_even_a_commands) {
   EXPECT_EQ(request.options.file, "render");
 }
 
+TEST(arguments, give_sheet_a_kind_and_a_file) {
+  const Request request = read({"sheet", "views", "a.yaml", "--size", "240x300"});
+  EXPECT_EQ(request.command, Command::sheet);
+  EXPECT_EQ(request.kind, "views");
+  EXPECT_EQ(request.options.file, "a.yaml");
+  EXPECT_EQ(request.options.size_px, std::pair(240, 300));
+  const std::string needs =
+      "'mien sheet' needs a KIND and a FILE, as in: mien sheet views configs/hello.yaml\n";
+  EXPECT_EQ(read_mistakes({"sheet"}), needs);
+  EXPECT_EQ(read_mistakes({"sheet", "views"}), needs);
+  EXPECT_EQ(read_mistakes({"sheet", "views", "a", "b"}), "'b' is one word too many for 'mien sheet'\n");
+}
+
 TEST(arguments, ask_for_texts) {
   EXPECT_EQ(read({"--version"}).text, "mien 0.1.0\n");
   EXPECT_EQ(read({"--version"}).command, Command::text);

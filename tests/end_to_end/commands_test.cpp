@@ -17,7 +17,7 @@ TEST(commands, tell_the_version_and_the_help) {
   run = run_shell(folder, "mien --help");
   EXPECT_EQ(run.status, 0);
   for (const char* command :
-       {"render", "frames", "still", "mesh", "bust", "check", "list", "new", "schema"}) {
+       {"render", "frames", "still", "sheet", "mesh", "bust", "check", "explain", "list", "new", "schema"}) {
     EXPECT_NE(run.out.find(std::string("\n  ") + command + " "), std::string::npos) << command;
     EXPECT_EQ(run_shell(folder, std::string("mien ") + command + " --help").status, 0);
   }
@@ -60,7 +60,7 @@ TEST(commands, tell_mistakes_as_json_lines) {
 TEST(commands, write_nothing_if_the_file_is_wrong) {
   const auto folder = make_folder("wrong");
   write_file(folder / "bad.yaml", "mien: 1\nclip:\n  keys:\n    - {at: 0s, express: smlie}\n");
-  for (const char* command : {"render", "frames", "still", "mesh", "bust", "check"}) {
+  for (const char* command : {"render", "frames", "still", "sheet views", "mesh", "bust", "check"}) {
     const ProgramRun run = run_shell(folder, std::string("mien ") + command + " bad.yaml");
     EXPECT_EQ(run.status, 2) << command;
     EXPECT_TRUE(
@@ -89,7 +89,8 @@ TEST(commands, end_with_2_if_the_file_is_not_there) {
 
 TEST(commands, list_every_kind_in_words_and_in_json) {
   const auto folder = make_folder("list");
-  for (const char* kind : {"ages", "skulls", "features", "areas", "expressions", "landmarks", "qualities"}) {
+  for (const char* kind :
+       {"ages", "skulls", "hair", "features", "areas", "expressions", "landmarks", "qualities"}) {
     ProgramRun run = run_shell(folder, std::string("mien list ") + kind);
     EXPECT_EQ(run.status, 0) << kind << run.err;
     EXPECT_GT(std::count(run.out.begin(), run.out.end(), '\n'), 1) << kind;
@@ -127,6 +128,83 @@ TEST(commands, notice_a_full_disk_behind_their_output) {
   const ProgramRun run = run_shell(make_folder("full"), "mien --help >/dev/full");
   EXPECT_EQ(run.status, 1);
   EXPECT_EQ(run.err, "error: cannot write standard output: No space left on device\n");
+}
+
+constexpr const char* kHeldClip = R"(mien: 1
+clip:
+  keys:
+    - {at: 0s, express: neutral}
+    - {at: 1s, express: {surprise: 1, fear: 0.8}, ease: linear}
+    - {at: 2s, areas: {brow.left: {up: 1.5}}}
+render: {size: 48x60, quality: draft}
+)";
+
+TEST(commands, tell_what_limits_held_without_failing) {
+  const auto folder = make_folder("held");
+  write_file(folder / "a.yaml", kHeldClip);
+  ProgramRun run = run_shell(folder, "mien check a.yaml");
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.err, "");
+  EXPECT_EQ(run.out,
+            "a.yaml:5:26: note: brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1\n"
+            "a.yaml:5:26: note: lids.upper asked for 1.7 (surprise 1 + fear 0.8); held at its limit, 1\n"
+            "a.yaml:6:40: note: brow.left.up asked for 1.5; held at its limit, 1\n"
+            "a.yaml: good; 48 frames at 24 a second, 48 drawings, 48x60, 0 busts\n");
+  run = run_shell(folder, "mien check a.yaml --quiet");
+  EXPECT_EQ(run.out + run.err, "");
+  run = run_shell(folder, "mien check a.yaml --json");
+  const auto object = nlohmann::json::parse(run.out.substr(0, run.out.find('\n')));
+  EXPECT_EQ(
+      object,
+      (nlohmann::json{{"kind", "note"},
+                      {"file", "a.yaml"},
+                      {"line", 5},
+                      {"column", 26},
+                      {"area", "brow"},
+                      {"side", "both"},
+                      {"move", "up"},
+                      {"asked", 1.6},
+                      {"held", 1.0},
+                      {"by", "surprise 1 + fear 0.8"},
+                      {"message", "brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1"}}));
+}
+
+TEST(commands, explain_a_moment_in_words_and_in_numbers) {
+  const auto folder = make_folder("explain");
+  write_file(folder / "a.yaml", kHeldClip);
+  ProgramRun run = run_shell(folder, "mien explain a.yaml --at 1s --area brow.left");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(
+      run.out.starts_with("a.yaml at 1s\n  100 % surprise 1 + fear 0.8 (key at 1s)\n\n"
+                          "area         move    value  limit            held         moved\n"
+                          "brow.left    up      +1.00  12."))
+      << run.out;
+  EXPECT_NE(run.out.find(" mm          asked +1.6   "), run.out.npos) << run.out;
+  EXPECT_NE(run.out.find(" mm at brow_mid_l: "), run.out.npos) << run.out;
+  EXPECT_NE(run.out.find("\na.yaml:5:26: note: brow.left.up asked for 1.6 ("), run.out.npos) << run.out;
+  EXPECT_NE(
+      run_shell(folder, "mien explain a.yaml --at 0.25s").out.find("  75 % neutral (key at 0s)\n   25 % "),
+      std::string::npos);
+  EXPECT_EQ(run_shell(folder, "mien explain a.yaml --express neutral").out,
+            "a.yaml: mien/neutral\n\nnothing moves: every area is at rest\n");
+  run = run_shell(folder, "mien explain a.yaml --express anger --json");
+  std::istringstream lines(run.out);
+  int moves = 0;
+  for (std::string line; std::getline(lines, line);) {
+    const auto object = nlohmann::json::parse(line);
+    if (object.at("kind") != "move") continue;
+    ++moves;
+    EXPECT_EQ(object.at("moved_mm").size(), 3u);
+    if (object.at("area") == "brow.left" && object.at("move") == "up") {
+      EXPECT_EQ(object.at("limit").at("thesis"), "EYEBROW_R_D_VERT_LIMIT");
+      EXPECT_LT(object.at("moved_mm")[1], 0);
+    }
+  }
+  EXPECT_GT(moves, 8);
+  run = run_shell(folder, "mien explain a.yaml --area brow.lefft");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "error: unknown area 'brow.lefft'; did you mean 'brow.left'?\n");
+  EXPECT_EQ(list_files(folder), std::vector<std::string>{"a.yaml"});
 }
 
 }  // namespace

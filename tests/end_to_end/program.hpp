@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/text.hpp"
+#include "places.hpp"
 
 namespace mien {
 
@@ -30,8 +31,9 @@ inline std::filesystem::path make_folder(const std::string& name) {
 // `command` in `folder`; "mien" in it is the program that was built. What it prints is kept outside `folder`.
 inline ProgramRun run_shell(const std::filesystem::path& folder, const std::string& command) {
   const std::string log = folder.string() + ".log";
-  const std::string line = "cd '" + folder.string() + "' && mien() { '" MIEN_BINARY "' \"$@\"; } && { " +
-                           command + "\n} >'" + log + ".out' 2>'" + log + ".err' </dev/null";
+  const std::string line = "cd '" + folder.string() + "' && mien() { '" + program_path() +
+                           "' \"$@\"; } && { " + command + "\n} >'" + log + ".out' 2>'" + log +
+                           ".err' </dev/null";
   const int ended = std::system(line.c_str());
   return {WIFSIGNALED(ended) ? 128 + WTERMSIG(ended) : WEXITSTATUS(ended), read_file(log + ".out"),
           read_file(log + ".err")};

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "end_to_end/program.hpp"
+#include "places.hpp"
 
 namespace mien {
 namespace {
@@ -50,10 +51,10 @@ TEST(resume, goes_on_after_ctrl_c_with_nothing_left_behind) {
   clip.replace(clip.find("0.125s"), 6, "1s");
   write_file(folder / "tiny.yaml", clip);
   const ProgramRun run =
-      run_shell(folder, "'" MIEN_BINARY
-                        "' render tiny.yaml --jobs 1 & id=$!\n"
-                        "while [ ! -e out/tiny/frames/f0002.png ] && kill -0 $id; do sleep 0.1; done\n"
-                        "kill -INT $id; wait $id");
+      run_shell(folder, std::string("'") + program_path() +
+                            "' render tiny.yaml --jobs 1 & id=$!\n"
+                            "while [ ! -e out/tiny/frames/f0002.png ] && kill -0 $id; do sleep 0.1; done\n"
+                            "kill -INT $id; wait $id");
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.err.find("interrupted; finished frames are kept, run again to go on"), std::string::npos)
       << run.err;

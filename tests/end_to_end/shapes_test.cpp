@@ -50,6 +50,22 @@ TEST(mesh, has_a_group_a_part_and_landmarks_on_the_skin) {
   EXPECT_GT(landmarks["v"][1], landmarks["gn"][1]) << "y points up";
 }
 
+TEST(mesh, is_written_in_the_format_of_its_ending) {
+  const auto folder = make_folder("mesh_formats");
+  write_file(folder / "tiny.yaml", kTinyClip);
+  ProgramRun run = run_shell(folder, "mien mesh tiny.yaml -o a.ply && mien mesh tiny.yaml -o a.stl");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_TRUE(
+      read_file(folder / "a.ply").starts_with("ply\nformat binary_little_endian 1.0\ncomment Tiny\n"));
+  EXPECT_TRUE(read_file(folder / "a.stl").starts_with("mien, millimetres: Tiny "));
+  run = run_shell(folder, "mien mesh tiny.yaml -o a.fbx");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(
+      run.err,
+      "error: -o a.fbx: unknown kind of mesh '.fbx'; expected a name that ends in .obj, .ply or .stl\n");
+  EXPECT_EQ(list_files(folder), (std::vector<std::string>{"a.ply", "a.stl", "tiny.yaml"}));
+}
+
 TEST(bust, is_one_closed_part_for_the_slicer) {
   const auto folder = make_folder("bust");
   write_file(folder / "tiny.yaml", kTinyClip);

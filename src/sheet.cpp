@@ -1,0 +1,203 @@
+// `mien sheet KIND FILE`: a plan of sheet_plans.cpp as one picture. POV-Ray renders each cell and the page
+// with its words; the cells are laid on the page.
+#include "sheet.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <tuple>
+
+#include "clip.hpp"
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/parallel.hpp"
+#include "core/text.hpp"
+#include "pipeline.hpp"
+#include "render/driver.hpp"
+#include "render/picture.hpp"
+#include "render/process.hpp"
+#include "render/progress.hpp"
+#include "render/work_folder.hpp"
+#include "sheet_camera.hpp"
+#include "sheet_layout.hpp"
+#include "sheet_plans.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kMaxPage_px = 20000;     // a side; what holds the page in memory and reads it is sized for this
+constexpr double kLargeTitle_px = 50;  // the captions' letters are half as large
+constexpr const char* kGround = "paper";  // templates/povray/background_paper.inc
+
+fs::path find_sheet_path(const std::string& kind, const Options& options, const Spec& spec) {
+  const fs::path path =
+      options.output.value_or(fs::path("out") / spec.name / fmt::format("sheet_{}.png", kind));
+  if (path.extension() != ".png")
+    throw InputError(fmt::format("-o {}: unknown kind of picture '{}'; expected a name that ends in .png",
+                                 path.string(), path.extension().string()));
+  return path;
+}
+
+// The file's title in letters that can be drawn, else its name.
+std::string find_title(const Spec& spec) {
+  const std::string title = simplify_letters(spec.title);
+  return title.find_first_not_of(' ') == title.npos ? spec.name : title;
+}
+
+void check_page(const SheetLayout& layout) {
+  const auto [width, height] = std::pair(layout.plate.width_px, layout.plate.height_px);
+  if (std::max(width, height) > kMaxPage_px)
+    throw InputError(
+        fmt::format("--size: the sheet would have {}x{} pixels; expected cells so small that no "
+                    "side has more than {}",
+                    width, height, kMaxPage_px));
+}
+
+std::vector<const SheetCell*> list_cells(const SheetPlan& plan) {
+  std::vector<const SheetCell*> cells;
+  for (const SheetBlock& block : plan.blocks)
+    for (const SheetCell& cell : block.cells) cells.push_back(&cell);
+  return cells;
+}
+
+int count_jobs(const Options& options) { return options.jobs > 0 ? options.jobs : count_cores(); }
+
+// What is wrong with a head, such as guide lines that cross, is known when it is built: each is, once, before
+// anything is written.
+void check_heads(const SheetPlan& plan, const Options& options, const fs::path& data) {
+  for_each_index(plan.heads.size(), count_jobs(options), [&](std::size_t i, int) {
+    throw_if_interrupted();
+    build_neutral_head(plan.heads[i], data);
+  });
+}
+
+// The scenes of all cells that show head number `index`, in a folder of their own.
+void write_cell_scenes(const std::vector<const SheetCell*>& cells, std::size_t index, const Figure& figure,
+                       const std::vector<HeadMeasures>& measures, const RenderSpec& render,
+                       const fs::path& work, const fs::path& data) {
+  const fs::path folder = work / fmt::format("head{}", index);
+  write_file(folder / "head.inc", build_povray_include(figure.model, render, data / "templates"));
+  DeformBuffers buffers;
+  Drawing drawing;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const SheetCell& cell = *cells[i];
+    if (cell.head != index) continue;
+    throw_if_interrupted();
+    const CameraView view = find_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
+    deform_figure(figure, cell.pose, {}, buffers, drawing);
+    std::string scene;
+    append_povray_frame(scene, figure.model, drawing, view);
+    if (cell.has_guides) {
+      const PartShape& skin = drawing.parts.front();
+      append_povray_overlay(
+          scene,
+          build_guides(measures[index], {skin.positions, skin.normals, figure.head.skin.triangles}, view,
+                       {render.width_px, render.height_px}, cell.has_frame),
+          view);
+    }
+    write_file(folder / fmt::format("cell{}.pov", i), scene);
+  }
+}
+
+// Builds the heads one after the other: none is kept but its measures.
+std::vector<HeadMeasures> write_all_scenes(const SheetPlan& plan, const std::vector<const SheetCell*>& cells,
+                                           const RenderSpec& render, const fs::path& work,
+                                           const fs::path& data, Progress& progress) {
+  std::vector<HeadMeasures> measures;
+  for (std::size_t i = 0; i < plan.heads.size(); ++i) {
+    throw_if_interrupted();
+    const Figure figure = build_figure(plan.heads[i], data);
+    measures.push_back(measure_head(figure, data));
+    write_cell_scenes(cells, i, figure, measures, render, work, data);
+    progress.advance(false, static_cast<int>(i) + 1);
+  }
+  progress.finish();
+  return measures;
+}
+
+std::vector<std::string> list_captions(const std::vector<const SheetCell*>& cells,
+                                       const std::vector<HeadMeasures>& measures) {
+  std::vector<std::string> captions;
+  for (const SheetCell* cell : cells)
+    captions.push_back(cell->tells_height ? fmt::format("{}, {} mm", cell->caption,
+                                                        format_number(measures[cell->head].height_mm(), 0))
+                                          : cell->caption);
+  return captions;
+}
+
+void render_scenes(const std::vector<FrameJob>& jobs, const RenderSettings& settings, const Options& options,
+                   const char* label) {
+  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), label,
+                    static_cast<int>(jobs.size()));
+  render_frames(jobs, settings, [&](int number, bool was_kept) { progress.advance(was_kept, number); });
+  progress.finish();
+}
+
+fs::path find_cell_picture(const fs::path& work, std::size_t cell) {
+  return work / fmt::format("cell{}.png", cell);
+}
+
+void render_cells(const std::vector<const SheetCell*>& cells, const RenderSpec& render, const fs::path& work,
+                  const Options& options) {
+  std::vector<FrameJob> jobs;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    jobs.push_back({static_cast<int>(i) + 1,
+                    work / fmt::format("head{}", cells[i]->head) / fmt::format("cell{}.pov", i),
+                    find_cell_picture(work, i), ""});
+  RenderSettings settings;
+  settings.width_px = render.width_px;
+  settings.height_px = render.height_px;
+  settings.povray_options = list_quality_options(render.quality);
+  settings.jobs = count_jobs(options);
+  render_scenes(jobs, settings, options, "cells");
+}
+
+// The page without its cells. Many rays for the words, whatever the cells' quality; where letters are so
+// small that a stroke may pass between two pixels' middles, for every pixel.
+Pixels render_page(const SheetLayout& layout, const fs::path& work, const fs::path& data) {
+  write_file(work / "plate.pov", build_plate_scene(layout.plate, data / "templates"));
+  RenderSettings settings;
+  settings.width_px = layout.plate.width_px;
+  settings.height_px = layout.plate.height_px;
+  const bool is_small = layout.plate.words.front().size_px < kLargeTitle_px;
+  settings.povray_options = {"+AM1", is_small ? "+A0.0" : "+A0.02", is_small ? "+R3" : "+R4", "-J"};
+  render_frames({{1, work / "plate.pov", work / "plate.png", ""}}, settings, [](int, bool) {});
+  return read_pixels(work / "plate.png");
+}
+
+}  // namespace
+
+std::filesystem::path write_sheet(const std::string& kind, const Options& options) {
+  check_sheet_kind(kind);
+  const fs::path data = find_data_folder();
+  const Spec spec = load_request(options, data);
+  const fs::path path = find_sheet_path(kind, options, spec);
+  const SheetPlan plan = build_sheet_plan(kind, spec, data);
+  RenderSpec render = spec.render;
+  render.background = kGround;
+  const std::pair<int, int> cell_px = options.size_px.value_or(plan.cell_px);
+  std::tie(render.width_px, render.height_px) = cell_px;
+  const std::vector<const SheetCell*> cells = list_cells(plan);
+  const std::string title = find_title(spec);
+  check_page(build_sheet_layout(plan, title, std::vector<std::string>(cells.size()), cell_px));
+  require_programs({{"povray", "povray"}});
+  check_heads(plan, options, data);
+
+  const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
+  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "heads",
+                    static_cast<int>(plan.heads.size()));
+  const std::vector<HeadMeasures> measures = write_all_scenes(plan, cells, render, work.path, data, progress);
+  render_cells(cells, render, work.path, options);
+  const SheetLayout layout = build_sheet_layout(plan, title, list_captions(cells, measures), cell_px);
+  Pixels page = render_page(layout, work.path, data);
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    paste_pixels(page, read_pixels(find_cell_picture(work.path, i)), layout.places[i].left_px,
+                 layout.places[i].top_px);
+  write_file(path, build_png(page));
+  return path;
+}
+
+}  // namespace mien

@@ -1,0 +1,16 @@
+// A sheet: many pictures of heads on one page, to compare them.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pipeline.hpp"
+
+namespace mien {
+
+// Renders the sheet of this kind (sheet_plans.hpp) for the file's head to -o, else to
+// out/NAME/sheet_KIND.png, and returns its path. --size is a cell's. The picture is complete or absent;
+// throws InputError before anything is written.
+std::filesystem::path write_sheet(const std::string& kind, const Options& options);
+
+}  // namespace mien

@@ -1,0 +1,36 @@
+// How a sheet's cells see their heads: the camera that a framing asks for, and Loomis' lines in its picture.
+#pragma once
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "frames/figure.hpp"
+#include "scene/povray.hpp"
+#include "sheet_plans.hpp"
+
+namespace mien {
+
+// What framing needs to know of a head, mm.
+struct HeadMeasures {
+  std::map<std::string, glm::dvec3> landmarks;         // and the cage's points on the skin, by their names
+  std::vector<std::pair<std::string, double>> guides;  // heights from chin to crown, both included
+  Box head;                                            // of the skin above the chin
+
+  double chin_mm() const { return guides.front().second; }
+  double height_mm() const { return guides.back().second - guides.front().second; }
+};
+
+HeadMeasures measure_head(const Figure& figure, const std::filesystem::path& data_folder);
+
+// `scale` is the head that `cell.framing.scale_of` names.
+CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale);
+
+// Andrew Loomis, "Drawing the Head and Hands" (1956): the guide lines as contours on the skin, drawn on to
+// the picture's edges and named there; the middle line; the frame 3 (from the side 3.5) units wide and 3.5
+// high. `size_px`: of the picture.
+Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraView& view,
+                     std::pair<int, int> size_px, bool has_frame);
+
+}  // namespace mien

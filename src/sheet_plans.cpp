@@ -1,0 +1,205 @@
+// The kinds of sheets, one function each: which heads, seen from where. Another kind is another row of
+// kKinds.
+#include "sheet_plans.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "config/words.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "head/shapes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kThreeQuarter_deg = 35;  // both eyes are still whole, and the far cheek is a line
+constexpr double kSide_deg = 90, kBack_deg = 180;
+
+struct View {
+  const char* caption;
+  double angle_deg;
+};
+constexpr std::array kViews{View{"front", 0}, View{"three-quarter", kThreeQuarter_deg},
+                            View{"side", kSide_deg}, View{"back", kBack_deg}};
+
+// "young_adult" and "nose_length" as a caption has them.
+std::string build_caption(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
+SheetPlan plan_views(const Spec& spec, const std::filesystem::path&) {
+  constexpr double kWide =
+      1.52;  // Loomis' square seen from the side is as wide as high; words stand beside it
+  SheetPlan plan;
+  plan.cell_px = {540, 475};
+  plan.heads = {spec.head};
+  plan.blocks.resize(2);
+  for (const View& view : kViews) {
+    SheetCell cell{view.caption};
+    cell.angle_deg = view.angle_deg;
+    cell.framing.wide = kWide;
+    plan.blocks[0].cells.push_back(cell);
+    cell.has_guides = cell.has_frame = true;
+    plan.blocks[1].cells.push_back(cell);
+  }
+  plan.blocks[0].heading = "From all sides";
+  plan.blocks[1].heading = "With its guide lines";
+  return plan;
+}
+
+SheetPlan plan_details(const Spec& spec, const std::filesystem::path&) {
+  SheetPlan plan;
+  plan.cell_px = {480, 400};
+  plan.across = 2;
+  plan.heads = {spec.head};
+  const auto add = [&](const char* heading, const SheetFraming& framing,
+                       const std::array<SheetCell, 2>& cells) {
+    plan.blocks.push_back({heading, "", {cells.begin(), cells.end()}});
+    for (SheetCell& cell : plan.blocks.back().cells) cell.framing = framing;
+  };
+  const auto view = [](const char* caption, double angle_deg, double height_deg) {
+    SheetCell cell{caption};
+    cell.angle_deg = angle_deg;
+    cell.height_deg = height_deg;
+    return cell;
+  };
+  constexpr double kFromBelow_deg = -50;     // the nostrils are seen whole
+  constexpr double kBehindTheEar_deg = 130;  // how far the ear stands off
+  add("Eye", {{"en_l", "ex_l", "brow_mid_l"}, 1.7},
+      {view("front", 0, 0), view("three-quarter", kThreeQuarter_deg, 0)});
+  add("Mouth", {{"ch_l", "ch_r"}, 1.6}, {view("front", 0, 0), view("three-quarter", kThreeQuarter_deg, 0)});
+  add("Nose", {{"n", "sn", "al_l", "al_r"}, 1.5},
+      {view("three-quarter", kThreeQuarter_deg, 0), view("from below", 0, kFromBelow_deg)});
+  add("Ear", {{"sa_l", "sba_l"}, 1.5},
+      {view("side", kSide_deg, 0), view("three-quarter from behind", kBehindTheEar_deg, 0)});
+  return plan;
+}
+
+SheetPlan plan_ages(const Spec& spec, const std::filesystem::path&) {
+  SheetPlan plan;
+  plan.cell_px = {460, 500};
+  plan.blocks.resize(2);
+  plan.blocks[0].heading = "To one scale";
+  plan.blocks[1].heading = "To one height";
+  // The adult comes first among the heads: the others are drawn to its scale.
+  for (auto age = kAges.rbegin(); age != kAges.rend(); ++age) {
+    SheetCell cell{build_caption(*age), plan.heads.size()};
+    plan.heads.push_back(spec.head);
+    plan.heads.back().age = {{*age, 1.0}};
+    plan.heads.back().guides.clear();  // where an age has its lines is what the sheet is for
+    cell.tells_height = true;
+    plan.blocks[0].cells.insert(plan.blocks[0].cells.begin(), cell);
+    cell.tells_height = false;
+    cell.has_guides = true;
+    cell.framing.scale_of = cell.head;
+    plan.blocks[1].cells.insert(plan.blocks[1].cells.begin(), cell);
+  }
+  return plan;
+}
+
+SheetPlan plan_skulls(const Spec& spec, const std::filesystem::path&) {
+  SheetPlan plan;
+  plan.cell_px = {400, 480};
+  plan.blocks.resize(2);
+  for (const std::string& skull : kSkulls) {
+    SheetCell cell{build_caption(skull), plan.heads.size()};
+    plan.heads.push_back(spec.head);
+    plan.heads.back().skull = {{skull, 1.0}};
+    plan.blocks[0].cells.push_back(cell);
+    cell.angle_deg = kThreeQuarter_deg;
+    plan.blocks[1].cells.push_back(cell);
+  }
+  return plan;
+}
+
+double find_angle(const std::string& view) {
+  return view == "front" ? 0 : view == "side" ? kSide_deg : kThreeQuarter_deg;
+}
+
+// What a feature moves, with as much of the face around it as tells where it is. Seen across the face the
+// near half is enough.
+SheetFraming frame_feature(const FeatureInfo& feature) {
+  SheetFraming framing{feature.around};
+  framing.margin = 0.24;
+  if (feature.view == "front")
+    for (const std::string& name : feature.around)
+      framing.around.push_back(name.ends_with("_l") ? name.substr(0, name.size() - 1) + "r" : "R:" + name);
+  return framing;
+}
+
+SheetPlan plan_features(const Spec& spec, const std::filesystem::path& data) {
+  SheetPlan plan;
+  plan.cell_px = {280, 320};
+  plan.heads = {spec.head};
+  for (const FeatureInfo& feature : load_features(data / "templates/head")) {
+    SheetBlock& block = plan.blocks.emplace_back();
+    block.heading = build_caption(feature.name);
+    block.note = "1: " + feature.meaning;
+    plan.heads.front().features[feature.name] = 0;
+    for (const int value : {-1, 0, 1}) {
+      SheetCell cell{value == 0 ? "0" : fmt::format("{:+}", value)};
+      if (value != 0) {
+        cell.head = plan.heads.size();
+        plan.heads.push_back(spec.head);
+        plan.heads.back().features[feature.name] = value;
+      }
+      cell.angle_deg = find_angle(feature.view);
+      cell.framing = frame_feature(feature);
+      block.cells.push_back(cell);
+    }
+  }
+  // About as wide as high.
+  plan.across = std::max<std::size_t>(1, std::lround(std::sqrt(static_cast<double>(plan.blocks.size()) / 3)));
+  return plan;
+}
+
+struct SheetKind {
+  const char* name;
+  const char* subject;
+  SheetPlan (*plan)(const Spec& spec, const std::filesystem::path& data_folder);
+};
+constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
+                            SheetKind{"details", "Details", plan_details},
+                            SheetKind{"ages", "Ages", plan_ages}, SheetKind{"skulls", "Skulls", plan_skulls},
+                            SheetKind{"features", "Features", plan_features}};
+
+const SheetKind* find_kind(const std::string& name) {
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.name == name; });
+  return kind == kKinds.end() ? nullptr : &*kind;
+}
+
+// "views, details or ages".
+std::string list_kinds() {
+  std::string words;
+  for (std::size_t i = 0; i < kKinds.size(); ++i)
+    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == kKinds.size() ? " or " : ", ", kKinds[i].name);
+  return words;
+}
+
+}  // namespace
+
+void check_sheet_kind(const std::string& kind) {
+  if (find_kind(kind)) return;
+  std::vector<std::string> names;
+  for (const SheetKind& known : kKinds) names.emplace_back(known.name);
+  const std::string near = find_nearest(kind, names);
+  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, list_kinds())
+                                : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
+}
+
+SheetPlan build_sheet_plan(const std::string& kind, const Spec& spec,
+                           const std::filesystem::path& data_folder) {
+  check_sheet_kind(kind);
+  const SheetKind& known = *find_kind(kind);
+  SheetPlan plan = known.plan(spec, data_folder);
+  plan.subject = known.subject;
+  return plan;
+}
+
+}  // namespace mien

@@ -1,0 +1,79 @@
+// What the camera takes in, for every head from every side.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "clip.hpp"
+#include "core/conventions.hpp"
+#include "places.hpp"
+
+namespace mien {
+namespace {
+
+Figure build_head(const char* age) {
+  HeadSpec spec;
+  spec.age = {{age, 1.0}};
+  return build_figure(spec, source_folder());
+}
+
+CameraView find_view_at(const Figure& figure, double angle_deg, double height_deg = 0) {
+  CameraKey camera;
+  camera.angle_deg = angle_deg;
+  camera.height_deg = height_deg;
+  return find_view(figure, camera, RenderSpec{});
+}
+
+// How far from the middle to the edge of the picture (1) the head's skin reaches, aside.
+double find_widest(const Figure& figure, const CameraView& view) {
+  const double angle = view.angle_deg * kRadiansPerDegree;
+  const glm::dvec3 right(std::cos(angle), 0, -std::sin(angle)), toward(std::sin(angle), 0, std::cos(angle));
+  const RenderSpec render;
+  const double width =
+      std::max(view.frame_width_mm, view.frame_height_mm * render.width_px / render.height_px);
+  const double distance = find_camera_distance_mm(view);
+  double widest = 0;
+  for (const glm::vec3& vertex : figure.head.skin.positions) {
+    const glm::dvec3 p = glm::dvec3(vertex) - glm::dvec3(view.look_at);
+    const bool is_head = vertex.y > figure.head.skin.positions[figure.head.cage.index.at("m12_D1")].y;
+    const double x = glm::dot(p, right) * distance / (distance - glm::dot(p, toward));
+    if (is_head) widest = std::max(widest, std::abs(x) / (width / 2));
+  }
+  return widest;
+}
+
+TEST(find_view, holds_every_head_from_every_side) {
+  for (const char* age : {"infant", "child", "adult"}) {
+    const Figure figure = build_head(age);
+    for (double angle = -180; angle <= 180; angle += 15)
+      EXPECT_LT(find_widest(figure, find_view_at(figure, angle)), 0.97) << age << " at " << angle;
+  }
+}
+
+TEST(find_view, frames_an_adults_face_by_its_height_alone) {
+  const Figure figure = build_head("adult");
+  const CameraView view = find_view_at(figure, 0);
+  const Box skin = find_bounds(figure.head.skin.positions);
+  const double chin = figure.head.skin.positions[figure.head.cage.index.at("m12_D1")].y;
+  const double height = skin.high.y - chin;
+  EXPECT_DOUBLE_EQ(view.frame_width_mm, height * 1.08);
+  EXPECT_DOUBLE_EQ(view.frame_height_mm, height * 1.35);
+  EXPECT_NEAR(view.look_at.x, 0, 0.02);
+  EXPECT_NEAR(view.look_at.y, skin.high.y + height * (0.10 - 1.35 / 2), 1e-3);
+  EXPECT_EQ(view.look_at.z, 0);
+}
+
+TEST(find_view, does_not_jump_while_the_camera_moves) {
+  const Figure figure = build_head("infant");
+  CameraView before = find_view_at(figure, -180);
+  for (double angle = -179.5; angle <= 180; angle += 0.5) {
+    const CameraView view = find_view_at(figure, angle, 10 * std::sin(angle));
+    const CameraView level = find_view_at(figure, angle);
+    EXPECT_LT(std::abs(level.frame_width_mm - before.frame_width_mm), 1.5) << angle;
+    EXPECT_LT(glm::distance(level.look_at, before.look_at), 1.5f) << angle;
+    EXPECT_LT(view.frame_width_mm, 300);
+    before = level;
+  }
+}
+
+}  // namespace
+}  // namespace mien

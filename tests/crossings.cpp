@@ -1,0 +1,130 @@
+// Segment against triangle by the signs of tetrahedra's volumes: Ericson, "Real-Time Collision Detection",
+// 2005, section 5.3.4. A rounded determinant is believed only where its error cannot change its sign
+// (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997).
+#include "crossings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace mien {
+
+namespace {
+
+__extension__ using Wide = __int128;
+using Whole = std::array<std::int64_t, 3>;  // a vertex, in grid steps
+constexpr double kGrid_mm = 1e-6;
+constexpr float kCell_mm = 3.0f;  // of the search grid: about a triangle's size
+
+// The sign of the volume of a b c d: six products of three differences of 32 bits are within 128.
+int find_side(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
+  std::array<Whole, 3> e{};
+  for (int i = 0; i < 3; ++i) e[0][i] = b[i] - a[i], e[1][i] = c[i] - a[i], e[2][i] = d[i] - a[i];
+  const auto sum = [&]<typename Number>(Number) {
+    const auto at = [&](int row, int column) { return static_cast<Number>(e[row][column]); };
+    return at(0, 0) * (at(1, 1) * at(2, 2) - at(1, 2) * at(2, 1)) +
+           at(0, 1) * (at(1, 2) * at(2, 0) - at(1, 0) * at(2, 2)) +
+           at(0, 2) * (at(1, 0) * at(2, 1) - at(1, 1) * at(2, 0));
+  };
+  double bound = 1;
+  for (const Whole& row : e)
+    bound *= static_cast<double>(std::max({std::abs(row[0]), std::abs(row[1]), std::abs(row[2])}));
+  const double rounded = sum(0.0);
+  if (std::abs(rounded) > 1e-14 * bound) return rounded > 0 ? 1 : -1;  // 6 products, 5 roundings of 1.1e-16
+  const Wide exact = sum(Wide{0});
+  return exact > 0 ? 1 : (exact < 0 ? -1 : 0);
+}
+
+using Corners = std::array<const Whole*, 3>;
+
+bool is_pierced(const Corners& t, const Whole& p, const Whole& q) {
+  const int from = find_side(*t[0], *t[1], *t[2], p), to = find_side(*t[0], *t[1], *t[2], q);
+  if (from * to >= 0) return false;
+  int low = 0, high = 0;
+  for (int i = 0; i < 3; ++i) {
+    const int side = find_side(p, q, *t[i], *t[(i + 1) % 3]);
+    low = std::min(low, side);
+    high = std::max(high, side);
+  }
+  return low == 0 || high == 0;
+}
+
+bool do_cross(const std::vector<Whole>& places, const Triangle& one, const Triangle& two) {
+  int shared = 0;
+  for (const std::uint32_t v : one) shared += static_cast<int>(std::count(two.begin(), two.end(), v));
+  if (shared >= 2) return false;
+  const auto pierces = [&](const Triangle& t, const Triangle& by) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t p = by[i], q = by[(i + 1) % 3];
+      if (std::count(t.begin(), t.end(), p) + std::count(t.begin(), t.end(), q) > 0) continue;
+      if (is_pierced({&places[t[0]], &places[t[1]], &places[t[2]]}, places[p], places[q])) return true;
+    }
+    return false;
+  };
+  return pierces(one, two) || pierces(two, one);
+}
+
+// The triangles that reach into each cell of a grid over the mesh, cell after cell.
+struct Grid {
+  glm::vec3 low{0};
+  glm::ivec3 size{1};
+  std::vector<std::uint32_t> first, triangles;
+  std::vector<Box> boxes;  // of each triangle
+
+  glm::ivec3 find_cell(const glm::vec3& p) const { return glm::ivec3((p - low) / kCell_mm); }
+  template <typename Use>
+  void for_each_cell(const Box& box, const Use& use) const {
+    const glm::ivec3 a = find_cell(box.low), b = find_cell(box.high);
+    for (int z = a.z; z <= b.z; ++z)
+      for (int y = a.y; y <= b.y; ++y)
+        for (int x = a.x; x <= b.x; ++x) use(static_cast<std::size_t>((z * size.y + y) * size.x + x));
+  }
+};
+
+Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles) {
+  const Box all = find_bounds(positions);
+  Grid grid;
+  grid.low = all.low;
+  grid.size = glm::ivec3((all.high - all.low) / kCell_mm) + 1;
+  grid.first.assign(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z + 1, 0);
+  for (const auto& [a, b, c] : triangles) {
+    grid.boxes.push_back({glm::min(positions[a], glm::min(positions[b], positions[c])),
+                          glm::max(positions[a], glm::max(positions[b], positions[c]))});
+    grid.for_each_cell(grid.boxes.back(), [&](std::size_t cell) { ++grid.first[cell + 1]; });
+  }
+  for (std::size_t i = 1; i < grid.first.size(); ++i) grid.first[i] += grid.first[i - 1];
+  grid.triangles.resize(grid.first.back());
+  std::vector<std::uint32_t> next = grid.first;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t)
+    grid.for_each_cell(grid.boxes[t], [&](std::size_t cell) { grid.triangles[next[cell]++] = t; });
+  return grid;
+}
+
+}  // namespace
+
+std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
+                                     const std::vector<Triangle>& triangles) {
+  std::vector<Whole> places;
+  for (const glm::vec3& p : positions) {
+    Whole place{};
+    for (int i = 0; i < 3; ++i) place[i] = std::llround(static_cast<double>(p[i]) / kGrid_mm);
+    places.push_back(place);
+  }
+  const Grid grid = build_grid(positions, triangles);
+  std::vector<Crossing> crossings;
+  for (std::size_t cell = 0; cell + 1 < grid.first.size(); ++cell)
+    for (std::uint32_t i = grid.first[cell]; i < grid.first[cell + 1]; ++i)
+      for (std::uint32_t j = i + 1; j < grid.first[cell + 1]; ++j) {
+        const std::uint32_t one = grid.triangles[i], two = grid.triangles[j];
+        const Box &a = grid.boxes[one], &b = grid.boxes[two];
+        if (a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
+            a.low.z > b.high.z || b.low.z > a.high.z)
+          continue;
+        if (do_cross(places, triangles[one], triangles[two])) crossings.push_back({one, two});
+      }
+  std::sort(crossings.begin(), crossings.end());
+  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
+  return crossings;
+}
+
+}  // namespace mien

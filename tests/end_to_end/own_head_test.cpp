@@ -1,0 +1,70 @@
+// Heads from files of the user's own, as a person would make them.
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "end_to_end/program.hpp"
+
+namespace mien {
+namespace {
+
+const std::string kClip = "clip: {keys: [{at: 0s, express: smile}]}\nrender: {size: 16x20, quality: draft}\n";
+
+// The text with the point on line `line` (from 1) 5 mm further out.
+std::string move_point(std::string text, int line) {
+  std::size_t at = 0;
+  for (int i = 1; i < line; ++i) at = text.find('\n', at) + 1;
+  const std::size_t end = text.find('\n', at), space = text.rfind(' ', end);
+  const double z = std::stod(text.substr(space + 1, end - space - 1));
+  return text.replace(space + 1, end - space - 1, format_number(z + 5, 4));
+}
+
+// The keys of the clip's pictures: what their pixels depend on.
+std::string find_keys(const std::filesystem::path& folder, const std::string& name) {
+  const ProgramRun run = run_shell(folder, "mien render " + name + ".yaml --quiet");
+  EXPECT_EQ(run.status, 0) << run.err;
+  return nlohmann::json::parse(read_file(folder / "out" / name / "manifest.json")).at("drawings").dump();
+}
+
+TEST(own_head, a_half_goes_out_and_comes_back_as_it_was) {
+  const auto folder = make_folder("own_head");
+  write_file(folder / "adult.yaml", "mien: 1\n");
+  write_file(folder / "mine.yaml", "mien: 1\nhead: {mesh: parts/half.obj}\n" + kClip);
+  ProgramRun run = run_shell(folder, "mien mesh adult.yaml --half -o parts/half.obj");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "half    parts/half.obj\n");
+  run = run_shell(folder, "mien mesh mine.yaml --half -o again.obj && cmp parts/half.obj again.obj");
+  EXPECT_EQ(run.status, 0) << run.out << run.err;
+
+  const std::string before = find_keys(folder, "mine");
+  write_file(folder / "parts/half.obj", move_point(read_file(folder / "parts/half.obj"), 100));
+  EXPECT_NE(find_keys(folder, "mine"), before) << "another half is another picture";
+}
+
+TEST(own_head, check_tells_broken_files_and_nothing_is_written) {
+  const auto folder = make_folder("own_head_broken");
+  write_file(folder / "mine.yaml", "mien: 1\nhead: {mesh: half.obj}\n");
+  write_file(folder / "half.obj", "v 0 0 0\nv 0 1\n");
+  for (const char* command : {"check", "render", "mesh", "frames"}) {
+    const ProgramRun run = run_shell(folder, std::string("mien ") + command + " mine.yaml");
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, "half.obj:2: error: a point of 2 numbers; expected v X Y Z\n");
+  }
+  EXPECT_EQ(list_files(folder), (std::vector<std::string>{"half.obj", "mine.yaml"}));
+  const ProgramRun run = run_shell(folder, "mien check mine.yaml --json");
+  EXPECT_EQ(run.err,
+            "{\"kind\":\"error\",\"file\":\"half.obj\",\"line\":2,\"message\":\"a point of 2 numbers; "
+            "expected v X Y "
+            "Z\"}\n");
+}
+
+TEST(own_head, half_is_the_neutral_heads_alone) {
+  const auto folder = make_folder("own_head_half");
+  write_file(folder / "adult.yaml", "mien: 1\n");
+  const ProgramRun run = run_shell(folder, "mien mesh adult.yaml --half --express smile -o half.obj");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "error: --half is the neutral head's half alone; give it without --express\n");
+}
+
+}  // namespace
+}  // namespace mien
