@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "config/spec.hpp"
+#include "config/clip_spec.hpp"
 
 namespace mien {
 

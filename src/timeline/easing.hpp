@@ -1,7 +1,7 @@
 // Easing: how the way from one key to the next is shared out over its time.
 #pragma once
 
-#include "config/spec.hpp"
+#include "config/clip_spec.hpp"
 
 namespace mien {
 

@@ -1,4 +1,4 @@
-#include "config/spec.hpp"
+#include "config/clip_spec.hpp"
 
 #include <algorithm>
 #include <cmath>
