@@ -42,9 +42,10 @@ struct SceneBuffers {
 };
 
 // One drawing's scene, into `buffers.text`.
-void draw_frame(const Clip& clip, const Figure& figure, int frame, SceneBuffers& buffers) {
+void draw_frame(const Clip& clip, const Performance& performance, const Figure& figure, int frame,
+                SceneBuffers& buffers) {
   const double time_s = find_drawing_time_s(clip.spec.clip, frame - 1);
-  const Moment moment = sample_performance(clip.performance, time_s);
+  const Moment moment = sample_performance(performance, time_s);
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, buffers.drawing);
   buffers.text.clear();
   append_povray_frame(buffers.text, figure.model, buffers.drawing,
@@ -109,6 +110,26 @@ Clip plan_clip(const Options& options, const fs::path& data_folder) {
   return clip;
 }
 
+EyeRig find_eyes(const Figure& figure, const RenderSpec& render) {
+  EyeRig rig;
+  rig.left_mm = figure.head.eye.centre;
+  rig.pivot_mm = figure.face.turn_pivot;
+  const auto find_reach = [&](Side side) {
+    const std::size_t across = *find_move("eye", side, "side"), up = *find_move("eye", side, "up");
+    const Face& face = figure.face;
+    return EyeReach{figure.limits.plus[across] * face.eye_side_rad / kRadiansPerDegree,
+                    figure.limits.minus[across] * face.eye_side_rad / kRadiansPerDegree,
+                    figure.limits.plus[up] * face.eye_up_rad / kRadiansPerDegree,
+                    figure.limits.minus[up] * face.eye_down_rad / kRadiansPerDegree};
+  };
+  rig.left = find_reach(Side::left);
+  rig.right = find_reach(Side::right);
+  const CameraView view = find_view(figure, {}, render);
+  rig.camera_target_mm = view.look_at;
+  rig.camera_mm = find_camera_distance_mm(view);
+  return rig;
+}
+
 CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render) {
   const NeutralHead& head = figure.head;
   const Box skin = find_bounds(head.skin.positions);
@@ -150,12 +171,14 @@ std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, co
 
   const std::vector<int>& drawings = clip.plan.drawings;
   std::vector<std::string> keys(drawings.size());
+  Performance performance = clip.performance;
+  performance.idle.eyes = find_eyes(figure, render);
   std::vector<SceneBuffers> buffers(count_jobs(options));
   Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "scenes",
                     static_cast<int>(drawings.size()));
   for_each_index(drawings.size(), count_jobs(options), [&](std::size_t i, int worker) {
     throw_if_interrupted();
-    draw_frame(clip, figure, drawings[i], buffers[worker]);
+    draw_frame(clip, performance, figure, drawings[i], buffers[worker]);
     write_file(clip.files.scene(drawings[i]), buffers[worker].text);
     keys[i] = hash_hex(settings_key + buffers[worker].text);
     progress.advance(false, drawings[i]);

@@ -31,6 +31,9 @@ struct Clip {
 
 Clip plan_clip(const Options& options, const std::filesystem::path& data_folder);
 
+// What a gaze must know of the figure and of the camera that looks at it.
+EyeRig find_eyes(const Figure& figure, const RenderSpec& render);
+
 // The camera of one moment. Distance 1 frames the whole face and neck of this head, whatever its size and
 // whatever the angle: a long head from the side is framed wider than from the front. Between two angles the
 // frame changes as smoothly as they do.

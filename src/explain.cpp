@@ -88,11 +88,12 @@ Story tell_expression(const Spec& spec, const std::string& name) {
   return story;
 }
 
-Story tell_moment(const Spec& spec, double at_s) {
-  const Performance performance = build_performance(spec.clip);
+Story tell_moment(const Spec& spec, const Figure& figure, double at_s) {
+  Performance performance = build_performance(spec.clip);
+  performance.idle.eyes = find_eyes(figure, spec.render);
   Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 1, {}, {}};
   story.pose = sample_performance(performance, at_s).pose;
-  story.blink = find_blink_closure(performance.blinks_s, at_s);
+  story.blink = find_blink_closure(performance.idle.blinks, at_s);
   const auto add = [&](const PoseKey& key, double share) {
     story.parts.push_back({key.label, key.at_s, share});
     story.reach = std::max(story.reach, key.reach);
@@ -251,8 +252,8 @@ void explain_pose(const Options& options) {
   if (options.area && std::ranges::find(areas, *options.area) == areas.end())
     throw InputError(describe_unknown("area", *options.area, areas));
   const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
-  Story story = options.express ? tell_expression(spec, *options.express) : tell_moment(spec, at_s);
   const Figure figure = build_figure(spec.head, data);
+  Story story = options.express ? tell_expression(spec, *options.express) : tell_moment(spec, figure, at_s);
   const auto limits =
       measure_limits(figure.head, figure.face, figure.limits, data / "templates/head/areas.yaml");
   const auto landmarks = find_landmarks(figure.head, data / "templates/head/landmarks.yaml");

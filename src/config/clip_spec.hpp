@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "config/areas.hpp"
+#include "config/idle_spec.hpp"
 #include "config/ledger.hpp"
 
 namespace mien {
@@ -20,6 +21,7 @@ struct PoseKey {
   std::string label;  // "smile 0.8": for messages and charts
   double reach = 1;   // as of an expression
   std::vector<Held> held = {};
+  Place place = {};  // in the file; nothing for a key that mien adds
 };
 
 struct CameraKey {
@@ -30,17 +32,15 @@ struct CameraKey {
   double distance = 1;    // 1 frames the whole bust at any picture shape; 0.5 is half as far
 };
 
+// A neck's ways to each side.
+inline constexpr double kMaxTurn_deg = 60, kMaxNod_deg = 40, kMaxTilt_deg = 30;
+
 struct TurnKey {
   double at_s = 0;
   Easing ease = Easing::in_out;
   double turn_deg = 0;  // head to the character's left (+)
   double nod_deg = 0;   // chin down (+)
   double tilt_deg = 0;  // crown toward the character's left shoulder (+)
-};
-
-struct BlinkSpec {
-  double per_minute = 0;  // 0: no blinks of their own
-  std::uint64_t seed = 1;
 };
 
 struct ClipSpec {
@@ -51,6 +51,9 @@ struct ClipSpec {
   std::vector<TurnKey> turn;      // by time, at least one
   std::vector<double> blinks_s;   // blinks asked for at exact times (their shut moment)
   BlinkSpec blink;
+  GazeSpec gaze;
+  DriftSpec drift;
+  AsymmetrySpec asymmetry;
   double length_s = 0;  // `length:`, else the time of the last key of any track
 };
 

@@ -45,6 +45,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book) {
   load_idle(entries, clock, clip);
 
   clip.length_s = std::max({clip.keys.back().at_s, clip.camera.back().at_s, clip.turn.back().at_s});
+  if (!clip.gaze.keys.empty()) clip.length_s = std::max(clip.length_s, clip.gaze.keys.back().at_s);
   if (const YamlValue* length = find_value(entries, "length")) load_time(*length, clock, clip.length_s);
   return clip;
 }

@@ -15,6 +15,10 @@ struct ClipClock {
 
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into);
 
+// `at:` of a key of a track, which must come after `before_s`; that is made this key's then.
+void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
+                   std::optional<double>& before_s, double& into);
+
 // `ease:` of a key.
 void load_ease(const YamlMapping& entries, Easing& into);
 
@@ -30,7 +34,7 @@ std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipClock& cl
 // `draw:`.
 void load_draw(const YamlMapping& entries, ClipSpec& clip);
 
-// What the face does by itself: `blink:` and `blinks:`.
+// What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`.
 void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
 
 }  // namespace mien

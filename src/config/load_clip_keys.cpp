@@ -22,9 +22,9 @@ void load_values(const YamlMapping& entries, CameraKey& key) {
 }
 
 void load_values(const YamlMapping& entries, TurnKey& key) {
-  load_angle(entries, "turn", -60, 60, key.turn_deg);
-  load_angle(entries, "nod", -40, 40, key.nod_deg);
-  load_angle(entries, "tilt", -30, 30, key.tilt_deg);
+  load_angle(entries, "turn", -kMaxTurn_deg, kMaxTurn_deg, key.turn_deg);
+  load_angle(entries, "nod", -kMaxNod_deg, kMaxNod_deg, key.nod_deg);
+  load_angle(entries, "tilt", -kMaxTilt_deg, kMaxTilt_deg, key.tilt_deg);
 }
 
 // The keys of one track, each a mapping with `at`, in rising time. `load_own` reads what else a key holds.
@@ -40,14 +40,8 @@ std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, cons
     Key key = keys.empty() ? Key{} : keys.back();
     key.ease = Key{}.ease;
     const YamlMapping entries = load_mapping(value, words, item);
-    const YamlValue* at = find_required(entries, "at", value, "a time such as 1.5s");
-    if (at != nullptr && load_time(*at, clock, key.at_s)) {
-      if (before_s && key.at_s <= *before_s)
-        add_mistake(*at, fmt::format("{} is {}, not after the {} of the key before it; expected rising times",
-                                     describe_subject(*at), format_quantity(key.at_s, clock.measure),
-                                     format_quantity(*before_s, clock.measure)));
-      before_s = key.at_s;
-    }
+    load_key_time(entries, value, clock, before_s, key.at_s);
+    if constexpr (requires { key.place; }) key.place = find_place(value.document->source, value.spot);
     load_ease(entries, key.ease);
     load_own(entries, key);
     keys.push_back(std::move(key));
@@ -56,6 +50,17 @@ std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, cons
 }
 
 }  // namespace
+
+void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
+                   std::optional<double>& before_s, double& into) {
+  const YamlValue* at = find_required(entries, "at", key, "a time such as 1.5s");
+  if (at == nullptr || !load_time(*at, clock, into)) return;
+  if (before_s && into <= *before_s)
+    add_mistake(*at, fmt::format("{} is {}, not after the {} of the key before it; expected rising times",
+                                 describe_subject(*at), format_quantity(into, clock.measure),
+                                 format_quantity(*before_s, clock.measure)));
+  before_s = into;
+}
 
 void load_ease(const YamlMapping& entries, Easing& into) {
   const YamlValue* value = find_value(entries, "ease");

@@ -1,4 +1,7 @@
+#include <fmt/format.h>
 #include <algorithm>
+#include <array>
+#include <tuple>
 
 #include "config/load_clip.hpp"
 
@@ -8,15 +11,132 @@ namespace {
 
 constexpr double kMaxPerMinute = 60;  // blinks; people come to 15 or 20
 constexpr int kMaxSeed = 1'000'000'000;
+constexpr double kMaxAsymmetry = 0.3;  // more is no life but contempt: say it with `brow.left` and the like
+constexpr double kMaxSide_deg = 90, kMaxUp_deg = 60;  // eyes and head together look no further
+constexpr double kFurthest_mm = 100'000;              // beyond, the two eyes look the same way
 
-void load_blink(const YamlValue& value, BlinkSpec& blink) {
-  const YamlMapping entries = load_mapping(value, kBlinkKeys, "a mapping such as {per_minute: 15, seed: 7}");
-  if (const YamlValue* rate = find_value(entries, "per_minute"))
-    load_number(*rate, 0, kMaxPerMinute, blink.per_minute, "blinks a minute");
+// `look:` in one word. The angles are those of a plain look away: less reads as a slip, more as a stare.
+struct LookWord {
+  std::string_view word;
+  LookAt look;
+  double side_deg, up_deg;
+};
+constexpr std::array kLookWords{
+    LookWord{"ahead", LookAt::ahead, 0, 0},     LookWord{"camera", LookAt::camera, 0, 0},
+    LookWord{"left", LookAt::direction, 20, 0}, LookWord{"right", LookAt::direction, -20, 0},
+    LookWord{"up", LookAt::direction, 0, 12},   LookWord{"down", LookAt::direction, 0, -16},
+};
+
+bool is_text(const YamlValue& value) { return find_node(value).kind == NodeKind::text; }
+
+void load_seed(const YamlMapping& entries, std::uint64_t& into) {
   int seed = 0;
   if (const YamlValue* number = find_value(entries, "seed");
       number != nullptr && load_whole(*number, 0, kMaxSeed, seed))
-    blink.seed = static_cast<std::uint64_t>(seed);
+    into = static_cast<std::uint64_t>(seed);
+}
+
+void load_share(const YamlMapping& entries, std::string_view key, double& into) {
+  if (const YamlValue* number = find_value(entries, key)) load_number(*number, 0, 1, into);
+}
+
+void load_blink_style(const YamlValue& value, BlinkSpec& blink) {
+  std::string name;
+  if (load_name(value, "blink", kBlinkStyles, name)) blink = name == "natural" ? kNaturalBlink : BlinkSpec{};
+}
+
+void load_blink(const YamlValue& value, BlinkSpec& blink) {
+  if (is_text(value)) return load_blink_style(value, blink);
+  const YamlMapping entries =
+      load_mapping(value, kBlinkKeys, "natural, none or a mapping such as {per_minute: 15, seed: 7}");
+  if (const YamlValue* style = find_value(entries, "style")) load_blink_style(*style, blink);
+  if (const YamlValue* rate = find_value(entries, "per_minute"))
+    load_number(*rate, 0, kMaxPerMinute, blink.per_minute, "blinks a minute");
+  load_seed(entries, blink.seed);
+  load_share(entries, "doubles", blink.doubles);
+  load_share(entries, "partial", blink.partial);
+  load_share(entries, "shifts", blink.shifts);
+}
+
+void load_direction(const YamlValue& value, GazeKey& key) {
+  const YamlMapping entries = load_mapping(
+      value, kDirectionKeys, "a word such as camera, a mapping such as {side: 20deg, up: -5deg} or a point");
+  key.look = LookAt::direction;
+  if (const YamlValue* side = find_value(entries, "side"))
+    load_quantity(*side, build_angle_measure(), -kMaxSide_deg, kMaxSide_deg, key.side_deg);
+  if (const YamlValue* up = find_value(entries, "up"))
+    load_quantity(*up, build_angle_measure(), -kMaxUp_deg, kMaxUp_deg, key.up_deg);
+}
+
+void load_point(const YamlValue& value, GazeKey& key) {
+  constexpr const char* kExpected =
+      "a point of three lengths such as [200mm, 50mm, 600mm]: left, up, forward";
+  const std::vector<YamlValue> items = load_list(value, kExpected);
+  if (items.size() != 3) return add_unexpected(value, kExpected);
+  key.look = LookAt::point;
+  for (int i = 0; i < 3; ++i)
+    load_quantity(items[static_cast<std::size_t>(i)], build_length_measure(), -kFurthest_mm, kFurthest_mm,
+                  key.point_mm[i]);
+}
+
+void load_look(const YamlValue& value, GazeKey& key) {
+  if (find_node(value).kind == NodeKind::list) return load_point(value, key);
+  if (!is_text(value)) return load_direction(value, key);
+  std::string name;
+  if (!load_name(value, "look", kLooks, name)) return;
+  const LookWord& word = *std::ranges::find(kLookWords, name, &LookWord::word);
+  std::tie(key.look, key.side_deg, key.up_deg) = std::tie(word.look, word.side_deg, word.up_deg);
+}
+
+std::vector<GazeKey> load_gaze_keys(const YamlValue& value, const ClipClock& clock) {
+  std::vector<GazeKey> keys;
+  std::optional<double> before_s;
+  for (const YamlValue& item : load_list(value, "a list of keys such as [{at: 1s, look: left}]")) {
+    const YamlMapping entries = load_mapping(item, kGazeKeyKeys, "a key such as {at: 1s, look: left}");
+    GazeKey key;
+    load_key_time(entries, item, clock, before_s, key.at_s);
+    if (const YamlValue* look =
+            find_required(entries, "look", item, "ahead, camera, left, right, up, down, angles or a point"))
+      load_look(*look, key);
+    keys.push_back(key);
+  }
+  return keys;
+}
+
+void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
+  if (is_text(value)) {
+    std::string name;
+    if (!load_name(value, "gaze", kGazeWords, name)) return;
+    if (name == "wander") gaze.wander = 1;
+    if (name == "camera") gaze.keys = {{0, LookAt::camera}};
+    return;
+  }
+  if (find_node(value).kind == NodeKind::list) {
+    gaze.keys = load_gaze_keys(value, clock);
+    return;
+  }
+  const YamlMapping entries =
+      load_mapping(value, kGazeKeys, "wander, camera, a list of keys or a mapping such as {wander: 0.5}");
+  const YamlValue *keys = find_value(entries, "keys"), *look = find_value(entries, "look");
+  if (keys != nullptr) gaze.keys = load_gaze_keys(*keys, clock);
+  if (look != nullptr && keys == nullptr) load_look(*look, gaze.keys.emplace_back());
+  if (look != nullptr && keys != nullptr)
+    add_mistake(*look, "'clip.gaze' has 'keys' and 'look'; expected one of them");
+  load_share(entries, "wander", gaze.wander);
+  load_seed(entries, gaze.seed);
+}
+
+// `drift` and `asymmetry`: a number, or a mapping of it and a seed.
+template <typename Dial>
+void load_dial(const YamlValue& value, double most, std::string_view example, Dial& dial) {
+  if (is_text(value)) {
+    load_number(value, 0, most, dial.amount);
+    return;
+  }
+  const YamlMapping entries = load_mapping(
+      value, kDialKeys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
+  if (const YamlValue* amount = find_value(entries, "amount")) load_number(*amount, 0, most, dial.amount);
+  load_seed(entries, dial.seed);
 }
 
 }  // namespace
@@ -27,6 +147,11 @@ void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& cli
     for (const YamlValue& item : load_list(*blinks, "a list of times such as [1s, 2.5s]"))
       if (double at_s = 0; load_time(item, clock, at_s)) clip.blinks_s.push_back(at_s);
   std::ranges::sort(clip.blinks_s);
+  if (const YamlValue* gaze = find_value(entries, "gaze")) load_gaze(*gaze, clock, clip.gaze);
+  if (const YamlValue* drift = find_value(entries, "drift"))
+    load_dial(*drift, 1, "{amount: 0.5, seed: 3}", clip.drift);
+  if (const YamlValue* asymmetry = find_value(entries, "asymmetry"))
+    load_dial(*asymmetry, kMaxAsymmetry, "{amount: 0.05, seed: 3}", clip.asymmetry);
 }
 
 }  // namespace mien

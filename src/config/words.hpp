@@ -18,6 +18,9 @@ inline const Names kHairs{"none", "crop", "bob", "bun"};  // none, and the cuts 
 inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
 inline const Names kEarGuides{"ear_base", "ear_top"};  // beside the face's
 inline const Names kEasings{"linear", "in", "out", "in_out", "hold"};
+inline const Names kBlinkStyles{"none", "natural"};
+inline const Names kGazeWords{"wander", "camera"};
+inline const Names kLooks{"ahead", "camera", "left", "right", "up", "down"};
 inline const Names kDraws{"ones", "twos", "threes"};  // held for 1, 2, 3 frames
 inline const Names kQualities{"draft", "good", "best"};
 inline const Names kBackgrounds{"studio", "light", "dark"};
@@ -34,11 +37,16 @@ inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features",
 inline const Names kSculptKeys{"at", "move", "radius"};
 inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair"};
 inline const Names kExpressionKeys{"from", "strength", "exaggerate"};  // and every area's
-inline const Names kClipKeys{"fps", "draw", "keys", "camera", "turn", "blink", "blinks", "length"};
+inline const Names kClipKeys{"fps",    "draw",   "keys", "camera", "turn",     "blink",
+                             "blinks", "length", "gaze", "drift",  "asymmetry"};
 inline const Names kPoseKeyKeys{"at", "express", "strength", "exaggerate", "areas", "ease"};
 inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease"};
 inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease"};
-inline const Names kBlinkKeys{"per_minute", "seed"};
+inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial", "shifts"};
+inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
+inline const Names kGazeKeyKeys{"at", "look"};
+inline const Names kDirectionKeys{"side", "up"};
+inline const Names kDialKeys{"amount", "seed"};  // of drift and asymmetry
 inline const Names kRenderKeys{"size", "quality", "background"};
 inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height"};
 

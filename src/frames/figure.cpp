@@ -9,22 +9,11 @@
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
 #include "head/surface.hpp"
+#include "timeline/head_turn.hpp"
 
 namespace mien {
 
 namespace {
-
-// The head's own rotation about the top of the neck, by `share` of its angles: world from rest.
-glm::dmat4 find_turn(const glm::dvec3& pivot, const TurnKey& turn, double share) {
-  const double degrees = share * kRadiansPerDegree;
-  glm::dmat4 world = glm::translate(glm::dmat4(1), pivot);
-  world = glm::rotate(world, turn.turn_deg * degrees, glm::dvec3(0, 1, 0));
-  world = glm::rotate(world, turn.nod_deg * degrees, glm::dvec3(1, 0, 0));
-  // The crown toward the character's left (+x) is a turn against the clock about z, which points at the
-  // viewer.
-  world = glm::rotate(world, -turn.tilt_deg * degrees, glm::dvec3(0, 0, 1));
-  return glm::translate(world, -pivot);
-}
 
 bool is_turned(const TurnKey& turn) { return turn.turn_deg != 0 || turn.nod_deg != 0 || turn.tilt_deg != 0; }
 

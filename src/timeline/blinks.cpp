@@ -1,14 +1,16 @@
 // Blinks as people have them: 11 to 19 a minute, closing 40..47 % quicker than opening (Sforza et al., 2008),
 // the way down 66..78 ms with some 10 ms of contact (Doane, 1980). Their intervals are uneven, many short and
 // a few long (Ponder and Kennedy, "On the act of blinking", 1927); a log-normal law is the simplest of that
-// shape.
+// shape. Gaze shifts beyond some 33 degrees nearly always take a blink along, small ones seldom (Evinger et
+// al., "Not looking while leaping", 1994).
 #include "timeline/blinks.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "timeline/easing.hpp"
+#include "timeline/gaze.hpp"
+#include "timeline/seeded.hpp"
 
 namespace mien {
 namespace {
@@ -17,15 +19,12 @@ namespace {
 // stares.
 constexpr double kIntervalSpread = 0.5;
 
-// 0 <= u < 1. The library's own distributions may differ from one library to the next; this does not.
-double sample_uniform(std::mt19937_64& random) { return static_cast<double>(random() >> 11) * 0x1p-53; }
+// How far down a blink comes that does not shut the eye. Less than half is not seen at 24 frames a second,
+// nearly 1 is a shut eye badly drawn.
+constexpr double kLeastDepth = 0.5, kMostDepth = 0.85;
 
-// Near enough to a standard normal, never beyond +-6: the sum of twelve uniforms (Irwin and Hall, 1927).
-double sample_normal(std::mt19937_64& random) {
-  double sum = -6;
-  for (int i = 0; i < 12; ++i) sum += sample_uniform(random);
-  return sum;
-}
+// Shifts up to the first take no blink along, from the second on all do.
+constexpr double kSeldomShift_deg = 12, kSureShift_deg = 33;
 
 // A time until the next blink whose mean is `mean_s`, and never below the gap.
 double sample_interval_s(std::mt19937_64& random, double mean_s) {
@@ -44,41 +43,71 @@ double snap_to_drawing_s(const ClipSpec& clip, double time_s) {
   return drawing * draw / clip.fps;
 }
 
-bool is_free(const std::vector<double>& blinks_s, double time_s) {
-  return std::none_of(blinks_s.begin(), blinks_s.end(),
-                      [&](double other_s) { return std::abs(other_s - time_s) < kBlinkGap_s; });
+bool is_free(const std::vector<Blink>& blinks, double time_s) {
+  return std::none_of(blinks.begin(), blinks.end(),
+                      [&](const Blink& other) { return std::abs(other.at_s - time_s) < kBlinkGap_s; });
+}
+
+void add_shift_blinks(const ClipSpec& clip, std::vector<Blink>& blinks) {
+  if (clip.blink.shifts <= 0) return;
+  std::mt19937_64 random = build_random(clip.blink.seed, 1);
+  for (const Shift& shift : list_shifts(clip.gaze, clip.turn, clip.camera)) {
+    const double share = (shift.amplitude_deg - kSeldomShift_deg) / (kSureShift_deg - kSeldomShift_deg);
+    const bool is_taken = sample_uniform(random) < clip.blink.shifts * std::min(share, 1.0);
+    const double snapped_s = snap_to_drawing_s(clip, shift.at_s);
+    if (is_taken && is_free(blinks, snapped_s)) blinks.push_back({snapped_s, 1});
+  }
+}
+
+// The clip's own, between those that are there already.
+void add_own_blinks(const ClipSpec& clip, std::vector<Blink>& blinks) {
+  if (clip.blink.per_minute <= 0) return;
+  const std::vector<Blink> others = blinks;
+  const double mean_s = 60 / clip.blink.per_minute * (1 + clip.blink.doubles);
+  std::mt19937_64 random(clip.blink.seed);
+  std::mt19937_64 kinds = build_random(clip.blink.seed, 2);  // of its own: kinds change no times
+  const auto sample_depth = [&] {
+    const bool is_partial = sample_uniform(kinds) < clip.blink.partial;
+    const double depth = sample_uniform(kinds, kLeastDepth, kMostDepth);
+    return is_partial ? depth : 1;
+  };
+  double last_s = -kBlinkGap_s;
+  // A clip opens somewhere between two blinks, not just after one.
+  double time_s = mean_s * sample_uniform(random);
+  for (; time_s < clip.length_s; time_s += sample_interval_s(random, mean_s)) {
+    const double snapped_s = snap_to_drawing_s(clip, time_s);
+    if (snapped_s < last_s + kBlinkGap_s || !is_free(others, snapped_s)) continue;
+    blinks.push_back({snapped_s, sample_depth()});
+    last_s = snapped_s;
+    if (sample_uniform(kinds) >= clip.blink.doubles) continue;
+    // Half a drawing later than the least, so that the nearest drawing is not before it.
+    const double second_s = snap_to_drawing_s(clip, snapped_s + kDoubleGap_s + 0.5 * clip.draw / clip.fps);
+    if (second_s < snapped_s + kDoubleGap_s || !is_free(others, second_s)) continue;
+    blinks.push_back({second_s, sample_depth()});
+    last_s = second_s;
+  }
 }
 
 }  // namespace
 
-std::vector<double> place_blinks(const ClipSpec& clip) {
-  std::vector<double> blinks_s;
-  for (const double asked_s : clip.blinks_s) blinks_s.push_back(snap_to_drawing_s(clip, asked_s));
-  if (clip.blink.per_minute > 0) {
-    const std::vector<double> asked_s = blinks_s;
-    const double mean_s = 60 / clip.blink.per_minute;
-    std::mt19937_64 random(clip.blink.seed);
-    // A clip opens somewhere between two blinks, not just after one.
-    double time_s = mean_s * sample_uniform(random);
-    for (; time_s < clip.length_s; time_s += sample_interval_s(random, mean_s)) {
-      const double snapped_s = snap_to_drawing_s(clip, time_s);
-      const bool is_after_last =
-          blinks_s.size() == asked_s.size() || blinks_s.back() + kBlinkGap_s <= snapped_s;
-      if (is_after_last && is_free(asked_s, snapped_s)) blinks_s.push_back(snapped_s);
-    }
-  }
-  std::sort(blinks_s.begin(), blinks_s.end());
-  blinks_s.erase(std::unique(blinks_s.begin(), blinks_s.end()), blinks_s.end());
-  return blinks_s;
+std::vector<Blink> place_blinks(const ClipSpec& clip) {
+  std::vector<Blink> blinks;
+  for (const double asked_s : clip.blinks_s) blinks.push_back({snap_to_drawing_s(clip, asked_s), 1});
+  add_shift_blinks(clip, blinks);
+  add_own_blinks(clip, blinks);
+  std::ranges::sort(blinks, {}, &Blink::at_s);
+  blinks.erase(std::unique(blinks.begin(), blinks.end()), blinks.end());
+  return blinks;
 }
 
-double find_blink_closure(const std::vector<double>& blinks_s, double time_s) {
-  const auto first = std::lower_bound(blinks_s.begin(), blinks_s.end(), time_s - kBlinkOpening_s);
+double find_blink_closure(const std::vector<Blink>& blinks, double time_s) {
+  const auto first = std::ranges::lower_bound(blinks, time_s - kBlinkOpening_s, {}, &Blink::at_s);
   double closure = 0;
-  for (auto shut_s = first; shut_s != blinks_s.end() && *shut_s < time_s + kBlinkClosing_s; ++shut_s) {
-    const double since_s = time_s - *shut_s;
-    closure = std::max(closure, since_s <= 0 ? ease(Easing::in_out, 1 + since_s / kBlinkClosing_s)
-                                             : 1 - ease(Easing::in_out, since_s / kBlinkOpening_s));
+  for (auto blink = first; blink != blinks.end() && blink->at_s < time_s + kBlinkClosing_s; ++blink) {
+    const double since_s = time_s - blink->at_s;
+    const double share = since_s <= 0 ? ease(Easing::in_out, 1 + since_s / kBlinkClosing_s)
+                                      : 1 - ease(Easing::in_out, since_s / kBlinkOpening_s);
+    closure = std::max(closure, blink->depth * share);
   }
   return closure;
 }

@@ -34,9 +34,12 @@ std::vector<int> find_drawings(const Performance& performance) {
   const int count = count_frames(performance.clip);
   std::vector<int> first(count);
   std::unordered_map<std::string, int> seen;
+  // Eyes that no limit holds: two looks that these eyes cannot tell apart may differ on another head.
+  Performance unheld = performance;
+  unheld.idle.eyes.left = unheld.idle.eyes.right = {180, 180, 180, 180};
   for (int frame = 0; frame < count; ++frame) {
     const double time_s = find_drawing_time_s(performance.clip, frame);
-    first[frame] = seen.emplace(key_of(sample_performance(performance, time_s)), frame).first->second;
+    first[frame] = seen.emplace(key_of(sample_performance(unheld, time_s)), frame).first->second;
   }
   return first;
 }

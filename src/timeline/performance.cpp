@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "timeline/blinks.hpp"
 #include "timeline/easing.hpp"
 
 namespace mien {
@@ -59,18 +58,20 @@ Key sample_track(const std::vector<Key>& keys, double time_s) {
 }  // namespace
 
 Performance build_performance(const ClipSpec& clip) {
-  Performance performance{clip, place_blinks(clip)};
+  Performance performance{clip, {}};
   sort_track(performance.clip.keys);
   sort_track(performance.clip.camera);
   sort_track(performance.clip.turn);
+  performance.idle = build_idle(performance.clip);
   return performance;
 }
 
 Moment sample_performance(const Performance& performance, double time_s) {
   const ClipSpec& clip = performance.clip;
-  Moment moment{sample_track(clip.keys, time_s).pose, sample_track(clip.turn, time_s),
-                sample_track(clip.camera, time_s)};
-  close_lids(moment.pose, find_blink_closure(performance.blinks_s, time_s));
+  const auto sample_pose = [&](double at_s) { return sample_track(clip.keys, at_s).pose; };
+  Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose),
+                sample_track(clip.turn, time_s), sample_track(clip.camera, time_s)};
+  add_idle(performance.idle, time_s, moment.camera, moment.pose, moment.turn);
   return moment;
 }
 

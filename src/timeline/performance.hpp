@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "config/clip_spec.hpp"
+#include "timeline/idle.hpp"
 
 namespace mien {
 
@@ -17,13 +18,13 @@ struct Moment {
 // A clip ready to be sampled: keys sorted, blinks placed.
 struct Performance {
   ClipSpec clip;
-  std::vector<double> blinks_s;  // shut moments, ascending: asked for and, seeded, the clip's own
+  Idle idle;  // what the face does by itself
 };
 
 Performance build_performance(const ClipSpec& clip);
 
-// Exactly a key's values at a key's time (blinks apart), the first key's before it and the last key's after
-// it.
+// Exactly a key's values at a key's time (what `idle` adds apart), the first key's before it and the last
+// key's after it.
 Moment sample_performance(const Performance& performance, double time_s);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.

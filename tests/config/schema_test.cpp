@@ -51,7 +51,18 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
 
   const json& clip = file.at("clip");
   EXPECT_EQ(list_properties(clip), sort(kClipKeys));
-  EXPECT_EQ(list_properties(clip.at("properties").at("blink")), sort(kBlinkKeys));
+  const json& blink = clip.at("properties").at("blink").at("anyOf");
+  EXPECT_EQ(blink[0].at("enum").get<Names>(), kBlinkStyles);
+  EXPECT_EQ(list_properties(blink[1]), sort(kBlinkKeys));
+  const json& gaze = clip.at("properties").at("gaze").at("anyOf");
+  EXPECT_EQ(gaze[0].at("enum").get<Names>(), kGazeWords);
+  EXPECT_EQ(list_properties(gaze[2]), sort(kGazeKeys));
+  EXPECT_EQ(list_properties(defs.at("gaze_key")), sort(kGazeKeyKeys));
+  const json& look = defs.at("look").at("anyOf");
+  EXPECT_EQ(look[0].at("enum").get<Names>(), kLooks);
+  EXPECT_EQ(list_properties(look[1]), sort(kDirectionKeys));
+  for (const char* dial : {"drift", "asymmetry"})
+    EXPECT_EQ(list_properties(clip.at("properties").at(dial).at("anyOf")[1]), sort(kDialKeys)) << dial;
   EXPECT_EQ(clip.at("properties").at("draw").at("anyOf")[0].at("enum").get<Names>(), kDraws);
   EXPECT_EQ(list_properties(defs.at("pose_key")), sort(kPoseKeyKeys));
   EXPECT_EQ(list_properties(defs.at("camera_key")), sort(kCameraKeys));

@@ -18,21 +18,28 @@ ClipSpec build_clip(double length_s, int draw, double per_minute, std::uint64_t 
   ClipSpec clip;
   clip.length_s = length_s;
   clip.draw = draw;
-  clip.blink = {per_minute, seed};
+  clip.blink.per_minute = per_minute;
+  clip.blink.seed = seed;
   return clip;
+}
+
+std::vector<double> list_times(const ClipSpec& clip) {
+  std::vector<double> times_s;
+  for (const Blink& blink : place_blinks(clip)) times_s.push_back(blink.at_s);
+  return times_s;
 }
 
 TEST(blinks, are_none_unless_asked_for) { EXPECT_TRUE(place_blinks(build_clip(60, 1, 0, 1)).empty()); }
 
 TEST(blinks, keep_their_rate_over_a_long_clip) {
   for (const double per_minute : {6.0, 15.0, 40.0}) {
-    const auto blinks_s = place_blinks(build_clip(3600, 1, per_minute, 7));
+    const auto blinks_s = list_times(build_clip(3600, 1, per_minute, 7));
     EXPECT_NEAR(static_cast<double>(blinks_s.size()) / 60, per_minute, 0.08 * per_minute);
   }
 }
 
 TEST(blinks, are_as_uneven_as_a_persons) {
-  const auto blinks_s = place_blinks(build_clip(3600, 1, 15, 3));
+  const auto blinks_s = list_times(build_clip(3600, 1, 15, 3));
   std::vector<double> intervals_s;
   for (std::size_t i = 1; i < blinks_s.size(); ++i) intervals_s.push_back(blinks_s[i] - blinks_s[i - 1]);
   const auto count = static_cast<double>(intervals_s.size());
@@ -49,9 +56,9 @@ TEST(blinks, are_as_uneven_as_a_persons) {
 }
 
 TEST(blinks, are_the_same_for_the_same_seed_and_others_for_another) {
-  const auto blinks_s = place_blinks(build_clip(120, 2, 15, 7));
-  EXPECT_EQ(blinks_s, place_blinks(build_clip(120, 2, 15, 7)));
-  EXPECT_NE(blinks_s, place_blinks(build_clip(120, 2, 15, 8)));
+  const auto blinks_s = list_times(build_clip(120, 2, 15, 7));
+  EXPECT_EQ(blinks_s, list_times(build_clip(120, 2, 15, 7)));
+  EXPECT_NE(blinks_s, list_times(build_clip(120, 2, 15, 8)));
 }
 
 TEST(blinks, are_shut_in_a_drawing_on_ones_twos_and_threes) {
@@ -66,7 +73,7 @@ TEST(blinks, are_shut_in_a_drawing_on_ones_twos_and_threes) {
         EXPECT_EQ(pose.values[kLeft], pose.values[kRight]);
         shut += pose.values[kLeft] == -1;
       }
-      EXPECT_EQ(shut, performance.blinks_s.size()) << "draw " << draw << ", seed " << seed;
+      EXPECT_EQ(shut, performance.idle.blinks.size()) << "draw " << draw << ", seed " << seed;
       EXPECT_GE(shut, 2u);
     }
 }
@@ -75,7 +82,7 @@ TEST(blinks, keep_apart_and_give_way_to_those_asked_for) {
   for (std::uint64_t seed = 0; seed < 100; ++seed) {
     ClipSpec clip = build_clip(20, 1, 120, seed);
     clip.blinks_s = {12, 5};
-    const auto blinks_s = place_blinks(clip);
+    const auto blinks_s = list_times(clip);
     EXPECT_EQ(std::count(blinks_s.begin(), blinks_s.end(), 5.0), 1);
     EXPECT_EQ(std::count(blinks_s.begin(), blinks_s.end(), 12.0), 1);
     for (std::size_t i = 1; i < blinks_s.size(); ++i)
@@ -84,21 +91,21 @@ TEST(blinks, keep_apart_and_give_way_to_those_asked_for) {
 }
 
 TEST(blinks, close_faster_than_they_open) {
-  const std::vector<double> blinks_s{1.0};
-  EXPECT_EQ(find_blink_closure(blinks_s, 1.0), 1);
-  EXPECT_EQ(find_blink_closure(blinks_s, 1.0 - kBlinkClosing_s), 0);
-  EXPECT_NEAR(find_blink_closure(blinks_s, 1.0 + kBlinkOpening_s), 0, 1e-12);
-  EXPECT_EQ(find_blink_closure(blinks_s, 0.5), 0);
-  EXPECT_EQ(find_blink_closure(blinks_s, 1.5), 0);
+  const std::vector<Blink> blinks{{1.0, 1}};
+  EXPECT_EQ(find_blink_closure(blinks, 1.0), 1);
+  EXPECT_EQ(find_blink_closure(blinks, 1.0 - kBlinkClosing_s), 0);
+  EXPECT_NEAR(find_blink_closure(blinks, 1.0 + kBlinkOpening_s), 0, 1e-12);
+  EXPECT_EQ(find_blink_closure(blinks, 0.5), 0);
+  EXPECT_EQ(find_blink_closure(blinks, 1.5), 0);
   for (const double away_s : {0.02, 0.04, 0.06, 0.079})
-    EXPECT_LT(find_blink_closure(blinks_s, 1.0 - away_s), find_blink_closure(blinks_s, 1.0 + away_s));
+    EXPECT_LT(find_blink_closure(blinks, 1.0 - away_s), find_blink_closure(blinks, 1.0 + away_s));
 }
 
 TEST(blinks, take_two_frames_down_and_some_more_up) {
-  const std::vector<double> blinks_s{1.0};
+  const std::vector<Blink> blinks{{1.0, 1}};
   int down = 0, up = 0;
   for (int frame = 0; frame < 48; ++frame)
-    if (const double closure = find_blink_closure(blinks_s, frame / 24.0); closure > 0)
+    if (const double closure = find_blink_closure(blinks, frame / 24.0); closure > 0)
       (frame <= 24 ? down : up) += 1;
   EXPECT_EQ(down, 2);
   EXPECT_EQ(up, 4);

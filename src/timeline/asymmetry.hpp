@@ -1,0 +1,38 @@
+// No face is quite the same on both sides: which side of an area is later, and which does less.
+#pragma once
+
+#include <array>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "config/clip_spec.hpp"
+
+namespace mien {
+
+// Of one area, seeded.
+struct AreaLean {
+  std::string_view area;    // "brow", "lid", "corner": eyes move together
+  Side late = Side::right;  // this side starts later, the other arrives sooner
+  double delay_s = 0;       // 0.02..0.06 between the two
+  Side weak = Side::right;  // this side's values are less
+  double weakness = 0;      // by this share, at most the `amount` asked for and half of it at least
+};
+
+struct Asymmetry {
+  std::vector<AreaLean> areas;  // none: off
+  std::vector<double> keys_s;   // ascending
+};
+
+Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s);
+
+// The time at which a side shows what both would show at `time_s`. Between two neighbours of `keys_s`
+// (ascending) the late side waits at the first, the early one is there before the second: at a key's time
+// both show the key.
+double find_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late);
+
+// The pose of a face that leans. `sample` is the symmetric one's at a time. Key poses keep their times
+// exactly; their weak sides are weaker, since that is what was asked for. A shut lid stays shut.
+Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const std::function<Pose(double)>& sample);
+
+}  // namespace mien

@@ -1,0 +1,73 @@
+// The head of one who sits or stands still sways by a degree or so, mostly below half a hertz. A few sines
+// whose strength falls as their frequency rises look the same (Perlin, "Improv", 1996, moves resting figures
+// by band-limited noise).
+#include "timeline/drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "timeline/seeded.hpp"
+
+namespace mien {
+namespace {
+
+// At `amount: 1`. Twice as much and the figure looks drunk; half, and it is not seen in a small picture.
+constexpr double kTurn_deg = 2.5, kNod_deg = 1.8, kTilt_deg = 1.8;
+constexpr double kBrowsUp = 0.12, kBrowsTurn = 0.06, kCornersUp = 0.05;  // shares of the limit
+
+Sway build_sway(std::uint64_t seed, std::uint64_t use) {
+  std::mt19937_64 random = build_random(seed, use);
+  Sway sway;
+  const auto count = static_cast<double>(sway.waves.size());
+  double sum = 0;
+  for (std::size_t i = 0; i < sway.waves.size(); ++i) {
+    const double place = (static_cast<double>(i) + sample_uniform(random)) / count;  // one in each part
+    const double hz = kSlowest_hz * std::pow(kFastest_hz / kSlowest_hz, place);
+    sway.waves[i] = {hz, sample_uniform(random, 0, 2 * std::numbers::pi), 1 / hz};
+    sum += 1 / hz;
+  }
+  for (Sway::Wave& wave : sway.waves) wave.share /= sum;
+  return sway;
+}
+
+// Within low..high, or as far out as it was.
+void add_within(double low, double high, double more, double& value) {
+  value = std::clamp(value + more, std::min(low, value), std::max(high, value));
+}
+
+}  // namespace
+
+double sample_sway(const Sway& sway, double time_s) {
+  double sum = 0;
+  for (const Sway::Wave& wave : sway.waves)
+    sum += wave.share * std::sin(2 * std::numbers::pi * wave.hz * time_s + wave.phase_rad);
+  return sum;
+}
+
+Drift build_drift(const DriftSpec& spec) {
+  const auto sway = [&](std::uint64_t use) { return build_sway(spec.seed, use); };
+  return {spec.amount, sway(1), sway(2), sway(3), sway(4), sway(5), sway(6)};
+}
+
+void add_drift(const Drift& drift, double time_s, Pose& pose, TurnKey& turn) {
+  if (drift.amount <= 0) return;
+  const auto swayed = [&](const Sway& sway, double most) {
+    return drift.amount * most * sample_sway(sway, time_s);
+  };
+  add_within(-kMaxTurn_deg, kMaxTurn_deg, swayed(drift.turn, kTurn_deg), turn.turn_deg);
+  add_within(-kMaxNod_deg, kMaxNod_deg, swayed(drift.nod, kNod_deg), turn.nod_deg);
+  add_within(-kMaxTilt_deg, kMaxTilt_deg, swayed(drift.tilt, kTilt_deg), turn.tilt_deg);
+  // Both sides alike: what sets them apart is `asymmetry`.
+  const auto add = [&](std::string_view area, std::string_view move, double more) {
+    for (const Side side : {Side::left, Side::right}) {
+      const std::size_t i = *find_move(area, side, move);
+      add_within(kMoves[i].low, kMoves[i].high, more, pose.values[i]);
+    }
+  };
+  add("brow", "up", swayed(drift.brows_up, kBrowsUp));
+  add("brow", "turn", swayed(drift.brows_turn, kBrowsTurn));
+  add("corner", "up", swayed(drift.corners_up, kCornersUp));
+}
+
+}  // namespace mien

@@ -1,0 +1,178 @@
+// Saccades: Bahill, Clark and Stark, "The main sequence" (1975); 21 + 2.2 A ms and no slow start, since the
+// eye's plant is all but without inertia. While the head turns the eyes hold what they look at (the
+// vestibulo-ocular reflex), and both meet there (vergence). Fixations last 0.2 s and more, the time it takes
+// to choose the next one (face-facts 3.4).
+#include "timeline/gaze.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conventions.hpp"
+#include "timeline/easing.hpp"
+#include "timeline/head_turn.hpp"
+#include "timeline/seeded.hpp"
+
+namespace mien {
+namespace {
+
+// At `wander: 1`, degrees: of the size of a face seen across a table. Twice as much, and the eyes seem to
+// search the room.
+constexpr double kWanderSide_deg = 8, kWanderUp_deg = 4;
+constexpr double kLeastFixation_s = 0.2, kMeanFixation_s = 1.1;
+constexpr double kFixationSpread = 0.6;  // of the logarithm: many short ones, a few long
+
+constexpr double kQuickTurn_degps = 25;  // a head that turns more slowly takes no blink along
+
+// Yaw to the character's left and pitch upward, degrees in the head's own frame.
+struct Aim {
+  double side_deg = 0, up_deg = 0;
+};
+struct EyesAim {
+  Aim left, right;
+};
+
+Aim find_aim(const glm::dvec3& toward) {
+  return {std::atan2(toward.x, toward.z) / kRadiansPerDegree,
+          std::atan2(toward.y, std::hypot(toward.x, toward.z)) / kRadiansPerDegree};
+}
+
+glm::dvec3 find_direction(double side_deg, double up_deg) {
+  const double side = side_deg * kRadiansPerDegree, up = up_deg * kRadiansPerDegree;
+  return {std::cos(up) * std::sin(side), std::sin(up), std::cos(up) * std::cos(side)};
+}
+
+glm::dvec3 find_camera_mm(const EyeRig& rig, const CameraKey& camera) {
+  return rig.camera_target_mm +
+         rig.camera_mm * camera.distance * find_direction(camera.angle_deg, camera.height_deg);
+}
+
+// One key's aim, seen from the head as it is turned.
+EyesAim find_aim(const GazeKey& key, const EyeRig& rig, const TurnKey& turn, const CameraKey& camera) {
+  if (key.look == LookAt::ahead) return {};
+  const glm::dmat4 world_from_head = find_turn(rig.pivot_mm, turn, 1);
+  const glm::dmat3 head_from_world = glm::transpose(glm::dmat3(world_from_head));  // of a rotation
+  if (key.look == LookAt::direction) {
+    const Aim aim = find_aim(head_from_world * find_direction(key.side_deg, key.up_deg));
+    return {aim, aim};
+  }
+  const glm::dvec3 place = key.look == LookAt::camera ? find_camera_mm(rig, camera) : key.point_mm;
+  const auto aim_from = [&](const glm::dvec3& centre) {
+    return find_aim(head_from_world * (place - glm::dvec3(world_from_head * glm::dvec4(centre, 1))));
+  };
+  return {aim_from(rig.left_mm), aim_from(rig.left_mm * glm::dvec3(-1, 1, 1))};
+}
+
+double find_amplitude_deg(const Aim& from, const Aim& to) {
+  return std::hypot(to.side_deg - from.side_deg, to.up_deg - from.up_deg);
+}
+
+Aim mix_aims(const Aim& from, const Aim& to, double share) {
+  return {std::lerp(from.side_deg, to.side_deg, share), std::lerp(from.up_deg, to.up_deg, share)};
+}
+
+// The share of a saccade gone that arrives at `at_s`, having left no sooner than `after_s`.
+double find_saccade_share(double amplitude_deg, double after_s, double at_s, double time_s) {
+  const double length_s = std::min(find_saccade_s(amplitude_deg), at_s - after_s);
+  if (time_s >= at_s || length_s <= 0) return time_s >= at_s ? 1 : 0;
+  return ease(Easing::out, 1 - (at_s - time_s) / length_s);
+}
+
+// The first of a list by time that is later than `time_s`.
+template <typename Timed>
+auto find_next(const std::vector<Timed>& list, double time_s) {
+  return std::upper_bound(list.begin(), list.end(), time_s,
+                          [](double time, const Timed& timed) { return time < timed.at_s; });
+}
+
+EyesAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
+                    const CameraKey& camera) {
+  const std::vector<GazeKey>& keys = gaze.spec.keys;
+  if (keys.empty()) return {};
+  const auto next = find_next(keys, time_s);
+  const GazeKey& now = next == keys.begin() ? *next : *(next - 1);
+  const EyesAim from = find_aim(now, rig, turn, camera);
+  if (next == keys.begin() || next == keys.end()) return from;
+  const EyesAim to = find_aim(*next, rig, turn, camera);
+  // One time for both eyes, though one of them may have further to go.
+  const double amplitude_deg =
+      std::max(find_amplitude_deg(from.left, to.left), find_amplitude_deg(from.right, to.right));
+  const double share = find_saccade_share(amplitude_deg, now.at_s, next->at_s, time_s);
+  return {mix_aims(from.left, to.left, share), mix_aims(from.right, to.right, share)};
+}
+
+Aim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
+  if (fixations.empty()) return {};
+  const auto next = find_next(fixations, time_s);
+  const Fixation& now = next == fixations.begin() ? *next : *(next - 1);
+  const Aim from{now.side_deg, now.up_deg};
+  if (next == fixations.begin() || next == fixations.end()) return from;
+  const Aim to{next->side_deg, next->up_deg};
+  return mix_aims(from, to, find_saccade_share(find_amplitude_deg(from, to), now.at_s, next->at_s, time_s));
+}
+
+// `value` of a limit's way, which may be another one upward than downward, moved by `degrees`.
+void add_degrees(double degrees, double plus_deg, double minus_deg, double& value) {
+  if (plus_deg <= 0 || minus_deg <= 0) return;  // an eye that cannot turn
+  const double sum_deg = degrees + value * (value > 0 ? plus_deg : minus_deg);
+  value = std::clamp(sum_deg / (sum_deg > 0 ? plus_deg : minus_deg), -1.0, 1.0);
+}
+
+void add_aim(const Aim& aim, const EyeReach& reach, Side side, Pose& pose) {
+  add_degrees(aim.side_deg, reach.left_deg, reach.right_deg, pose.values[*find_move("eye", side, "side")]);
+  add_degrees(aim.up_deg, reach.up_deg, reach.down_deg, pose.values[*find_move("eye", side, "up")]);
+}
+
+}  // namespace
+
+double find_saccade_s(double amplitude_deg) { return 0.021 + 0.0022 * amplitude_deg; }
+
+Gaze build_gaze(const GazeSpec& spec, double length_s) {
+  Gaze gaze{spec, {}};
+  if (spec.wander <= 0) return gaze;
+  std::mt19937_64 random = build_random(spec.seed, 0);
+  const double free_s = kMeanFixation_s - kLeastFixation_s;
+  for (double at_s = 0; at_s <= length_s;) {
+    // The square of an even share: most fixations lie near, a few far.
+    const double reach = sample_uniform(random, -1, 1), height = sample_uniform(random, -1, 1);
+    gaze.fixations.push_back({at_s, spec.wander * kWanderSide_deg * reach * std::abs(reach),
+                              spec.wander * kWanderUp_deg * height * std::abs(height)});
+    at_s += kLeastFixation_s + free_s * std::exp(kFixationSpread * sample_normal(random) -
+                                                 kFixationSpread * kFixationSpread / 2);
+  }
+  return gaze;
+}
+
+void aim_eyes(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
+              const CameraKey& camera, Pose& pose) {
+  if (gaze.spec.keys.empty() && gaze.fixations.empty()) return;
+  EyesAim aim = sample_keys(gaze, rig, time_s, turn, camera);
+  const Aim offset = sample_fixations(gaze.fixations, time_s);
+  for (Aim* eye : {&aim.left, &aim.right}) {
+    eye->side_deg += offset.side_deg;
+    eye->up_deg += offset.up_deg;
+  }
+  add_aim(aim.left, rig.left, Side::left, pose);
+  add_aim(aim.right, rig.right, Side::right, pose);
+}
+
+std::vector<Shift> list_shifts(const GazeSpec& gaze, const std::vector<TurnKey>& turn,
+                               const std::vector<CameraKey>& camera) {
+  std::vector<Shift> shifts;
+  const CameraKey view = camera.empty() ? CameraKey{} : camera.front();
+  for (std::size_t i = 1; i < gaze.keys.size(); ++i) {
+    const Aim from = find_aim(gaze.keys[i - 1], EyeRig{}, TurnKey{}, view).left;
+    const Aim to = find_aim(gaze.keys[i], EyeRig{}, TurnKey{}, view).left;
+    const double amplitude_deg = find_amplitude_deg(from, to);
+    shifts.push_back({gaze.keys[i].at_s - find_saccade_s(amplitude_deg) / 2, amplitude_deg});
+  }
+  for (std::size_t i = 1; i < turn.size(); ++i) {
+    const TurnKey &from = turn[i - 1], &to = turn[i];
+    const double amplitude_deg = std::hypot(to.turn_deg - from.turn_deg, to.nod_deg - from.nod_deg);
+    if (amplitude_deg < kQuickTurn_degps * (to.at_s - from.at_s)) continue;
+    shifts.push_back({(from.at_s + to.at_s) / 2, amplitude_deg});
+  }
+  std::ranges::stable_sort(shifts, {}, &Shift::at_s);
+  return shifts;
+}
+
+}  // namespace mien
