@@ -1,8 +1,6 @@
 #include "render/progress.hpp"
 
 #include <fmt/format.h>
-#include <sys/ioctl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,6 +8,8 @@
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string_view>
+
+#include "render/terminal.hpp"
 
 namespace mien {
 
@@ -47,22 +47,6 @@ std::string format_time_left(const ProgressState& state) {
          " left";
 }
 
-int find_width(std::FILE* stream) {
-  winsize size{};
-  if (::ioctl(::fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return kWidest;
-  return std::min<int>(size.ws_col - 1, kWidest);  // the last column would wrap on some terminals
-}
-
-bool has_utf8() {
-  for (const char* name : {"LC_ALL", "LC_CTYPE", "LANG"}) {
-    const char* value = std::getenv(name);
-    if (value == nullptr || *value == '\0') continue;
-    const std::string_view locale(value);
-    return locale.find("UTF-8") != std::string_view::npos || locale.find("utf8") != std::string_view::npos;
-  }
-  return false;
-}
-
 std::string repeat(std::string_view text, std::size_t count) {
   std::string repeated;
   for (std::size_t i = 0; i < count; ++i) repeated += text;
@@ -91,7 +75,8 @@ std::string paint_bar(const std::string& text) {
 }
 
 void draw_bar(const Progress& progress) {
-  const std::string text = format_progress_bar(find_state(progress), find_width(progress.stream));
+  const std::string text =
+      format_progress_bar(find_state(progress), find_terminal_width(progress.stream, kWidest));
   fmt::print(progress.stream, "{}{}", kEraseLine, paint_bar(text));
   std::fflush(progress.stream);
 }
@@ -118,7 +103,7 @@ ProgressStyle find_progress_style(std::FILE* stream, bool is_quiet, bool is_json
   if (is_json) return ProgressStyle::json;
   const char* terminal = std::getenv("TERM");
   const bool can_erase = terminal != nullptr && std::string_view(terminal) != "dumb";
-  return can_erase && ::isatty(::fileno(stream)) != 0 ? ProgressStyle::bar : ProgressStyle::lines;
+  return can_erase && is_terminal(stream) ? ProgressStyle::bar : ProgressStyle::lines;
 }
 
 Progress::Progress(std::FILE* stream_, ProgressStyle style_, std::string label_, int total_)

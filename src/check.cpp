@@ -1,0 +1,86 @@
+// `mien check`: what a right file holds, how it moves, and what will not read well.
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clip.hpp"
+#include "config/load_spec.hpp"
+#include "core/data.hpp"
+#include "explain.hpp"
+#include "render/terminal.hpp"
+#include "timeline/advice.hpp"
+#include "timeline/chart.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kPlainWidth = 80;    // columns, of a pipe or a file
+constexpr int kWidestChart = 200;  // wider, the rows are hard to follow
+
+MoveReach find_reach(const Figure& figure, const fs::path& data_folder) {
+  MoveReach reach;
+  for (const Limit& limit :
+       measure_limits(figure.head, figure.face, figure.limits, data_folder / "templates/head/areas.yaml"))
+    (limit.name->sign > 0 ? reach.plus_mm : reach.minus_mm)[limit.name->move] = limit.mm;
+  return reach;
+}
+
+std::string format_json(const Diagnostic& advice) {
+  return nlohmann::ordered_json{{"kind", "warning"},
+                                {"file", advice.place.file},
+                                {"line", advice.place.line},
+                                {"column", advice.place.column},
+                                {"message", advice.message}}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// A line each: "file:line:col: warning: ..." or JSON.
+void tell_advice(const Options& options, const Performance& performance, const Figure& figure,
+                 const fs::path& data_folder) {
+  for (const Diagnostic& advice : advise_clip(performance, find_reach(figure, data_folder)))
+    fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
+}
+
+// As wide as the terminal and in its letters; plain ASCII in 80 columns into a pipe or a file, since nobody
+// knows what will read it and the same clip shall be the same text.
+void tell_chart(const Performance& performance) {
+  ChartStyle style{kPlainWidth, true};
+  if (is_terminal(stdout)) style = {find_terminal_width(stdout, kWidestChart), !has_utf8()};
+  fmt::print("\n{}", build_chart(performance, style));
+}
+
+}  // namespace
+
+void check_file(const Options& options) {
+  const fs::path data = find_data_folder();
+  Clip clip = plan_clip(options, data);
+  const Figure figure =
+      build_figure(clip.spec.head, data);  // files it names may be wrong, guide lines may cross
+  clip.performance.idle.eyes = find_eyes(figure, clip.spec.render);
+  tell_held(options, clip.spec);
+  if (options.is_quiet) return;
+  tell_advice(options, clip.performance, figure, data);
+  const RenderSpec& render = clip.spec.render;
+  if (options.is_json) {
+    fmt::print("{}\n", nlohmann::json{{"file", options.file.string()},
+                                      {"frames", clip.frame_count},
+                                      {"drawings", clip.plan.drawings.size()},
+                                      {"fps", clip.spec.clip.fps},
+                                      {"width", render.width_px},
+                                      {"height", render.height_px},
+                                      {"busts", clip.spec.busts.size()}}
+                           .dump());
+    return;
+  }
+  fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
+             clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
+             render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
+  tell_chart(clip.performance);
+}
+
+}  // namespace mien

@@ -1,0 +1,104 @@
+#include "timeline/advice.hpp"
+
+#include <gtest/gtest.h>
+
+namespace mien {
+namespace {
+
+PoseKey build_key(double at_s, std::string label, double value, int line) {
+  PoseKey key;
+  key.at_s = at_s;
+  key.label = std::move(label);
+  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move("brow", side, "up")] = value;
+  key.pose.values[*find_move("chin", Side::none, "down")] = value;
+  key.place = {"a.yaml", line, 7};
+  return key;
+}
+
+MoveReach build_reach() {
+  MoveReach reach;
+  reach.plus_mm.fill(10);
+  reach.minus_mm.fill(10);
+  reach.plus_mm[*find_move("chin", Side::none, "down")] = 40;
+  return reach;
+}
+
+std::string advise(const ClipSpec& clip) {
+  std::string text;
+  for (const Diagnostic& advice : advise_clip(build_performance(clip), build_reach()))
+    text += format_diagnostic(advice) + "\n";
+  return text;
+}
+
+ClipSpec build_clip(std::vector<PoseKey> keys) {
+  ClipSpec clip;
+  clip.keys = std::move(keys);
+  clip.length_s = clip.keys.back().at_s;
+  return clip;
+}
+
+TEST(advice, has_nothing_to_say_of_a_plain_clip) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1), build_key(0.5, "gasp", 1, 2),
+                              build_key(1.5, "gasp", 1, 3), build_key(2.5, "rest", 0, 4)});
+  clip.blink = kNaturalBlink;
+  clip.gaze.wander = 1;
+  clip.drift.amount = 1;
+  clip.asymmetry.amount = 0.3;
+  EXPECT_EQ(advise(clip), "");
+  clip.draw = 3;
+  EXPECT_EQ(advise(clip), "");
+}
+
+TEST(advice, warns_of_holds_too_short_to_read) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1), build_key(1, "gasp", 1, 2),
+                              build_key(1 + 4 / 24.0, "gasp", 1, 3), build_key(2, "rest", 0, 4)});
+  EXPECT_EQ(advise(clip),
+            "a.yaml:3:7: warning: 'gasp' is held for 4 frames; a hold is read from 6 on (until 1.25s)\n");
+  clip.keys[2].at_s = 1.25;
+  EXPECT_EQ(advise(clip), "");
+}
+
+TEST(advice, warns_of_skin_that_jumps) {
+  ClipSpec clip = build_clip(
+      {build_key(0, "rest", 0, 1), build_key(1, "rest", 0, 2), build_key(1 + 2 / 24.0, "gasp", 1, 3)});
+  clip.length_s = 2;
+  EXPECT_EQ(
+      advise(clip),
+      "a.yaml:3:7: warning: on the way to 'gasp' the chin moves 20.0 mm a frame (at 1.042s); more than 12 mm "
+      "is seen as a jump\n");
+}
+
+TEST(advice, lets_lids_and_eyes_be_quick) {
+  ClipSpec clip = build_clip({build_key(0, "open", 0, 1), build_key(1, "open", 0, 2)});
+  clip.keys[1].pose.values[*find_move("lid", Side::left, "upper")] = -1;
+  clip.keys[1].pose.values[*find_move("eye", Side::left, "side")] = 1;
+  clip.keys[1].ease = Easing::hold;
+  MoveReach reach;
+  reach.plus_mm.fill(100);
+  reach.minus_mm.fill(100);
+  clip.length_s = 2;
+  EXPECT_TRUE(advise_clip(build_performance(clip), reach).empty());
+}
+
+TEST(advice, warns_of_faces_that_are_never_drawn_in_full) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1), build_key(1.01, "rest", 0, 2),
+                              build_key(1.05, "gasp", 0.2, 3), build_key(1.09, "rest", 0, 4)});
+  clip.draw = 4;
+  clip.length_s = 2;
+  EXPECT_EQ(
+      advise(clip),
+      "a.yaml:3:7: warning: 'gasp' is never fully drawn, 0 % of it at most; drawings near it are at 1s and "
+      "1.167s\n");
+}
+
+TEST(advice, warns_of_keys_after_the_end) {
+  ClipSpec clip =
+      build_clip({build_key(0, "rest", 0, 1), build_key(1, "gasp", 1, 2), build_key(3, "rest", 0, 3)});
+  clip.length_s = 2;
+  EXPECT_EQ(advise(clip), "a.yaml:3:7: warning: 'rest' comes at 3s, after the clip's end at 2s\n");
+  clip.length_s = 3;  // the key at the end is a loop's first
+  EXPECT_EQ(advise(clip), "");
+}
+
+}  // namespace
+}  // namespace mien
