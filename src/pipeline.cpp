@@ -23,6 +23,7 @@
 #include "scene/openscad.hpp"
 #include "scene/wavefront.hpp"
 #include "sheet.hpp"
+#include "sheet_strip.hpp"
 #include "timeline/drawings.hpp"
 
 namespace mien {
@@ -40,9 +41,11 @@ void tell_result(const Options& options, const std::string& kind, const fs::path
 }
 
 // The pose that --express asks for, else the clip's at --at or at its beginning.
-Moment find_moment(const Options& options, const Spec& spec) {
+Moment find_moment(const Options& options, const Spec& spec, const Figure& figure) {
   const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
-  Moment moment = sample_performance(build_performance(spec.clip), at_s);
+  Performance performance = build_performance(spec.clip);
+  performance.idle.eyes = find_eyes(figure, spec.render);
+  Moment moment = sample_performance(performance, at_s);
   if (options.express) moment = {take_expression(spec, *options.express).pose, {}, {}};
   if (options.camera_angle_deg) moment.camera.angle_deg = *options.camera_angle_deg;
   return moment;
@@ -158,9 +161,9 @@ void write_frames(const Options& options) {
 void render_still(const Options& options) {
   const fs::path data = find_data_folder();
   const Spec spec = load_request(options, data);
-  const Moment moment = find_moment(options, spec);
-  require_programs({{"povray", "povray"}});
   const Figure figure = build_figure(spec.head, data);
+  const Moment moment = find_moment(options, spec, figure);
+  require_programs({{"povray", "povray"}});
   const fs::path picture = options.output.value_or(fs::path("out") / spec.name / "still.png");
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
   write_file(work.path / "head.inc", build_povray_include(figure.model, spec.render, data / "templates"));
@@ -179,13 +182,13 @@ void render_still(const Options& options) {
 }
 
 void render_sheet(const std::string& kind, const Options& options) {
-  tell_result(options, "sheet", write_sheet(kind, options));
+  tell_result(options, "sheet",
+              is_clip_sheet(kind) ? write_clip_sheet(kind, options) : write_sheet(kind, options));
 }
 
 void write_mesh(const Options& options) {
   const fs::path data = find_data_folder();
   const Spec spec = load_request(options, data);
-  const Moment moment = find_moment(options, spec);
   const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
   const std::string ending = path.extension().string();
   if (options.is_half ? ending != ".obj" : !is_mesh_ending(ending))
@@ -193,7 +196,7 @@ void write_mesh(const Options& options) {
                                  path.string(), ending, options.is_half ? ".obj" : ".obj, .ply or .stl"));
   if (options.is_half) return write_half(options, spec, data, path);
   const Figure figure = build_figure(spec.head, data);
-  const Drawing drawing = draw_moment(figure, moment);
+  const Drawing drawing = draw_moment(figure, find_moment(options, spec, figure));
   write_file(path,
              build_mesh_file(ending, figure.model, drawing, spec.title.empty() ? spec.name : spec.title));
   tell_result(options, "mesh", path);
@@ -212,29 +215,6 @@ void write_busts(const Options& options) {
   const Figure figure = build_figure(spec.head, data);
   const std::vector<std::string> stems = name_busts(busts);
   for (std::size_t i = 0; i < busts.size(); ++i) write_bust(figure, busts[i], stems[i], spec, data, options);
-}
-
-void check_file(const Options& options) {
-  const fs::path data = find_data_folder();
-  const Clip clip = plan_clip(options, data);
-  build_neutral_head(clip.spec.head, data);  // files it names may be wrong, guide lines may cross
-  tell_held(options, clip.spec);
-  if (options.is_quiet) return;
-  const RenderSpec& render = clip.spec.render;
-  if (options.is_json) {
-    fmt::print("{}\n", nlohmann::json{{"file", options.file.string()},
-                                      {"frames", clip.frame_count},
-                                      {"drawings", clip.plan.drawings.size()},
-                                      {"fps", clip.spec.clip.fps},
-                                      {"width", render.width_px},
-                                      {"height", render.height_px},
-                                      {"busts", clip.spec.busts.size()}}
-                           .dump());
-    return;
-  }
-  fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
-             clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
-             render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
 }
 
 void write_starter(const Options& options) {

@@ -70,12 +70,21 @@ TEST(commands, write_nothing_if_the_file_is_wrong) {
   }
 }
 
-TEST(commands, check_a_right_file_in_one_line) {
+TEST(commands, check_a_right_file_in_one_line_and_a_chart) {
   const auto folder = make_folder("check");
   write_file(folder / "tiny.yaml", kTinyClip);
   const ProgramRun run = run_shell(folder, "mien check tiny.yaml");
   EXPECT_EQ(run.status, 0) << run.err;
-  EXPECT_EQ(std::count(run.out.begin(), run.out.end(), '\n'), 1) << run.out;
+  EXPECT_TRUE(run.out.starts_with("tiny.yaml: good; ")) << run.out;
+  const std::string chart = run.out.substr(run.out.find('\n') + 1);
+  EXPECT_TRUE(chart.starts_with("\n             0s ")) << chart;
+  EXPECT_NE(chart.find("\nlips         "), std::string::npos) << chart;
+  EXPECT_TRUE(
+      std::all_of(chart.begin(), chart.end(), [](char c) { return c == '\n' || (c >= ' ' && c <= '~'); }));
+  EXPECT_EQ(run_shell(folder, "mien check tiny.yaml --quiet").out, "");
+  const ProgramRun json = run_shell(folder, "mien check tiny.yaml --json");
+  EXPECT_EQ(std::count(json.out.begin(), json.out.end(), '\n'), 1) << json.out;
+  EXPECT_EQ(nlohmann::json::parse(json.out).at("file"), "tiny.yaml");
   EXPECT_EQ(list_files(folder), std::vector<std::string>{"tiny.yaml"});
 }
 
@@ -145,7 +154,7 @@ TEST(commands, tell_what_limits_held_without_failing) {
   ProgramRun run = run_shell(folder, "mien check a.yaml");
   EXPECT_EQ(run.status, 0);
   EXPECT_EQ(run.err, "");
-  EXPECT_EQ(run.out,
+  EXPECT_EQ(run.out.substr(0, run.out.find("\n\n") + 1),
             "a.yaml:5:26: note: brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1\n"
             "a.yaml:5:26: note: lids.upper asked for 1.7 (surprise 1 + fear 0.8); held at its limit, 1\n"
             "a.yaml:6:40: note: brow.left.up asked for 1.5; held at its limit, 1\n"

@@ -34,8 +34,10 @@ const std::map<std::string, Rooms> kMayUse{
 std::string find_room(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   const std::string room = path.substr(0, path.find_first_of("/."));
-  return room == "clip" || room == "explain" || room == "listing" || room.starts_with("sheet") ? "pipeline"
-                                                                                               : room;
+  return room == "check" || room == "clip" || room == "explain" || room == "listing" ||
+                 room.starts_with("sheet")
+             ? "pipeline"
+             : room;
 }
 
 // "src/core/mesh.cpp:3: core may not include head/head.hpp" for each wrong line.
