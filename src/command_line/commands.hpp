@@ -81,7 +81,9 @@ inline constexpr std::array kCommands{
         Command::sheet, "sheet", "KIND FILE", "many heads on one page, to compare them",
         "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
         "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, or features (each at -1,\n"
-        "0 and 1). --size is the size of one picture.",
+        "0 and 1). --size is the size of one picture. Two kinds put the clip itself on paper: strip "
+        "(drawings\n"
+        "and the curves of each area, as SVG) and exposure (each frame's drawing and what changed, as CSV).",
         "", "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png"},
     CommandInfo{
         Command::mesh, "mesh", "FILE", "one head as OBJ, PLY or STL, its landmarks as JSON",
@@ -96,8 +98,12 @@ inline constexpr std::array kCommands{
         "Writes each bust of the file, or one with the expression that is given, as an OpenSCAD source that\n"
         "needs nothing else, and has OpenSCAD make the STL.",
         "express", "mien bust configs/hello.yaml --express laugh -o busts"},
-    CommandInfo{Command::check, "check", "FILE", "every mistake in the file; writes nothing",
-                "Reads and judges the file. Writes nothing.", "", "mien check configs/hello.yaml"},
+    CommandInfo{
+        Command::check, "check", "FILE", "every mistake in the file; writes nothing",
+        "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"
+        "faces never drawn in full) and draws the clip as a chart: areas by time, as wide as the\n"
+        "terminal, in plain ASCII into a pipe or a file. Writes nothing.",
+        "", "mien check configs/hello.yaml"},
     CommandInfo{
         Command::explain, "explain", "FILE", "who moves what, and which limit held it",
         "Tells one moment of the clip, or one expression, in full: the keys it lies between, the value of\n"
