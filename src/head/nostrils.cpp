@@ -15,16 +15,17 @@ constexpr std::array kRim{"c1_it", "c2_it", "c3_it", "k_it", "M6_3", "M6_2", "M6
 constexpr auto kSpokes = static_cast<Eigen::Index>(kRim.size());
 
 // A ring inside the rim, spoke by spoke, and how much of what a spoke's point of the rim does on its own it
-// follows: the deeper, the less.
+// follows. The deeper ones a little more than all of it: where a rim is drawn in to a corner, less would fold
+// the wall behind it, and more would fold the rim.
 struct NostrilRing {
   const char* name;
   double share;
 };
-constexpr std::array kRings{NostrilRing{"na", 1}, NostrilRing{"nr", 0.85}, NostrilRing{"ni", 0.65},
-                            NostrilRing{"nd", 0.4}};
+constexpr std::array kRings{NostrilRing{"na", 1}, NostrilRing{"nr", 1.05}, NostrilRing{"ni", 1.2},
+                            NostrilRing{"nd", 1.2}};
 
 // Half of this is hardly held back; never further than this. An adult's, mm.
-constexpr double kReach_mm = 0.6;
+constexpr double kReach_mm = 0.8;
 
 Eigen::RowVector4d extend(const glm::dvec3& p) { return {p.x, p.y, p.z, 1}; }
 Eigen::RowVector3d pack(const glm::dvec3& p) { return {p.x, p.y, p.z}; }
