@@ -9,6 +9,7 @@
 #include "head/own_half.hpp"
 #include "head/part_numbers.hpp"
 #include "head/sculpt.hpp"
+#include "head/shapes.hpp"
 #include "head/solve.hpp"
 #include "head/surface.hpp"
 #include "head/wrap.hpp"
@@ -23,15 +24,8 @@ void settle_contacts(const HeadStock& stock, const Eye& eye, Cage& cage) {
 }
 
 HeadForm mix_forms(const HeadStock& stock, const std::vector<HeadShare>& shares) {
-  HeadForm sum{std::vector<glm::dvec3>(stock.adult.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
-  for (const auto& [head, weight] : shares) {
-    const HeadForm form = build_form(stock, head);
-    for (std::size_t i = 0; i < sum.points.size(); ++i) sum.points[i] += weight * form.points[i];
-    sum.eye.centre += weight * form.eye.centre;
-    sum.eye.radius_mm += weight * form.eye.radius_mm;
-    sum.hairline += weight * form.hairline;
-    sum.brow_thickness += weight * form.brow_thickness;
-  }
+  HeadForm sum = make_empty_form(stock.adult);
+  for (const auto& [head, weight] : shares) add_form(sum, build_form(stock, head), weight);
   return sum;
 }
 

@@ -101,14 +101,12 @@ void fit_ears(const Cage& cage, const glm::dvec2& wanted, HeadForm& shape) {
   // About the ear's root, so that it grows outward from the head and not into it.
   const glm::dvec3 root =
       (shape.points[find_point(cage, "s4_L9")] + shape.points[find_point(cage, "s4_C1")]) / 2.0;
-  for (std::size_t i = 0; i < shape.points.size(); ++i) {
-    const double share = find_ear_share(cage.names[i], kGrownEar);
-    if (share == 0) continue;
-    const glm::dvec3 side(cage.names[i].starts_with("R:") ? -1 : 1, 1, 1);
-    glm::dvec3 place = root + size * (shape.points[i] * side - root);
-    place.y = wanted.x + size * (shape.points[i].y - now.x);
-    shape.points[i] = glm::mix(shape.points[i], place * side, share);
-  }
+  const auto move = [&](const glm::dvec3& p) {
+    const glm::dvec3 grown = root + size * (p - root);
+    return glm::dvec3(grown.x, wanted.x + size * (p.y - now.x), grown.z);
+  };
+  move_shares(
+      cage, [](std::string_view name) { return find_ear_share(name, kGrownEar); }, move, shape);
 }
 
 // Throws InputError unless the lines keep their order and their distance.

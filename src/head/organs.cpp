@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 
 #include "core/conventions.hpp"
 #include "head/cage.hpp"
@@ -31,7 +30,13 @@ constexpr std::array<std::string_view, 32> kNearEar{
 constexpr std::array<std::string_view, 8> kFarFromEar{"s1_C6", "s2_C6", "s3_C6", "s4_C6",
                                                       "s5_C6", "s6_C6", "s7_C6", "s8_C6"};
 
-// Moves each point by its share of `move`, which is told for the left half.
+// Where the ear is rooted: before its hole, at the height of its middle.
+glm::dvec3 find_ear_root(const Cage& cage, const HeadForm& shape) {
+  return (shape.points[find_point(cage, "er1_13")] + shape.points[find_point(cage, "er1_14")]) / 2.0;
+}
+
+}  // namespace
+
 void move_shares(const Cage& cage, const std::function<double(std::string_view)>& find_share,
                  const std::function<glm::dvec3(const glm::dvec3&)>& move, HeadForm& shape) {
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
@@ -42,13 +47,6 @@ void move_shares(const Cage& cage, const std::function<double(std::string_view)>
     shape.points[i] = glm::mix(left, move(left), share) * side;
   }
 }
-
-// Where the ear is rooted: before its hole, at the height of its middle.
-glm::dvec3 find_ear_root(const Cage& cage, const HeadForm& shape) {
-  return (shape.points[find_point(cage, "er1_13")] + shape.points[find_point(cage, "er1_14")]) / 2.0;
-}
-
-}  // namespace
 
 double find_eye_share(std::string_view name, double e3, double e4, double e5) {
   name = strip_side(name);

@@ -1,6 +1,7 @@
 // Eyes and ears as wholes: sized, moved and turned as one thing each, the skin around them following.
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 #include "head/guides.hpp"
@@ -35,6 +36,10 @@ inline constexpr EarShares kTurnedEar{0, 0, 0, 0, 0, 0.3, 0.65};  // the head st
 
 // How far a point follows the ear.
 double find_ear_share(std::string_view name, const EarShares& shares);
+
+// Moves each point by its share of `move`, which is told for the left half.
+void move_shares(const Cage& cage, const std::function<double(std::string_view)>& find_share,
+                 const std::function<glm::dvec3(const glm::dvec3&)>& move, HeadForm& shape);
 
 // `cage` lends names only.
 void change_eyes(const Cage& cage, const EyeChange& change, HeadForm& shape);

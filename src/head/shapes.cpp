@@ -19,6 +19,10 @@ constexpr double kFeatures_mm = 20, kSkull_mm = 62;
 
 using Shape = HeadForm;  // as it is summed and mixed
 
+const std::string& kAdult = kAges.back();  // what the other ages are told against
+
+const GuideChart& find_adult_chart(const HeadShapes& shapes) { return shapes.charts.at(kAdult); }
+
 glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {
   const double t = glm::smoothstep(kFeatures_mm, kSkull_mm, std::abs(p.x));
   const double x = glm::mix(sample_curve(warp.inner, p.y), sample_curve(warp.outer, p.y), t);
@@ -67,18 +71,6 @@ Shape make_variant(const HeadShapes& shapes, const std::string& name, const Cage
   return shape;
 }
 
-void add_shape(Shape& sum, const Shape& addition, double weight) {
-  for (std::size_t i = 0; i < sum.points.size(); ++i) sum.points[i] += weight * addition.points[i];
-  sum.eye.centre += weight * addition.eye.centre;
-  sum.eye.radius_mm += weight * addition.eye.radius_mm;
-  sum.hairline += weight * addition.hairline;
-  sum.brow_thickness += weight * addition.brow_thickness;
-}
-
-Shape make_empty_shape(const Cage& cage) {
-  return {std::vector<glm::dvec3>(cage.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
-}
-
 // Which warps and fields a mix of names comes to: {child: 0.5, adult: 0.5} of ages, say.
 Mix flatten_mix(const std::map<std::string, Mix>& known, const Mix& mix) {
   Mix flat;
@@ -97,8 +89,8 @@ void add_variant(const HeadShapes& shapes, const std::string& name, double weigh
   if (weight == 0) return;
   const Shape variant = make_variant(shapes, name, adult, eye);
   const Shape before = shape;
-  add_shape(shape, variant, weight * size);
-  add_shape(shape, {adult.points, eye}, -weight * size);
+  add_form(shape, variant, weight * size);
+  add_form(shape, {adult.points, eye}, -weight * size);
   // These are no lengths.
   shape.hairline = before.hairline;
   shape.brow_thickness = before.brow_thickness + weight * (variant.brow_thickness - 1);
@@ -108,13 +100,13 @@ void add_variant(const HeadShapes& shapes, const std::string& name, double weigh
 Shape build_age(const HeadShapes& shapes, const std::string& age, const Cage& adult, const Shape& start) {
   Cage cage = adult;
   cage.points = start.points;
-  Shape shape = make_empty_shape(adult);
+  Shape shape = make_empty_form(adult);
   for (const auto& [name, weight] : flatten_mix(shapes.ages, {{age, 1.0}}))
-    add_shape(shape, make_variant(shapes, name, cage, start.eye), weight);
+    add_form(shape, make_variant(shapes, name, cage, start.eye), weight);
   shape.hairline = start.hairline;
   shape.brow_thickness *= start.brow_thickness;
-  if (age == kAges.back()) return shape;
-  const GuideChart &of_adult = shapes.charts.at(kAges.back()), &of_age = shapes.charts.at(age);
+  if (age == kAdult) return shape;
+  const GuideChart &of_adult = find_adult_chart(shapes), &of_age = shapes.charts.at(age);
   GuideChart chart = measure_chart(adult, start);
   chart.height_mm *= of_age.height_mm / of_adult.height_mm;
   for (auto& [line, height] : chart.lines) height += of_age.lines.at(line) - of_adult.lines.at(line);
@@ -160,24 +152,35 @@ double find_character(const HeadShapes& shapes, const HeadSpec& spec) {
 Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Shape& start) {
   Cage cage = adult;
   cage.points = start.points;
-  Shape shape = make_empty_shape(adult);
+  Shape shape = make_empty_form(adult);
   double growth = 0;  // against the start
   for (const auto& [age, weight] : spec.age) {
-    add_shape(shape, build_age(shapes, age, adult, start), weight);
-    growth += weight * shapes.charts.at(age).height_mm / shapes.charts.at(kAges.back()).height_mm;
+    add_form(shape, build_age(shapes, age, adult, start), weight);
+    growth += weight * shapes.charts.at(age).height_mm / find_adult_chart(shapes).height_mm;
   }
   for (const auto& [name, weight] : flatten_mix(shapes.skulls, spec.skull))
     add_variant(shapes, name, weight, growth, cage, start.eye, shape);
   const double character = find_character(shapes, spec);
   add_variant(shapes, character < 0 ? "female" : "male", std::abs(character), growth, cage, start.eye, shape);
-  const double size =
-      growth * measure_chart(adult, start).height_mm / shapes.charts.at(kAges.back()).height_mm;
+  const double size = growth * measure_chart(adult, start).height_mm / find_adult_chart(shapes).height_mm;
   add_features(shapes, spec, cage, size, shape);
   close_lips(cage, growth, shape);
   return shape;
 }
 
 }  // namespace
+
+HeadForm make_empty_form(const Cage& cage) {
+  return {std::vector<glm::dvec3>(cage.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
+}
+
+void add_form(HeadForm& sum, const HeadForm& addition, double weight) {
+  for (std::size_t i = 0; i < sum.points.size(); ++i) sum.points[i] += weight * addition.points[i];
+  sum.eye.centre += weight * addition.eye.centre;
+  sum.eye.radius_mm += weight * addition.eye.radius_mm;
+  sum.hairline += weight * addition.hairline;
+  sum.brow_thickness += weight * addition.brow_thickness;
+}
 
 void close_lips(const Cage& adult, double size, HeadForm& shape) {
   struct RingShare {

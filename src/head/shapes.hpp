@@ -62,6 +62,10 @@ HeadForm apply_warp(const Cage& cage, const Eye& eye, const Warp& warp);
 // cross.
 void shape_head(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, HeadForm& form);
 
+// Forms are mixed as sums: from nothing, each addition with its weight.
+HeadForm make_empty_form(const Cage& cage);
+void add_form(HeadForm& sum, const HeadForm& addition, double weight);
+
 // Fuller lips part and thinner ones bare the teeth: brings the two to the contact they have on `adult`,
 // column by column, at the form's size against it. What one lip moves its rings share, so the borders hardly
 // know.
