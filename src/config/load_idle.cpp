@@ -128,14 +128,20 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
 
 // `drift` and `asymmetry`: a number, or a mapping of it and a seed.
 template <typename Dial>
-void load_dial(const YamlValue& value, double most, std::string_view example, Dial& dial) {
+void load_dial(const YamlValue& value, double most, const Names& keys, std::string_view example, Dial& dial) {
   if (is_text(value)) {
     load_number(value, 0, most, dial.amount);
     return;
   }
   const YamlMapping entries = load_mapping(
-      value, kDialKeys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
-  if (const YamlValue* amount = find_value(entries, "amount")) load_number(*amount, 0, most, dial.amount);
+      value, keys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
+  const YamlValue *amount = find_value(entries, "amount"), *stillness = find_value(entries, "stillness");
+  if (amount != nullptr) load_number(*amount, 0, most, dial.amount);
+  if (double still = 0; stillness != nullptr && load_number(*stillness, 0, most, still))
+    dial.amount = most - still;
+  if (amount != nullptr && stillness != nullptr)
+    add_mistake(*stillness, fmt::format("{} stands beside 'amount', which is its opposite; expected one of them",
+                                        describe_subject(*stillness)));
   load_seed(entries, dial.seed);
 }
 
@@ -149,9 +155,9 @@ void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& cli
   std::ranges::sort(clip.blinks_s);
   if (const YamlValue* gaze = find_value(entries, "gaze")) load_gaze(*gaze, clock, clip.gaze);
   if (const YamlValue* drift = find_value(entries, "drift"))
-    load_dial(*drift, 1, "{amount: 0.5, seed: 3}", clip.drift);
+    load_dial(*drift, 1, kDriftKeys, "{amount: 0.5, seed: 3}", clip.drift);
   if (const YamlValue* asymmetry = find_value(entries, "asymmetry"))
-    load_dial(*asymmetry, kMaxAsymmetry, "{amount: 0.05, seed: 3}", clip.asymmetry);
+    load_dial(*asymmetry, kMaxAsymmetry, kAsymmetryKeys, "{amount: 0.05, seed: 3}", clip.asymmetry);
 }
 
 }  // namespace mien

@@ -46,7 +46,8 @@ inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial
 inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
 inline const Names kGazeKeyKeys{"at", "look"};
 inline const Names kDirectionKeys{"side", "up"};
-inline const Names kDialKeys{"amount", "seed"};  // of drift and asymmetry
+inline const Names kDriftKeys{"amount", "seed", "stillness"};
+inline const Names kAsymmetryKeys{"amount", "seed"};
 inline const Names kRenderKeys{"size", "quality", "background"};
 inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height"};
 
