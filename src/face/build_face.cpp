@@ -49,7 +49,8 @@ bool is_sided_area(const std::string& area) {
 // What a move of the left side drags of the middle ends on the right before the far corner of the mouth and
 // the far eye: smoothly, and then it is nothing to the last bit.
 void fade_far_side(const Cage& cage, Field& field) {
-  constexpr double kFrom_mm = 12, kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
+  constexpr double kFrom_mm = 12,
+                   kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
   for (std::size_t i = 0; i < field.size(); ++i) {
     const double t = glm::clamp((-cage.points[i].x - kFrom_mm) / (kTo_mm - kFrom_mm), 0.0, 1.0);
     field[i] *= 1 - t * t * (3 - 2 * t);

@@ -64,6 +64,13 @@ glm::dvec3 turn_jaw_point(const JawRig& jaw, const glm::dvec3& point, double sha
 // Lips that are pushed apart slide a little past each other as well, and lie higher and lower there.
 constexpr double kPart = 1.06;
 
+// How much of a gap pressed lips close: all of a small one, none from `seal_until_mm` on, and no jump
+// between.
+double find_seal(double gap) {
+  const double t = std::clamp(2 * gap - 1, 0.0, 1.0);
+  return 1 - t * t * (3 - 2 * t);
+}
+
 // LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
 // leaves open.
 void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
@@ -72,7 +79,7 @@ void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& poi
     const double gap = points[column.upper_contact].y - points[column.lower_contact].y - column.rest_gap_mm;
     double closing = 0;
     if (gap < 0) closing = kPart * gap / 2;
-    if (gap > 0 && gap < face.seal_until_mm) closing = press * gap / 2;
+    if (gap > 0) closing = press * find_seal(gap / face.seal_until_mm) * gap / 2;
     if (closing == 0) continue;
     for (const auto& [point, share] : column.upper) points[point].y -= closing * share;
     for (const auto& [point, share] : column.lower) points[point].y += closing * share;

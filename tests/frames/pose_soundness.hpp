@@ -21,16 +21,16 @@ struct PoseCheck {
 
 inline constexpr std::array kPoseChecks{
     PoseCheck{"not finite", "numbers", 0},
-    PoseCheck{"turned over", "triangles", 0},        // of the visible skin, the local turn apart
-    PoseCheck{"lid in the ball", "mm", 0.1},         // the skin of the lids, from the margin outward
-    PoseCheck{"lid in the cornea", "mm", 0.1},       // wherever it looks
-    PoseCheck{"gap of a shut eye", "mm", 0.3},       // from the upper margin to the lower one, in space
-    PoseCheck{"upper lid below lower", "mm", 0.1},   // across the opening
-    PoseCheck{"lips crossed", "mm", 0.2},            // height of one in the other
-    PoseCheck{"upper teeth through", "mm", 0},       // the skin outside the mouth, along its normal
-    PoseCheck{"lower teeth through", "mm", 0},       //
-    PoseCheck{"tongue through", "mm", 0},            //
-    PoseCheck{"brow off the skin", "mm", 1},         // any point of any hair
+    PoseCheck{"turned over", "triangles", 0},       // of the visible skin, the local turn apart
+    PoseCheck{"lid in the ball", "mm", 0.1},        // the skin of the lids, from the margin outward
+    PoseCheck{"lid in the cornea", "mm", 0.1},      // wherever it looks
+    PoseCheck{"gap of a shut eye", "mm", 0.3},      // from the upper margin to the lower one, in space
+    PoseCheck{"upper lid below lower", "mm", 0.1},  // across the opening
+    PoseCheck{"lips crossed", "mm", 0.2},           // height of one in the other
+    PoseCheck{"upper teeth through", "mm", 0},      // the skin outside the mouth, along its normal
+    PoseCheck{"lower teeth through", "mm", 0},      //
+    PoseCheck{"tongue through", "mm", 0},           //
+    PoseCheck{"brow off the skin", "mm", 1},        // any point of any hair
 };
 inline constexpr std::size_t kPoseCheckCount = kPoseChecks.size();
 

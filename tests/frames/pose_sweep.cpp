@@ -87,12 +87,13 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
     const Figure figure = build_figure(all[head].spec, find_data_folder());
     const PoseProbe probe = build_pose_probe(figure);
     const auto pose_of = [&](std::size_t i) {
-      return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within), i >= size.within);
+      return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within),
+                       i >= size.within);
     };
     for_each_index(findings.size(), count_cores(), [&](std::size_t i, int worker) {
       const auto [seed, is_exaggerated] = pose_of(i);
-      findings[i] = measure_pose(probe, build_sweep_pose(seed, is_exaggerated), buffers[worker],
-                                 drawings[worker]);
+      findings[i] =
+          measure_pose(probe, build_sweep_pose(seed, is_exaggerated), buffers[worker], drawings[worker]);
     });
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const auto [seed, is_exaggerated] = pose_of(i);

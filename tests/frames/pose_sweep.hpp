@@ -25,9 +25,9 @@ std::string describe_pose(const Pose& pose);
 
 struct SweepWorst {
   Finding finding;
-  std::size_t head = 0;  // in list_sweep_heads
-  unsigned seed = 0;     // of the pose
-  std::string place;     // the cage's nearest point
+  std::size_t head = 0;   // in list_sweep_heads
+  unsigned seed = 0;      // of the pose
+  std::string place;      // the cage's nearest point
   std::size_t count = 0;  // poses past the bound
 };
 using SweepTable = std::array<SweepWorst, kPoseCheckCount>;
