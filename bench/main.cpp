@@ -1,5 +1,5 @@
 // What ./run bench prints: how fast heads are deformed and scenes written, what mien adds to POV-Ray's own
-// time, and how much memory it needs. Every figure of the README comes from here.
+// time, how much memory it needs, and how sound posed faces are. Every figure of the README comes from here.
 #include <fmt/format.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -19,6 +19,7 @@
 #include "core/parallel.hpp"
 #include "core/text.hpp"
 #include "frames/figure.hpp"
+#include "poses.hpp"
 #include "render/process.hpp"
 #include "scene/povray.hpp"
 
@@ -172,7 +173,7 @@ void measure_ratio(const fs::path& data, const fs::path& folder) {
 
 }  // namespace
 
-// `mien_bench` measures all; `mien_bench heads`, `memory` or `ratio` a part of it.
+// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio` or `poses` a part of it.
 int main(int argc, char** argv) {
   try {
     const std::string part = argc > 1 ? argv[1] : "all";
@@ -183,6 +184,7 @@ int main(int argc, char** argv) {
     if (part == "all" || part == "heads") measure_heads_and_scenes(data, folder);
     if (part == "all" || part == "memory") measure_memory(data, folder);
     if (part == "all" || part == "ratio") measure_ratio(data, folder);
+    if (part == "all" || part == "poses") measure_poses();
     fs::remove_all(folder);
     return 0;
   } catch (const std::exception& e) {

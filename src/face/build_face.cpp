@@ -46,6 +46,24 @@ bool is_sided_area(const std::string& area) {
                      [&](const MoveInfo& info) { return info.area == area && info.side != Side::none; });
 }
 
+// What a move of the left side drags of the middle ends on the right before the far corner of the mouth and
+// the far eye: smoothly, and then it is nothing to the last bit.
+void fade_far_side(const Cage& cage, Field& field) {
+  constexpr double kFrom_mm = 12,
+                   kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
+  for (std::size_t i = 0; i < field.size(); ++i) {
+    const double t = glm::clamp((-cage.points[i].x - kFrom_mm) / (kTo_mm - kFrom_mm), 0.0, 1.0);
+    field[i] *= 1 - t * t * (3 - 2 * t);
+  }
+}
+
+void add_sided_field(const Cage& cage, std::vector<SignedMove> left, std::vector<SignedMove> right,
+                     Field field, Face& face) {
+  fade_far_side(cage, field);
+  Field mirrored = mirror_field(cage, field);
+  face.fields.push_back({std::move(left), std::move(field), std::move(right), std::move(mirrored)});
+}
+
 // Solves one table's plus or minus side; for a sided move also its mirror image.
 void add_move_fields(const FieldSolver& solver, const FaceData& data, const Scales& scales,
                      const MoveTable& table, int sign, Face& face) {
@@ -57,13 +75,13 @@ void add_move_fields(const FieldSolver& solver, const FaceData& data, const Scal
   const std::vector<bool> anchors = find_points(*solver.cage, patterns);
   Field field =
       solve_field(solver, scales.apply(table, handles), anchors, table.is_sided ? Reach::left : Reach::both);
-  if (!table.is_sided) {
-    face.moves.push_back({require_move(table.area, Side::none, table.move), sign, std::move(field)});
-    return;
-  }
-  face.moves.push_back(
-      {require_move(table.area, Side::right, table.move), sign, mirror_field(*solver.cage, field)});
-  face.moves.push_back({require_move(table.area, Side::left, table.move), sign, std::move(field)});
+  const auto drive = [&](Side side) {
+    return std::vector<SignedMove>{{require_move(table.area, side, table.move), sign}};
+  };
+  if (table.is_sided)
+    add_sided_field(*solver.cage, drive(Side::left), drive(Side::right), std::move(field), face);
+  else
+    face.fields.push_back({drive(Side::none), std::move(field), {}, {}});
 }
 
 void add_corrective(const FieldSolver& solver, const FaceData& data, const Scales& scales,
@@ -74,63 +92,12 @@ void add_corrective(const FieldSolver& solver, const FaceData& data, const Scale
   Field field = solve_field(solver, scales.apply(corrective.table, corrective.table.plus),
                             find_points(*solver.cage, patterns), Reach::left);
   const auto drivers_of = [&](Side side) {
-    std::vector<std::pair<std::size_t, int>> drivers;
+    std::vector<SignedMove> drivers;
     for (const Driver& d : corrective.drivers)
-      drivers.emplace_back(require_move(d.area, is_sided_area(d.area) ? side : Side::none, d.move), d.sign);
+      drivers.push_back({require_move(d.area, is_sided_area(d.area) ? side : Side::none, d.move), d.sign});
     return drivers;
   };
-  face.correctives.push_back({drivers_of(Side::right), mirror_field(*solver.cage, field)});
-  face.correctives.push_back({drivers_of(Side::left), std::move(field)});
-}
-
-double height_rad(const LidRig& rig, const glm::dvec3& point) {
-  const glm::dvec3 d = point - rig.centre, forward(0, 0, 1);
-  return std::atan2(glm::dot(d, glm::cross(forward, rig.axis)), d.z);
-}
-
-LidRig build_lids(const NeutralHead& head, const LidData& data) {
-  const Cage& cage = head.cage;
-  // On the skin, not at the control points: those lie up to half a millimetre nearer to the slit, and lids
-  // that shut by them would leave it open.
-  const auto at = [&](const std::string& name) {
-    return glm::dvec3(head.skin.positions[find_point(cage, name)]);
-  };
-  const double size = head.eye.radius_mm / head.adult_eye.radius_mm;
-  LidRig rig;
-  rig.centre = head.eye.centre;
-  const glm::dvec3 across = at("E1_8") - at("E1_0");
-  rig.axis = glm::normalize(glm::dvec3(across.x, across.y, 0));
-  for (int column = 0; column <= 8; ++column) {
-    const glm::dvec3 upper = at(fmt::format("E1_{}", column));
-    const glm::dvec3 lower = at(fmt::format("E1_{}", column == 0 ? 0 : 16 - column));
-    rig.upper_rest_rad[column] = height_rad(rig, upper);
-    rig.lower_rest_rad[column] = height_rad(rig, lower);
-    rig.upper_along_mm[column] = glm::dot(upper - rig.centre, rig.axis);
-    rig.lower_along_mm[column] = glm::dot(lower - rig.centre, rig.axis);
-  }
-  rig.taper = data.column_taper;
-  rig.meeting = data.meeting;
-  rig.least_gap_rad = data.least_gap_deg * kRadiansPerDegree;
-  rig.wide_rad = data.wide_deg * kRadiansPerDegree;
-  rig.raised_rad = data.raised_deg * kRadiansPerDegree;
-  rig.follow_up = data.follow_up;
-  rig.follow_down = data.follow_down;
-  rig.follow_lower = data.follow_lower;
-  for (const auto& [name, share] : data.rows_upper) {
-    LidRing ring;
-    ring.upper_share = share;
-    ring.lower_share = data.rows_lower.at(name);
-    if (const auto least = data.least_radius.find(name); least != data.least_radius.end())
-      ring.least_radius_mm = least->second * size;
-    if (const auto bulge = data.raised_bulge.find(name); bulge != data.raised_bulge.end())
-      ring.bulge = bulge->second * size;
-    for (int column = 0; column < 16; ++column)
-      ring.points[column] = find_point(cage, fmt::format("{}_{}", name, column));
-    rig.rings[0].push_back(ring);
-    for (std::uint32_t& point : ring.points) point = cage.mirror[point];
-    rig.rings[1].push_back(ring);
-  }
-  return rig;
+  add_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field), face);
 }
 
 JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const FaceData& data,
@@ -138,7 +105,8 @@ JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const FaceD
   const JawData& jaw = data.jaw;
   std::map<std::string, double> values;
   const auto add_ring = [&](const std::string& ring, const std::array<double, 13>& columns, double factor) {
-    for (int i = 0; i < 13; ++i) values[fmt::format("{}_{}", ring, i)] = std::min(1.0, columns[i] * factor);
+    for (int i = 0; i < 13; ++i)
+      values[fmt::format("{}_{}", ring, i)] = std::clamp(columns[i] * factor, ring == "M6" ? 0.0 : -1.0, 1.0);
   };
   for (const char* ring : {"MB1", "M0", "M1", "M2", "M3", "M4", "MA", "M5"}) add_ring(ring, jaw.columns, 1);
   add_ring("M6", jaw.columns, jaw.m6_factor);
@@ -222,7 +190,13 @@ Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
   corner_in.plus = data.jaw.corner_in;
   add_corrective(solver, data, scales, {corner_in, {{"chin", "down", 1}}}, face);
 
-  face.lids = build_lids(head, data.lids);
+  face.plus_reach.fill(2);
+  face.minus_reach.fill(2);
+  for (const auto& [move, reach] : data.past_limits)
+    for (const Side side : {Side::none, Side::left, Side::right})
+      if (const auto found = find_move(move.area, side, move.move))
+        (move.sign > 0 ? face.plus_reach : face.minus_reach)[*found] = reach;
+  face.lids = build_lid_rig(head, data.lids);
   face.eye_up_rad = data.eye_up_deg * kRadiansPerDegree;
   face.eye_down_rad = data.eye_down_deg * kRadiansPerDegree;
   face.eye_side_rad = data.eye_side_deg * kRadiansPerDegree;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "config/areas.hpp"
+#include "face/lid_rig.hpp"
 #include "head/fields.hpp"
 #include "head/head.hpp"
 
@@ -24,38 +25,20 @@ struct FaceUnits {
   double iris = 12.4;            // diameter
 };
 
-// One way of one move, solved. `value` of the pose times `sign`, where positive, times `field`.
-struct MoveField {
+// A value of a pose, positive or negative part.
+struct SignedMove {
   std::size_t move = 0;  // in kMoves
   int sign = 1;
+};
+
+// A field and what drives it: the product of some signed values, each only where positive. A sided one has a
+// mirror image with drivers of its own side; the two are added to each other before anything else, so that
+// mirrored poses give mirrored sums to the last bit.
+struct DrivenField {
+  std::vector<SignedMove> drivers;
   Field field;
-};
-
-// A field driven by the product of several signed values, each only where positive.
-struct CorrectiveField {
-  std::vector<std::pair<std::size_t, int>> drivers;  // (move, sign)
-  Field field;
-};
-
-// One ring of an eye's lids: the control points of its 16 columns (0 inner corner, 1..7 upper, 8 outer, 9..15
-// lower).
-struct LidRing {
-  std::array<std::uint32_t, 16> points{};
-  double upper_share = 0, lower_share = 0;  // of the lid's angle
-  double least_radius_mm = 0;               // from the eye's centre; 0: free
-  glm::dvec3 bulge{0};                      // mm, of a lower lid fully raised
-};
-
-// Both eyes; the right one is worked in the left one's mirror.
-struct LidRig {
-  std::array<std::vector<LidRing>, 2> rings;                 // left, right
-  glm::dvec3 centre{0};                                      // left eye, mm
-  glm::dvec3 axis{1, 0, 0};                                  // left eye, from the inner to the outer corner
-  std::array<double, 9> upper_rest_rad{}, lower_rest_rad{};  // margin's height above the axis by column 0..8
-  std::array<double, 9> upper_along_mm{}, lower_along_mm{};  // and how far out along the axis, ascending
-  std::array<double, 9> taper{};
-  double meeting = 0, least_gap_rad = 0, wide_rad = 0, raised_rad = 0;
-  double follow_up = 0, follow_down = 0, follow_lower = 0;
+  std::vector<SignedMove> mirror_drivers;  // empty: no mirror image
+  Field mirror_field;
 };
 
 struct JawRig {
@@ -73,9 +56,9 @@ struct LipColumn {
 
 struct Face {
   FaceUnits units;
-  std::vector<MoveField> moves;
-  std::vector<CorrectiveField> correctives;
+  std::vector<DrivenField> fields;  // of the moves, one driver each, then correctives
   LidRig lids;
+  std::array<double, kMoveCount> plus_reach{}, minus_reach{};  // how far a value of 2 or -2 goes: at most 2
   double eye_up_rad = 0, eye_down_rad = 0, eye_side_rad = 0;
   JawRig jaw;
   std::vector<LipColumn> lips;
@@ -89,8 +72,12 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
 // Solves `file` (templates/head/areas.yaml) for this head. About 0.1 s. Throws RunError for broken data.
 Face build_face(const NeutralHead& head, const std::filesystem::path& file);
 
+// What a pose's values come to where `exaggerate` or `head.limits` lift them past their limits: skin that is
+// stretched or pressed together gets stiff. Within the limits it is the pose itself.
+Pose stiffen_pose(const Face& face, const Pose& pose);
+
 // The cage of `head` in `pose`, into `points` (resized): mm, before the head is turned. The neutral pose
-// gives the neutral cage bit for bit. Values outside their range are taken as they are: clamp first.
+// gives the neutral cage bit for bit. Values past their limits are stiffened.
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& pose, std::vector<glm::dvec3>& points);
 
 // Where an eyeball looks: a rotation about its centre.

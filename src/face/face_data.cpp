@@ -19,12 +19,12 @@ Handles load_handles(const YAML::Node& node) {
   return handles;
 }
 
-// Mouth columns times the share of each ring, as handles "M2_5".
+// Mouth columns times the share of each ring, as handles "M2_5", where there is none yet.
 void add_columns(const YAML::Node& rows, const YAML::Node& columns, Handles& handles) {
   for (const auto& row : rows)
     for (const auto& column : columns)
-      handles[row.first.as<std::string>() + "_" + column.first.as<std::string>()] =
-          row.second.as<double>() * load_vector(column.second);
+      handles.try_emplace(row.first.as<std::string>() + "_" + column.first.as<std::string>(),
+                          row.second.as<double>() * load_vector(column.second));
 }
 
 MoveTable load_move(const std::string& name, const YAML::Node& node) {
@@ -35,10 +35,10 @@ MoveTable load_move(const std::string& name, const YAML::Node& node) {
   table.is_sided = node["sided"].as<bool>();
   for (int axis = 0; axis < 3; ++axis) table.units[axis] = node["unit"][axis].as<std::string>();
   table.anchors = node["anchors"].as<std::string>();
+  table.plus = load_handles(node["plus"]);
+  table.minus = load_handles(node["minus"]);
   if (node["columns_plus"]) add_columns(node["rows"], node["columns_plus"], table.plus);
   if (node["columns_minus"]) add_columns(node["rows"], node["columns_minus"], table.minus);
-  table.plus.merge(load_handles(node["plus"]));
-  table.minus.merge(load_handles(node["minus"]));
   return table;
 }
 
@@ -63,6 +63,8 @@ LidData load_lids(const YAML::Node& node) {
   lids.follow_up = node["gaze_follow"]["up"].as<double>();
   lids.follow_down = node["gaze_follow"]["down"].as<double>();
   lids.follow_lower = node["gaze_follow"]["lower"].as<double>();
+  lids.fold_least = node["fold"]["least"].as<double>();
+  lids.fold_forward = node["fold"]["forward"].as<double>();
   lids.least_radius = node["least_radius"].as<std::map<std::string, double>>();
   return lids;
 }
@@ -95,6 +97,8 @@ FaceData load_root(const YAML::Node& root) {
       corrective.drivers.push_back(load_driver(driver.as<std::string>()));
     data.correctives.push_back(std::move(corrective));
   }
+  for (const auto& entry : root["past_limits"])
+    data.past_limits.push_back({load_driver(entry.first.as<std::string>()), entry.second.as<double>()});
   data.lids = load_lids(root["lids"]);
   data.eye_up_deg = root["eyes"]["up_deg"].as<double>();
   data.eye_down_deg = root["eyes"]["down_deg"].as<double>();

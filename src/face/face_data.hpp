@@ -34,12 +34,19 @@ struct CorrectiveTable {
   std::vector<Driver> drivers;
 };
 
+// How far a value of 2 goes; see `past_limits`.
+struct PastLimit {
+  Driver move;
+  double reach = 2;
+};
+
 struct LidData {
   std::map<std::string, double> rows_upper, rows_lower;  // ring -> share of the lid's angle
   std::array<double, 9> column_taper{};
   double meeting = 0, least_gap_deg = 0, wide_deg = 0, raised_deg = 0;
   std::map<std::string, glm::dvec3> raised_bulge;  // ring -> mm
   double follow_up = 0, follow_down = 0, follow_lower = 0;
+  double fold_least = 0, fold_forward = 0;
   std::map<std::string, double> least_radius;  // ring -> mm from the centre of a ball of 13 mm
 };
 
@@ -58,6 +65,7 @@ struct FaceData {
   std::map<std::string, PointPatterns> anchors;
   std::vector<MoveTable> moves;
   std::vector<CorrectiveTable> correctives;
+  std::vector<PastLimit> past_limits;
   LidData lids;
   double eye_up_deg = 0, eye_down_deg = 0, eye_side_deg = 0;
   JawData jaw;

@@ -40,16 +40,14 @@ double find_angle_deg(const Face& face, const LimitName& name) {
 }
 
 Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& name, double share,
-                   const std::string& point) {
+                   const Pose& lifted, const std::string& point) {
   Limit limit{&name, "deg", share * find_angle_deg(face, name), 0, point, -1};
   if (kMoves[name.move].area == "eye") {
     // The pupil's way is the chord of its turn about the eye's centre.
     limit.mm = 2 * head.eye.radius_mm * std::sin(limit.value * kRadiansPerDegree / 2);
     return limit;
   }
-  Pose pose;
-  pose.values[name.move] = name.sign * share;
-  limit.mm = find_way_mm(head, face, pose, point);
+  limit.mm = find_way_mm(head, face, lifted, point);
   return limit;
 }
 
@@ -60,11 +58,13 @@ std::vector<Limit> measure_all(const NeutralHead& head, const Face& face, const 
   for (const LimitName& name : list_limits()) {
     const MoveInfo& info = kMoves[name.move];
     const YAML::Node row = table[fmt::format("{}.{}", info.area, info.move)];
-    const double share = (name.sign > 0 ? shares.plus : shares.minus)[name.move];
+    Pose lifted;
+    lifted.values[name.move] = name.sign * (name.sign > 0 ? shares.plus : shares.minus)[name.move];
+    const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
     const std::string point =
         (info.side == Side::right && info.area != "eye" ? "R:" : "") + row["at"].as<std::string>();
     if (!row["axis"]) {
-      limits.push_back(measure_turn(head, face, name, share, point));
+      limits.push_back(measure_turn(head, face, name, share, lifted, point));
       continue;
     }
     const std::string unit = row["unit"].as<std::string>();

@@ -82,14 +82,15 @@ BrowHair place_brow_hair(const BrowLine& line, std::uint32_t series, std::uint32
 void append_brow_hair(HeadPart& part, const BrowLine& line, const SkinPatch& patch, const BrowHair& hair,
                       const BrowCoat& coat, std::uint16_t shade) {
   constexpr double kBend_deg = 22;  // from root to tip: less and the hairs look like a comb
-  const SkinPlace root = find_nearest_place(patch, hair.root);
   std::vector<glm::vec3> centres;
   std::vector<float> radii;
-  SkinPlace place = root;
+  std::vector<SkinPlace> places;
+  SkinPlace place = find_nearest_place(patch, hair.root);
   glm::vec3 across(0);
   const auto rings = coat.lift_mm.size();
   for (std::size_t ring = 0; ring < rings; ++ring) {
     const double way = static_cast<double>(ring) / static_cast<double>(rings - 1);
+    places.push_back(place);
     centres.push_back(place.point + place.normal * static_cast<float>(line.scale * coat.lift_mm[ring]));
     radii.push_back(static_cast<float>(line.scale * coat.radius_mm * (1 - 0.45 * way)));
     const glm::vec3 outward = glm::normalize(hair.along - place.normal * glm::dot(hair.along, place.normal));
@@ -102,7 +103,7 @@ void append_brow_hair(HeadPart& part, const BrowLine& line, const SkinPatch& pat
     place = find_nearest_place(patch, place.point + step * ahead);
   }
   append_hair(part.part.rest, centres, radii, kHairSides, across);
-  finish_hair(part, root, shade);
+  finish_hair(part, places, shade);
 }
 
 // One coat of hairs, spread by rejection: thin where `density` says so and toward both edges, the more so

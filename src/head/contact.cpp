@@ -71,11 +71,13 @@ bool touches_eye(double at) {
   return at > kInner && at < kLidColumns - kInner && std::abs(at - 8) > kOuter;
 }
 
-std::vector<MarginVertex> find_lid_margin(const Surface& surface, const Cage& cage) {
+std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings) {
   std::vector<int> column(cage.points.size());
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_column(cage.names[i], "E0_");
-  const auto is_in = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with("E1_"); };
-  const auto is_out = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with("EB_"); };
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_column(cage.names[i], rings.ring);
+  const auto is_in = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with(rings.next); };
+  const auto is_out = [&](std::uint32_t p) {
+    return column[p] >= 0 || cage.names[p].starts_with(rings.before);
+  };
   const Sheet in = find_sheet(surface, cage, is_in), out = find_sheet(surface, cage, is_out);
   std::vector<std::uint32_t> shared;
   std::set_intersection(in.vertices.begin(), in.vertices.end(), out.vertices.begin(), out.vertices.end(),
@@ -112,7 +114,7 @@ double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dv
 void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr double kOff_mm = 0.16;  // 0 shows the ball's facets through the lid, 0.4 a gap from the side
   constexpr int kRounds = 8;        // a round leaves about a third of what is amiss
-  const std::vector<MarginVertex> margin = find_lid_margin(surface, cage);
+  const std::vector<MarginVertex> margin = find_lid_ring(surface, cage);
   std::array<std::uint32_t, kLidColumns> points{};
   for (int c = 0; c < kLidColumns; ++c) points[c] = find_point(cage, fmt::format("E0_{}", c));
   for (int round = 0; round < kRounds; ++round) {

@@ -1,6 +1,9 @@
 // What must touch and must not pass through each other on every head: lids and ball, upper and lower lip.
 #pragma once
 
+#include <string_view>
+#include <vector>
+
 #include "head/head.hpp"
 #include "head/part_numbers.hpp"
 #include "head/surface.hpp"
@@ -11,14 +14,21 @@ namespace mien {
 // ball. Negative inside. Measured from the ball's centre outward.
 double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point);
 
-// A vertex of the inner edge of the left lids' margins; `at` counts columns: 0 the inner corner, 4 the middle
-// of the upper lid, 8 the outer corner, 12 the middle of the lower lid.
+// A vertex of a ring round the left eye; `at` counts columns: 0 the inner corner, 4 the middle of the upper
+// lid, 8 the outer corner, 12 the middle of the lower lid.
 struct MarginVertex {
   std::uint32_t vertex = 0;
   double at = 0;
 };
 
-std::vector<MarginVertex> find_lid_margin(const Surface& surface, const Cage& cage);
+// A ring of the cage and its neighbours on both sides. The margin of the lids runs from E0, its inner edge on
+// the ball, to E1.
+struct LidRings {
+  std::string_view before = "EB_", ring = "E0_", next = "E1_";
+};
+
+// The vertices of the skin on a ring.
+std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings = {});
 
 // Whether the margin touches the eye at a column: not in the corners, where the outer one has a fold of its
 // own and the inner one the caruncle.

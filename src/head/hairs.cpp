@@ -22,11 +22,15 @@ std::vector<Shade> make_hair_palette(const glm::vec3& colour, float spread, floa
   return palette;
 }
 
-void finish_hair(HeadPart& part, const SkinPlace& root, std::uint16_t shade) {
-  const auto first = part.bindings.empty() ? 0 : part.bindings.back().first + part.bindings.back().count;
-  const auto count = static_cast<std::uint32_t>(part.part.rest.positions.size()) - first;
-  part.bindings.push_back({root.triangle, root.barycentric, first, count});
-  part.part.shade.resize(part.part.rest.positions.size(), shade);
+void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint16_t shade) {
+  const auto count = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  std::uint32_t first = part.bindings.empty() ? 0 : part.bindings.back().first + part.bindings.back().count;
+  for (const SkinPlace& place : places) {
+    const std::uint32_t last = &place == &places.back() ? count : first + kHairSides;
+    part.bindings.push_back({place.triangle, place.barycentric, first, last - first});
+    first = last;
+  }
+  part.part.shade.resize(count, shade);
 }
 
 std::vector<HeadPart> build_hairs(const NeutralHead& head, const Look& look) {

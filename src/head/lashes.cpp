@@ -60,7 +60,7 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
         static_cast<float>(growth * lids.scale * row.radius_mm * (0.12 + 0.88 * (1 - s) * (1 - s))));
   }
   append_hair(part.part.rest, centres, radii, kHairSides, root.aside);
-  finish_hair(part, root.place, static_cast<std::uint16_t>(scatter(series, index, kShade) * kHairShades));
+  finish_hair(part, {root.place}, static_cast<std::uint16_t>(scatter(series, index, kShade) * kHairShades));
 }
 
 }  // namespace

@@ -19,8 +19,10 @@ HeadPart make_hair_part(const std::string& name);
 // kHairShades of one colour from dark to light, a little warmer as they lighten.
 std::vector<Shade> make_hair_palette(const glm::vec3& colour, float spread, float gloss);
 
-// Binds the vertices that `part` gained since its last binding to `root`, and gives them `shade`.
-void finish_hair(HeadPart& part, const SkinPlace& root, std::uint16_t shade);
+// Binds the vertices that `part` gained since its last binding, and gives them `shade`: a ring of kHairSides
+// vertices to each place, what is left to the last one. A hair that stands has one place, its root; one that
+// lies on the skin has one a ring and bends with it.
+void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint16_t shade);
 
 // The left ones; `youth` is 0 for an adult's hair, 1 for an infant's down.
 HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const Look& look, double youth);

@@ -128,7 +128,7 @@ TEST(face, left_is_the_characters_own) {
   EXPECT_EQ(travel(adult(), wink, "R:E1_4").y, 0);
 }
 
-TEST(face, mirrored_poses_give_mirrored_heads) {
+TEST(face, mirrored_poses_give_mirrored_heads_to_the_last_bit) {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
     const Pose pose = random_pose(random);
@@ -136,7 +136,8 @@ TEST(face, mirrored_poses_give_mirrored_heads) {
     pose_cage(adult().head, adult().face, pose, here);
     pose_cage(adult().head, adult().face, mirror(pose), there);
     for (std::size_t i = 0; i < here.size(); ++i)
-      EXPECT_LT(glm::length(here[i] * glm::dvec3(-1, 1, 1) - there[adult().head.cage.mirror[i]]), 1e-9);
+      ASSERT_EQ(here[i] * glm::dvec3(-1, 1, 1), there[adult().head.cage.mirror[i]])
+          << adult().head.cage.names[i];
   }
 }
 
@@ -164,9 +165,8 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
     for (int i = 1; i < 8; ++i) {  // the upper margin lies on the line of the lower one, not on its points
       double gap = 1e9;
       for (int k = 8; k < 16; ++k) gap = std::min(gap, distance_to_segment(at(i), at(k), at(k + 1)));
-      EXPECT_LT(gap, 0.7 * size) << age << " column "
-                                 << i;  // mostly depth: lids are thick and overlap a little
-      EXPECT_LT(std::abs(at(i).y - lower_height(s, points, "", at(i).x)), 0.55 * size)
+      EXPECT_LT(gap, 0.3 * size) << age << " column " << i;
+      EXPECT_LT(std::abs(at(i).y - lower_height(s, points, "", at(i).x)), 0.3 * size)
           << age << " column " << i;
     }
     std::mt19937 random(8);

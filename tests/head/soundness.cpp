@@ -18,6 +18,17 @@
 
 namespace mien {
 
+std::vector<bool> find_visible(const NeutralHead& head) {
+  std::vector<double> hidden(head.cage.points.size(), 0);
+  for (std::size_t i = 0; i < hidden.size(); ++i)
+    for (const char* ring : {"EB_", "M0_", "M1_6", "M2_6", "MB1_", "MB2_", "ni_", "nd_"})
+      if (has_prefix(head.cage.names[i], ring)) hidden[i] = 1;
+  const std::vector<float> spread = spread_over_surface(*head.surface, hidden);
+  std::vector<bool> visible(spread.size());
+  for (std::size_t v = 0; v < spread.size(); ++v) visible[v] = spread[v] < 0.5f;
+  return visible;
+}
+
 namespace {
 
 constexpr double kDegrees = 180 / std::numbers::pi;
@@ -34,19 +45,6 @@ std::array<glm::dvec3, 3> find_corners(const NeutralHead& head, const Triangle& 
 
 glm::dvec3 find_area_vector(const std::array<glm::dvec3, 3>& c) {
   return 0.5 * glm::cross(c[1] - c[0], c[2] - c[0]);
-}
-
-// Skin that can be seen while the mouth is shut: not the back of the lids and lips, not the inside of the
-// nostrils, nor the very corner of the mouth, which is one shut fold.
-std::vector<bool> find_visible(const NeutralHead& head) {
-  std::vector<double> hidden(head.cage.points.size(), 0);
-  for (std::size_t i = 0; i < hidden.size(); ++i)
-    for (const char* ring : {"EB_", "M0_", "M1_6", "M2_6", "MB1_", "MB2_", "ni_", "nd_"})
-      if (has_prefix(head.cage.names[i], ring)) hidden[i] = 1;
-  const std::vector<float> spread = spread_over_surface(*head.surface, hidden);
-  std::vector<bool> visible(spread.size());
-  for (std::size_t v = 0; v < spread.size(); ++v) visible[v] = spread[v] < 0.5f;
-  return visible;
 }
 
 void measure_triangles(const NeutralHead& head, Soundness& sound) {
@@ -137,7 +135,7 @@ void measure_eye(const NeutralHead& head, Soundness& sound) {
   std::vector<const Mesh*> meshes;
   for (const HeadPart& part : parts)
     if (part.part.name == "eye_left" || part.part.name == "cornea_left") meshes.push_back(&part.part.rest);
-  for (const MarginVertex& margin : find_lid_margin(*head.surface, head.cage)) {
+  for (const MarginVertex& margin : find_lid_ring(*head.surface, head.cage)) {
     const glm::dvec3 p(head.skin.positions[margin.vertex]);
     const double off = glm::length(p - head.eye.centre) - find_reach(meshes, head.eye.centre, p);
     if (-off > sound.into_eye_mm.value) sound.into_eye_mm = {-off, fmt::format("margin {:.2f}", margin.at)};

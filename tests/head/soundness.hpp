@@ -32,6 +32,10 @@ struct Soundness {
 
 Soundness measure_soundness(const NeutralHead& head, const NeutralHead& adult);
 
+// The vertices that can be seen while the mouth is shut: not the back of the lids and lips, not the inside of
+// the nostrils, nor the very corner of the mouth, which is one shut fold.
+std::vector<bool> find_visible(const NeutralHead& head);
+
 // Whether each vertex is the middle of one fan of triangles, whole or, on a border, open.
 bool is_manifold(const Mesh& mesh);
 

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+
+#include "face/lid_place.hpp"
+#include "face/lid_rig.hpp"
+#include "head/contact.hpp"
+
+namespace mien {
+
+namespace {
+
+// A row's number, known at `along`, at another place along the axis: on a smooth curve (cubic, its slopes
+// those of the neighbours' chords), since the skin between two columns is smooth as well.
+double sample_row(const LidRow& along, const LidRow& row, double at) {
+  std::size_t i = 1;
+  while (i < 8 && along[i] < at) ++i;
+  const auto slope = [&](std::size_t k) {
+    const std::size_t from = k > 0 ? k - 1 : 0, to = std::min<std::size_t>(k + 1, 8);
+    return (row[to] - row[from]) / (along[to] - along[from]);
+  };
+  const double width = along[i] - along[i - 1];
+  const double t = std::clamp((at - along[i - 1]) / width, 0.0, 1.0), u = 1 - t;
+  return row[i - 1] * u * u * (1 + 2 * t) + row[i] * t * t * (1 + 2 * u) +
+         width * t * u * (u * slope(i - 1) - t * slope(i));
+}
+
+// Where an edge's two rows go on the skin: how far they turn and how far from the axis they lie then.
+struct EdgeAim {
+  LidRow upper_turn{}, lower_turn{};
+  LidRow upper_radius_mm{}, lower_radius_mm{};
+};
+
+// Gaze and the two lids first, then shutting as a share of the way to the line where the lids meet. Both
+// margins close on one line, whose place is asked at each column's own. In a conflict the upper lid wins.
+EdgeAim find_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
+  const LidEdge& rest = rig.edges[e];
+  const double gap = (e == 0 ? 1.75 : 1) * rig.least_gap_rad;  // inside it is not seen and must not cross
+  const double follow = pose.pitch_rad * (pose.pitch_rad > 0 ? rig.follow_up : rig.follow_down);
+  LidRow up = rest.upper_rad, low = rest.lower_rad;
+  for (int i = 1; i < 8; ++i) up[i] += rig.taper[i] * (follow + std::max(0.0, pose.upper) * rig.wide_rad);
+  for (int i = 1; i < 8; ++i) {
+    low[i] += rig.taper[i] * (pose.pitch_rad * rig.follow_lower + pose.lower * rig.raised_rad);
+    low[i] = std::min(low[i], sample_row(rest.upper_along_mm, up, rest.lower_along_mm[i]) - gap);
+  }
+  const double shut = std::max(0.0, -pose.upper);
+  LidRow line = low, radius = rest.lower_radius_mm;
+  for (int i = 1; i < 8; ++i) {
+    const double at = rest.lower_along_mm[i];
+    line[i] = glm::mix(low[i], sample_row(rest.upper_along_mm, up, at), rig.meeting);
+    radius[i] = 0.5 * (radius[i] + sample_row(rest.upper_along_mm, rest.upper_radius_mm, at));
+  }
+  EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm};
+  for (int i = 1; i < 8; ++i) {
+    const double at = rest.upper_along_mm[i];
+    const double height = sample_row(rest.lower_along_mm, line, at) + 0.5 * gap;
+    aim.upper_turn[i] = glm::mix(up[i], height, shut) - rest.upper_rad[i];
+    aim.lower_turn[i] = glm::mix(low[i], line[i] - 0.5 * gap, shut) - rest.lower_rad[i];
+    aim.upper_radius_mm[i] =
+        glm::mix(aim.upper_radius_mm[i], sample_row(rest.lower_along_mm, radius, at), shut);
+    aim.lower_radius_mm[i] = glm::mix(aim.lower_radius_mm[i], radius[i], shut);
+  }
+  return aim;
+}
+
+glm::dvec3 turn_about_axis(const LidRig& rig, const glm::dvec3& arm, double angle_rad) {
+  // Positive angles lift what lies in front of the axis: from z toward the rig's up.
+  const glm::dvec3 up = find_up(rig);
+  const double along = glm::dot(arm, rig.axis), height = glm::dot(arm, up), depth = arm.z;
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  return along * rig.axis + (height * c + depth * s) * up + glm::dvec3(0, 0, depth * c - height * s);
+}
+
+struct LidColumn {
+  bool is_upper;
+  int row;  // in a LidRow
+};
+LidColumn find_lid_column(int column) { return {column < 8, column <= 8 ? column : kLidColumns - column}; }
+
+RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, double raised) {
+  RingPoints points;
+  for (const LidRing& ring : rig.rings) {
+    const EdgeAim& aim = aims[ring.is_inner ? 0 : 1];
+    points.push_back(ring.rest);
+    for (int i = 0; i < kLidColumns; ++i) {
+      const auto [is_upper, row] = find_lid_column(i);
+      const double angle =
+          is_upper ? aim.upper_turn[row] * ring.upper_share : aim.lower_turn[row] * ring.lower_share;
+      if (angle == 0) continue;
+      points.back()[i] = rig.eye.centre + turn_about_axis(rig, ring.rest[i] - rig.eye.centre, angle);
+      if (!is_upper) points.back()[i] += raised * rig.taper[row] * ring.bulge;
+    }
+  }
+  return points;
+}
+
+// How much an edge's column lacks of its aim on the skin.
+LidPlace find_lack(const LidRig& rig, std::size_t e, const EdgeAim& aim, int column,
+                   const glm::dmat3& eye_from_head, const glm::dvec3& on_skin) {
+  const LidEdge& edge = rig.edges[e];
+  const auto [is_upper, row] = find_lid_column(column);
+  const LidPlace now = find_place(rig, on_skin);
+  LidPlace lack;
+  lack.height_rad =
+      (is_upper ? edge.upper_rad[row] + aim.upper_turn[row] : edge.lower_rad[row] + aim.lower_turn[row]) -
+      now.height_rad;
+  lack.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
+  if (e == 0) {
+    const glm::dvec3 looked = rig.eye.centre + eye_from_head * (on_skin - rig.eye.centre);
+    const double off = find_standoff_mm(rig.eye_numbers, rig.eye, looked);
+    lack.radius_mm = std::max(lack.radius_mm, edge.clear_mm[column] - off);
+  }
+  return lack;
+}
+
+// Moves the control points of both edges until the skin is where they aim.
+void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm::dmat3& gaze,
+               RingPoints& points) {
+  constexpr int kRounds = 6;     // fewer leave a tenth of a millimetre beside the corners
+  constexpr double kGain = 1.4;  // a point has four ninths of its place on the skin, a whole edge two thirds
+  const glm::dmat3 eye_from_head = glm::transpose(gaze);
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<std::array<LidPlace, kLidColumns>, 2> lacks;
+    for (std::size_t e = 0; e < 2; ++e)
+      for (int i = 0; i < kLidColumns; ++i)
+        if (i % 8 != 0)
+          lacks[e][i] = find_lack(rig, e, aims[e], i, eye_from_head, find_on_skin(rig.edges[e], i, points));
+    for (std::size_t e = 0; e < 2; ++e)
+      for (int i = 0; i < kLidColumns; ++i) {
+        if (i % 8 == 0) continue;
+        glm::dvec3& point = points[rig.edges[e].ring][i];
+        LidPlace place = find_place(rig, point);
+        place.height_rad += kGain * lacks[e][i].height_rad;
+        place.radius_mm += kGain * lacks[e][i].radius_mm;
+        point = find_point_at(rig, place);
+      }
+  }
+}
+
+// The fold of the upper lid stays over the lid: what comes nearer to it, from below or above, takes it along.
+void keep_fold(const LidRig& rig, Side side, std::vector<glm::dvec3>& points) {
+  const glm::dvec3 mirror(side == Side::left ? 1 : -1, 1, 1);
+  const LidRing &lid = rig.rings[rig.lid_ring], &fold = rig.rings[rig.fold_ring];
+  for (int i = 1; i < 8; ++i) {
+    const double room = find_place(rig, fold.rest[i]).height_rad - find_place(rig, lid.rest[i]).height_rad;
+    if (room <= 0) continue;
+    const LidPlace below = find_place(rig, points[side == Side::left ? lid.left[i] : lid.right[i]] * mirror);
+    glm::dvec3& point = points[side == Side::left ? fold.left[i] : fold.right[i]];
+    LidPlace place = find_place(rig, point * mirror);
+    const double lack = below.height_rad + rig.fold_least * room - place.height_rad;
+    if (lack <= 0) continue;
+    place.height_rad += lack;
+    place.radius_mm *= 1 + rig.fold_forward * lack;
+    point = find_point_at(rig, place) * mirror;
+  }
+}
+
+}  // namespace
+
+void turn_lids(const LidRig& rig, const LidPose& pose, Side side, std::vector<glm::dvec3>& points) {
+  const glm::dvec3 mirror(side == Side::left ? 1 : -1, 1, 1);
+  const bool is_moved =
+      pose.upper != 0 || pose.lower != 0 || pose.pitch_rad != 0 || pose.gaze != glm::dmat3(1);
+  RingPoints moved;
+  if (is_moved) {
+    const std::array aims{find_aim(rig, 0, pose), find_aim(rig, 1, pose)};
+    moved = turn_rings(rig, aims, pose.lower);
+    set_edges(rig, aims, pose.gaze, moved);
+  }
+  for (std::size_t r = 0; r < rig.rings.size(); ++r) {
+    const LidRing& ring = rig.rings[r];
+    for (int i = 0; i < kLidColumns; ++i) {
+      glm::dvec3& point = points[side == Side::left ? ring.left[i] : ring.right[i]];
+      if (is_moved) point += (moved[r][i] - ring.rest[i]) * mirror;
+      if (ring.least_radius_mm == 0) continue;
+      // Never into the ball: but a ring that lies nearer at rest may stay where it is.
+      const glm::dvec3 arm = point * mirror - rig.eye.centre;
+      const double least = std::min(ring.least_radius_mm, glm::length(ring.rest[i] - rig.eye.centre));
+      if (const double length = glm::length(arm); length < least)
+        point = (rig.eye.centre + arm * (least / length)) * mirror;
+    }
+  }
+  keep_fold(rig, side, points);
+}
+
+}  // namespace mien

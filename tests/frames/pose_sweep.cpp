@@ -1,0 +1,106 @@
+#include "frames/pose_sweep.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <random>
+
+#include "config/ledger.hpp"
+#include "config/pose_mix.hpp"
+#include "core/data.hpp"
+#include "core/parallel.hpp"
+#include "head/random_heads.hpp"
+#include "head/soundness.hpp"
+
+namespace mien {
+
+std::vector<SweepHead> list_sweep_heads() {
+  const HeadShapes shapes = load_head_shapes(find_data_folder() / "templates/head");
+  std::vector<SweepHead> heads;
+  for (const std::string skull : {"average", "square", "round", "narrow"})
+    for (const std::string& age : kAges) {
+      const auto index = static_cast<unsigned>(heads.size());
+      HeadSpec spec;
+      if (index % 2 == 1) spec = build_random_spec(index, shapes);
+      spec.age = {{age, 1.0}};
+      spec.skull = {{skull, 1.0}};
+      heads.push_back({fmt::format("{} {}{}", age, skull, index % 2 == 1 ? ", features" : ""), spec});
+    }
+  return heads;
+}
+
+Pose build_sweep_pose(unsigned seed, bool is_exaggerated) {
+  std::mt19937_64 random(seed);
+  const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  Pose pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    const auto [low, high] = std::pair{kMoves[i].low, kMoves[i].high};
+    const double value = low + (high - low) * share(), dice = share();
+    if (seed % 3 == 0)
+      pose.values[i] = dice < 0.65 ? 0 : value;
+    else if (seed % 3 == 1)
+      pose.values[i] = dice < 0.4 ? 0 : dice < 0.7 ? value : dice < 0.85 ? low : high;
+    else
+      pose.values[i] = value;
+  }
+  for (const Side side : {Side::left, Side::right})
+    if (share() < 1.0 / 3) pose.values[*find_move("lid", side, "upper")] = -1;
+  if (!is_exaggerated) return pose;
+  PoseAsk ask;
+  ask.pose = pose;
+  ask.exaggerate = 1 + share();
+  return hold_pose(ask).pose;
+}
+
+std::string describe_pose(const Pose& pose) {
+  std::string text;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (std::abs(pose.values[i]) > 0.5)
+      text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", name_move(i), pose.values[i]);
+  return text;
+}
+
+namespace {
+
+void keep_worst(SweepTable& table, const Findings& findings, std::size_t head, unsigned seed,
+                const NeutralHead& neutral) {
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
+    const Finding& finding = findings[check];
+    SweepWorst& worst = table[check];
+    worst.count += finding.value > kPoseChecks[check].bound;
+    if (finding.value <= worst.finding.value) continue;
+    worst = {finding, head, seed, find_nearest_name(neutral, finding.vertex), worst.count};
+  }
+}
+
+}  // namespace
+
+std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsigned first,
+                                    const SweepSize& size) {
+  const std::vector<SweepHead> all = list_sweep_heads();
+  const auto jobs = static_cast<std::size_t>(count_cores());
+  std::vector<DeformBuffers> buffers(jobs);
+  std::vector<Drawing> drawings(jobs);
+  std::vector<Findings> findings(size.within + size.exaggerated);
+  std::array<SweepTable, 2> tables;
+  for (const std::size_t head : heads) {
+    const Figure figure = build_figure(all[head].spec, find_data_folder());
+    const PoseProbe probe = build_pose_probe(figure);
+    const auto pose_of = [&](std::size_t i) {
+      return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within),
+                       i >= size.within);
+    };
+    for_each_index(findings.size(), count_cores(), [&](std::size_t i, int worker) {
+      const auto [seed, is_exaggerated] = pose_of(i);
+      findings[i] =
+          measure_pose(probe, build_sweep_pose(seed, is_exaggerated), buffers[worker], drawings[worker]);
+    });
+    for (std::size_t i = 0; i < findings.size(); ++i) {
+      const auto [seed, is_exaggerated] = pose_of(i);
+      keep_worst(tables[is_exaggerated ? 1 : 0], findings[i], head, seed, figure.head);
+    }
+  }
+  return tables;
+}
+
+}  // namespace mien

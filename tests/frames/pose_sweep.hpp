@@ -1,0 +1,45 @@
+// Many poses on many heads, and the worst of each check among them. Tests run a part, ./run bench the whole.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "frames/pose_soundness.hpp"
+
+namespace mien {
+
+// Five ages times four skulls; every other head has every feature somewhere in its range.
+struct SweepHead {
+  std::string name;
+  HeadSpec spec;
+};
+std::vector<SweepHead> list_sweep_heads();
+
+// A pose within the limits: a third of them with a few areas, a third with some at their limits, a third with
+// all anywhere. One eye in three is shut. Poses with `is_exaggerated` go up to twice as far, as `exaggerate`
+// lets them.
+Pose build_sweep_pose(unsigned seed, bool is_exaggerated);
+
+// "brow.left.up 0.93, lips.press 0.6": the values over a half.
+std::string describe_pose(const Pose& pose);
+
+struct SweepWorst {
+  Finding finding;
+  std::size_t head = 0;   // in list_sweep_heads
+  unsigned seed = 0;      // of the pose
+  std::string place;      // the cage's nearest point
+  std::size_t count = 0;  // poses past the bound
+};
+using SweepTable = std::array<SweepWorst, kPoseCheckCount>;
+
+// How many poses a head, within the limits and past them.
+struct SweepSize {
+  unsigned within = 0, exaggerated = 0;
+};
+
+// Poses of the seeds from `first` on, on each of the heads named by their indices. Two tables: within the
+// limits, exaggerated.
+std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsigned first,
+                                    const SweepSize& size);
+
+}  // namespace mien

@@ -1,0 +1,60 @@
+// The posed face is sound on heads of all kinds in poses of all kinds. The suite takes a few poses a head;
+// `./run bench poses` takes hundreds. A failure names head, pose and place.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <numeric>
+
+#include "core/data.hpp"
+#include "frames/pose_sweep.hpp"
+
+namespace mien {
+namespace {
+
+constexpr unsigned kFirst = 1, kPoses = 16, kExaggerated = 4;
+
+const SweepTable& sweep(bool is_exaggerated) {
+  static const std::array tables = [] {
+    std::vector<std::size_t> heads(list_sweep_heads().size());
+    std::iota(heads.begin(), heads.end(), std::size_t{0});
+    return run_sweep(heads, kFirst, {kPoses, kExaggerated});
+  }();
+  return tables[is_exaggerated ? 1 : 0];
+}
+
+void expect_sound(std::size_t check) {
+  for (const bool is_exaggerated : {false, true}) {
+    const SweepWorst& worst = sweep(is_exaggerated)[check];
+    const std::string name =
+        fmt::format("{}{}", kPoseChecks[check].name, is_exaggerated ? ", exaggerated" : "");
+    ::testing::Test::RecordProperty(name, std::to_string(worst.finding.value));
+    EXPECT_LE(worst.finding.value, kPoseChecks[check].bound)
+        << name << ", " << kPoseChecks[check].unit << ", " << worst.count << " poses; "
+        << list_sweep_heads()[worst.head].name << ", seed " << worst.seed << ", at " << worst.place << ": "
+        << describe_pose(build_sweep_pose(worst.seed, is_exaggerated));
+  }
+}
+
+TEST(sound_pose, holds_every_check_on_every_head) {
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check) expect_sound(check);
+}
+
+// The measures themselves: what is moved out of its place is found there.
+TEST(sound_pose, sees_teeth_that_are_moved_through_the_lips) {
+  Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  for (Part& part : figure.model.parts)
+    if (part.name == "teeth_lower")
+      for (glm::vec3& p : part.rest.positions) p.z += 12;
+  DeformBuffers buffers;
+  Drawing drawing;
+  const Findings found = measure_pose(build_pose_probe(figure), Pose{}, buffers, drawing);
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check)
+    if (std::string(kPoseChecks[check].name) == "lower teeth through") {
+      EXPECT_GT(found[check].value, 1);
+    } else {
+      EXPECT_LE(found[check].value, kPoseChecks[check].bound) << kPoseChecks[check].name;
+    }
+}
+
+}  // namespace
+}  // namespace mien
