@@ -182,7 +182,6 @@ FormulaPointer build_formula(const std::string& text, const Inputs& inputs, doub
     if (token > 0 && text.compare(byte, token, error.GetToken()) != 0 && byte >= token &&
         text.compare(byte - token, token, error.GetToken()) == 0)
       byte -= token;
-    if (error.GetCode() == mu::ecUNEXPECTED_EOF) byte = text.size();
     fault = {describe_fault(error, inputs), byte};
     return {};
   }

@@ -7,8 +7,9 @@ namespace mien {
 
 namespace {
 
-constexpr int kMaxDraw = 12;      // held longer, a clip is a row of stills
-constexpr double kMaxLead_s = 1;  // an area later than that no longer belongs to the same move
+constexpr std::size_t kMaxChanges = 1000;  // of how drawings are held: each frame looks them through
+constexpr int kMaxDraw = 12;               // held longer, a clip is a row of stills
+constexpr double kMaxLead_s = 1;           // an area later than that no longer belongs to the same move
 
 // `twos`, or a number of frames.
 void load_frames(const YamlValue& value, int& into) {
@@ -26,6 +27,8 @@ void load_changes(const YamlValue& value, const ClipClock& clock, ClipSpec& clip
   constexpr const char* kExpected = "a change such as {at: 2s, on: ones}";
   std::optional<double> before_s;
   for (const YamlValue& item : load_list(value, "a list of changes such as [{at: 0s, on: twos}]")) {
+    if (clip.draw_changes.size() >= kMaxChanges)
+      return add_mistake(item, fmt::format("more than {} changes of drawing; expected fewer", kMaxChanges));
     const YamlMapping entries = load_mapping(item, kDrawKeys, kExpected);
     const YamlValue* at = find_required(entries, "at", item, "a time such as 1.5s");
     const YamlValue* on = find_required(entries, "on", item, "ones, twos, threes or a number of frames");
@@ -63,9 +66,11 @@ LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock) {
   }
   LeadSpec lead;
   const YamlMapping parts = load_mapping(*value, kLeadKeys, "none, natural, or offsets such as {brows: 2f}");
+  Measure measure = clock.measure;
+  measure.note.clear();
   for (const YamlEntry& entry : parts)
     load_quantity(
-        entry.value, clock.measure, 0, kMaxLead_s,
+        entry.value, measure, 0, kMaxLead_s,
         lead.after_s[static_cast<std::size_t>(std::ranges::find(kLeadKeys, entry.key) - kLeadKeys.begin())]);
   return lead;
 }
