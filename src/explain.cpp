@@ -11,7 +11,7 @@
 #include "core/data.hpp"
 #include "head/landmarks.hpp"
 #include "timeline/blinks.hpp"
-#include "timeline/easing.hpp"
+#include "timeline/parts.hpp"
 
 namespace mien {
 
@@ -22,16 +22,10 @@ using Places = std::map<std::string, glm::dvec3>;
 
 constexpr double kLeastMove_mm = 0.05;  // a row's landmark that moved less has not moved for the eye
 
-// A key that a moment is made of, and how much of it there is.
-struct Part {
-  std::string label;
-  double at_s = 0, share = 1;
-};
-
 // One moment of the face: what asks for it and what it comes to.
 struct Story {
   std::string title;  // "hello.yaml at 1.2s"
-  std::vector<Part> parts;
+  std::vector<MomentPart> parts;
   double blink = 0;  // how far a blink has shut the lids: 0..1
   double reach = 1;  // `exaggerate`
   Pose pose;
@@ -94,21 +88,11 @@ Story tell_moment(const Spec& spec, const Figure& figure, double at_s) {
   Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 1, {}, {}};
   story.pose = sample_performance(performance, at_s).pose;
   story.blink = find_blink_closure(performance.idle.blinks, at_s);
-  const auto add = [&](const PoseKey& key, double share) {
-    story.parts.push_back({key.label, key.at_s, share});
-    story.reach = std::max(story.reach, key.reach);
-    story.held.insert(story.held.end(), key.held.begin(), key.held.end());
-  };
-  const std::vector<PoseKey>& keys = performance.clip.keys;
-  const auto next = std::ranges::find_if(keys, [&](const PoseKey& key) { return key.at_s > at_s; });
-  if (next == keys.begin() || next == keys.end()) {
-    add(next == keys.begin() ? keys.front() : keys.back(), 1);
-    return story;
+  story.parts = list_parts(performance, at_s);
+  for (const MomentPart& part : story.parts) {
+    story.reach = std::max(story.reach, part.reach);
+    story.held.insert(story.held.end(), part.held.begin(), part.held.end());
   }
-  const PoseKey& from = *(next - 1);
-  const double share = ease(next->ease, (at_s - from.at_s) / (next->at_s - from.at_s));
-  add(from, 1 - share);
-  if (share > 0) add(*next, share);
   return story;
 }
 
@@ -185,8 +169,9 @@ std::string name_area(const MoveInfo& info) {
 
 void print_story(const Story& story, const std::vector<Row>& rows) {
   fmt::print("{}\n", story.title);
-  for (const Part& part : story.parts)
-    fmt::print("  {:3.0f} % {} (key at {:.4g}s)\n", 100 * part.share, part.label, part.at_s);
+  for (const MomentPart& part : story.parts)
+    fmt::print("  {:3.0f} % {} ({} {:.4g}s)\n", 100 * part.share, part.label,
+               part.is_cue ? "cue from" : "key at", part.at_s);
   if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
   if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
   if (rows.empty()) return fmt::print("\nnothing moves: every area is at rest\n");
@@ -225,8 +210,11 @@ Json build_json(const Row& row) {
 
 void print_json(const Story& story, const std::vector<Row>& rows) {
   Json parts = Json::array();
-  for (const Part& part : story.parts)
-    parts.push_back({{"express", part.label}, {"at_s", part.at_s}, {"share", round_to(part.share, 6)}});
+  for (const MomentPart& part : story.parts)
+    parts.push_back({{"kind", part.is_cue ? "cue" : "key"},
+                     {"express", part.label},
+                     {"at_s", part.at_s},
+                     {"share", round_to(part.share, 6)}});
   fmt::print("{}\n", Json{{"kind", "moment"},
                           {"title", story.title},
                           {"keys", parts},
@@ -241,7 +229,11 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
 
 void tell_held(const Options& options, const Spec& spec) {
   if (options.is_quiet) return;
-  for (const HeldNote& note : build_notes(list_held(spec)))
+  std::vector<Held> ledger = list_held(spec);
+  const std::vector<Held> in_time = list_held_in_time(build_performance(spec.clip));
+  ledger.insert(ledger.end(), in_time.begin(), in_time.end());
+  sort_ledger(ledger);
+  for (const HeldNote& note : build_notes(ledger))
     fmt::print("{}\n", options.is_json ? build_json(note).dump() : format_note(note));
 }
 

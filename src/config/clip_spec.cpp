@@ -3,10 +3,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/ticks.hpp"
+
 namespace mien {
+
+namespace {
+
+// The first frame at a time or later.
+int find_first_frame(double at_s, int fps) {
+  int frame = static_cast<int>(std::floor(at_s * fps));
+  while (find_frame_ticks(frame, fps) < find_ticks(at_s)) ++frame;
+  return frame;
+}
+
+}  // namespace
 
 int count_frames(const ClipSpec& clip) {
   return std::max(1, static_cast<int>(std::lround(clip.length_s * clip.fps)));
+}
+
+int find_drawn_frame(const ClipSpec& clip, int frame) {
+  int first = 0, draw = clip.draw;
+  for (const DrawChange& change : clip.draw_changes) {
+    const int at = find_first_frame(change.at_s, clip.fps);
+    if (at > frame) break;
+    first = at;
+    draw = change.draw;
+  }
+  return frame - (frame - first) % std::max(draw, 1);
 }
 
 }  // namespace mien

@@ -1,35 +1,63 @@
 // The clip of a file as plain values: what moves when. spec.hpp holds the rest of the file.
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <cstdint>
+#include <limits>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "config/areas.hpp"
+#include "config/formula.hpp"
 #include "config/idle_spec.hpp"
 #include "config/ledger.hpp"
+#include "config/live_pose.hpp"
 
 namespace mien {
 
-enum class Easing { linear, in, out, in_out, hold };
+enum class Easing { linear, in, out, in_out, hold, back, bounce, bezier };
+
+// How the way to a key is shared out over its time.
+struct Ease {
+  Easing kind = Easing::in_out;
+  std::array<double, 4> handles{};  // of a bezier: x1 y1 x2 y2, x from 0 to 1
+
+  Ease() = default;
+  Ease(Easing kind_) : kind(kind_) {}
+  bool operator==(const Ease&) const = default;
+};
+
+// What the way to a key is: eased from key to key, or a curve through all of them.
+enum class Between {
+  ease,    // each way by itself, as its `ease` says
+  linear,  // straight
+  smooth,  // a curve that never passes its keys
+  spline,  // the natural cubic spline
+};
 
 // One key of the performance. The pose is what `express`, `strength` and `areas` come to.
 struct PoseKey {
   double at_s = 0;
-  Easing ease = Easing::in_out;  // how the way from the key before to this one is gone
-  Pose pose;
+  Ease ease;          // how the way from the key before to this one is gone
+  Pose pose;          // at `at_s`, of a live one
   std::string label;  // "smile 0.8": for messages and charts
   double reach = 1;   // as of an expression
   std::vector<Held> held = {};
-  Place place = {};  // in the file; nothing for a key that mien adds
+  Between between = Between::ease;
+  std::shared_ptr<const LivePose> live = {};  // instead of `pose`, if numbers of it are formulas
+  Place place = {};                           // in the file; nothing for a key that mien adds
 };
 
 struct CameraKey {
   double at_s = 0;
-  Easing ease = Easing::in_out;
+  Ease ease;
   double angle_deg = 0;   // about the head, + shows more of the character's left side
   double height_deg = 0;  // + looks down from above
   double distance = 1;    // 1 frames the whole bust at any picture shape; 0.5 is half as far
+  Between between = Between::ease;
+  std::array<FormulaPointer, 3> live = {};  // instead of the numbers, in their order
 };
 
 // A neck's ways to each side.
@@ -37,29 +65,100 @@ inline constexpr double kMaxTurn_deg = 60, kMaxNod_deg = 40, kMaxTilt_deg = 30;
 
 struct TurnKey {
   double at_s = 0;
-  Easing ease = Easing::in_out;
+  Ease ease;
   double turn_deg = 0;  // head to the character's left (+)
   double nod_deg = 0;   // chin down (+)
   double tilt_deg = 0;  // crown toward the character's left shoulder (+)
+  Between between = Between::ease;
+  std::array<FormulaPointer, 3> live = {};
+};
+
+// What an author may write for the camera's and the head's numbers, and where curves and formulas are held.
+struct Bounds {
+  double low, high;
+};
+inline constexpr std::array<Bounds, 3> kCameraBounds{{{-360, 360}, {-60, 80}, {0.2, 4}}};
+inline constexpr std::array<Bounds, 3> kTurnBounds{
+    {{-kMaxTurn_deg, kMaxTurn_deg}, {-kMaxNod_deg, kMaxNod_deg}, {-kMaxTilt_deg, kMaxTilt_deg}}};
+
+// A table of moves in time.
+struct TimeTable {
+  std::vector<std::size_t> moves;  // one a column
+  std::vector<double> at_s;        // rising
+  std::vector<double> values;      // row by row
+  Between between = Between::linear;
+};
+
+// Who has an area where several ask for it.
+enum class Rule {
+  over,   // the later one, which covers what lies below
+  add,    // both: their sum
+  max,    // whoever moves it further from rest
+  share,  // all that say so, by their weights
+};
+
+// Layers lie on the keys, the higher upon the lower; within one, later ones upon earlier ones.
+enum class Layer { table, cue, law };
+
+inline constexpr double kForever_s = std::numeric_limits<double>::infinity();
+
+struct ClipSpec;
+
+// Something that begins, is there for a while and goes: 0 at `from_s` and at `end_s`, all there between
+// `full_s` and `ebb_s`. What it shows is a script's or a table's or, without both, `what`.
+struct CueSpec {
+  double from_s = 0, full_s = 0, ebb_s = kForever_s, end_s = kForever_s;
+  Layer layer = Layer::cue;
+  Rule rule = Rule::over;
+  bool has_lead = true;  // comes and goes area by area, as the clip's `lead` says
+  std::bitset<kMoveCount> owns;
+  PoseKey what;  // its time is not looked at
+  std::shared_ptr<const ClipSpec> script = {};
+  bool is_repeated = false;                     // begins anew whenever its length is over
+  std::shared_ptr<const TimeTable> table = {};  // its times count from `start_s`
+  double start_s = 0;                           // when a script's or a table's time is 0
+};
+
+// How long after the first of them each sets out, and how much earlier than the last it arrives.
+enum class LeadPart { eyes, lids, brows, lips, corners, chin, head };
+inline constexpr std::size_t kLeadCount = 7;
+struct LeadSpec {
+  std::array<double, kLeadCount> after_s{};  // in the order of LeadPart; all 0: together
+};
+
+// `lead: natural`. Eyes, then lids and brows a frame or two later, then the mouth, then jaw and head, at 24
+// frames a second (face-facts: animators' overlap, 1-2, 2-4 and 3-6 frames).
+inline constexpr LeadSpec kNaturalLead{{0, 0.0625, 0.0625, 0.125, 0.125, 0.1875, 0.1875}};
+
+// From the first frame at `at_s` or later on.
+struct DrawChange {
+  double at_s = 0;
+  int draw = 1;
 };
 
 struct ClipSpec {
   int fps = 24;
-  int draw = 1;                   // each drawing is held for this many frames: ones, twos, threes
-  std::vector<PoseKey> keys;      // by time, at least one: a missing list is one neutral key at 0 s
-  std::vector<CameraKey> camera;  // by time, at least one
-  std::vector<TurnKey> turn;      // by time, at least one
-  std::vector<double> blinks_s;   // blinks asked for at exact times (their shut moment)
+  int draw = 1;                               // each drawing is held for this many frames: ones, twos, threes
+  std::vector<DrawChange> draw_changes = {};  // by time
+  std::vector<PoseKey> keys;       // by time, at least one: a missing list is one neutral key at 0 s
+  std::vector<CameraKey> camera;   // by time, at least one
+  std::vector<TurnKey> turn;       // by time, at least one
+  std::vector<CueSpec> cues = {};  // by layer, then by time
+  LeadSpec lead = {};              // of a file that says nothing of it kNaturalLead
+  std::vector<double> blinks_s;    // blinks asked for at exact times (their shut moment)
   BlinkSpec blink;
   GazeSpec gaze;
   DriftSpec drift;
   AsymmetrySpec asymmetry;
-  double length_s = 0;  // `length:`, else the time of the last key of any track
+  double length_s = 0;  // `length:`, else the time of the last key of any track, or where the last cue ends
 };
 
 // The number of frames of the clip: one at 0 s and one each 1/fps after it, up to and including `length_s`
 // rounded to the frame; at least 1. 3 s at 24 frames a second are 72 frames: the frame at 3 s would be the
 // first of the next second and is left out, unless the clip is a single moment.
 int count_frames(const ClipSpec& clip);
+
+// The frame (from 0) whose drawing frame `frame` shows: itself, or an earlier one where drawings are held.
+int find_drawn_frame(const ClipSpec& clip, int frame);
 
 }  // namespace mien

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cmath>
 
 #include "config/load_areas.hpp"
 
@@ -11,6 +10,7 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMaxNameLength = 64;    // names become file names
+constexpr double kMaxAttack_s = 10;           // nothing that comes more slowly is seen to come
 constexpr std::size_t kMaxSuggestions = 100;  // names compared with an unknown one
 
 bool is_plain_word(const std::string& name) {
@@ -48,7 +48,8 @@ std::optional<std::size_t> find_base(const ExpressionDraft& draft, const Express
 }
 
 // The weights and expressions of a mix.
-std::vector<ExpressShare> load_mix(const YamlValue& value, const ExpressionBook& book) {
+std::vector<ExpressShare> load_mix(const YamlValue& value, const ExpressionBook& book,
+                                   const FormulaReader* formulas) {
   std::vector<ExpressShare> mix;
   const YamlMapping entries = load_free_mapping(value, "");
   if (entries.empty())
@@ -56,25 +57,15 @@ std::vector<ExpressShare> load_mix(const YamlValue& value, const ExpressionBook&
   for (const YamlEntry& entry : entries) {
     const auto index = find_expression(book, entry.key);
     if (!index) add_unknown_expression(value, entry.spot, entry.key, book);
+    if (formulas != nullptr && is_formula(entry.value)) {
+      const FormulaPointer formula = load_formula(entry.value, *formulas);
+      if (formula && index) mix.push_back({0, *index, entry.spot, formula});
+      continue;
+    }
     double weight = 0;
-    if (load_number(entry.value, 0, 1, weight) && index) mix.push_back({weight, *index, entry.spot});
+    if (load_number(entry.value, 0, 1, weight) && index) mix.push_back({weight, *index, entry.spot, {}});
   }
   return mix;
-}
-
-// The line of a mix that asks most of a move.
-Place find_asking_place(const YamlValue& value, const Express& express, const ExpressionBook& book,
-                        const Held& held) {
-  Spot spot = value.spot;
-  double most = 0;
-  for (const ExpressShare& share : express.shares) {
-    const double asked = share.weight * book.expressions[share.expression].pose.values[held.move];
-    if (asked * held.asked > 0 && std::abs(asked) > most) {
-      most = std::abs(asked);
-      spot = share.spot;
-    }
-  }
-  return find_place(value.document->source, spot);
 }
 
 }  // namespace
@@ -150,6 +141,10 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
         add_mistake(*strength, "'strength' weakens nothing here; expected 'from' beside it");
     }
     load_exaggerate(body, draft.exaggerate);
+    const Measure time{"a time", "0.6s or 600ms", {{"s"}, {"ms", 1, 1000}}, {}};
+    if (const YamlValue* attack = find_value(body, "attack"))
+      if (double attack_s = 0; load_quantity(*attack, time, 0, kMaxAttack_s, attack_s))
+        draft.attack_s = attack_s;
     draft.areas = load_areas(body);
     drafts.push_back(std::move(draft));
   }
@@ -167,11 +162,12 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
       std::size_t draft = 0;
       Pose pose;  // that it starts from
       double reach = 1;
+      double attack_s = kDefaultAttack_s;
     };
     std::vector<Link> chain;
     for (std::size_t at = first; states[at] == State::waiting;) {
       states[at] = State::begun;
-      chain.push_back({at, {}, 1});
+      chain.push_back({at, {}, 1, kDefaultAttack_s});
       const auto base = find_base(drafts[at], book);
       if (!base) break;
       const auto next = draft_of.find(*base);
@@ -185,6 +181,7 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
       }
       chain.back().pose = book.expressions[*base].pose;
       chain.back().reach = book.expressions[*base].reach;
+      chain.back().attack_s = book.expressions[*base].attack_s;
       if (next != draft_of.end()) at = next->second;
     }
     for (std::size_t i = chain.size(); i-- > 0;) {
@@ -195,36 +192,42 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
       expression.pose = held.pose;
       expression.reach = held.reach;
       expression.held = std::move(held.held);
+      expression.attack_s = draft.attack_s.value_or(link.attack_s);
       states[link.draft] = State::done;
       if (i == 0) break;
       chain[i - 1].pose = expression.pose;
       chain[i - 1].reach = expression.reach;
+      chain[i - 1].attack_s = expression.attack_s;
     }
   }
 }
 
-Express load_express(const YamlValue& value, const ExpressionBook& book) {
+Express load_express(const YamlValue& value, const ExpressionBook& book, const FormulaReader* formulas) {
   Express express;
   std::vector<ExpressShare>& mix = express.shares;
   if (find_node(value).kind == NodeKind::mapping) {
-    mix = load_mix(value, book);
+    mix = load_mix(value, book, formulas);
   } else if (std::string name;
              load_text(value, "an expression's name or a mix such as {smile: 0.4, fear: 0.6}", name)) {
     if (const auto index = find_expression(book, name))
-      mix.push_back({1.0, *index, value.spot});
+      mix.push_back({1.0, *index, value.spot, {}});
     else
       add_unknown_expression(value, value.spot, name, book);
   }
   std::vector<PoseShare> shares;
-  for (const auto& [weight, index, spot] : mix) {
+  double most = -1;
+  for (const auto& [weight, index, spot, formula] : mix) {
     const Expression& expression = book.expressions[index];
     if (shares.empty()) express.library = expression.library;
+    if (weight > most) express.attack_s = expression.attack_s;
+    most = std::max(most, weight);
     if (!shares.empty()) express.label.append(" + "), express.name.append("_");
     express.label += expression.name;
-    if (find_node(value).kind == NodeKind::mapping) express.label += fmt::format(" {:.3g}", weight);
+    if (find_node(value).kind == NodeKind::mapping)
+      express.label += formula ? " live" : fmt::format(" {:.3g}", weight);
     express.name += expression.name;
     shares.push_back({weight, expression.pose});
-    if (weight > 0) express.reach = std::max(express.reach, expression.reach);
+    if (weight > 0 || formula) express.reach = std::max(express.reach, expression.reach);
     express.held.insert(express.held.end(), expression.held.begin(), expression.held.end());
   }
   express.name.resize(std::min(express.name.size(), kMaxNameLength));
@@ -235,44 +238,6 @@ Express load_express(const YamlValue& value, const ExpressionBook& book) {
 void load_exaggerate(const YamlMapping& entries, double& into) {
   if (const YamlValue* value = find_value(entries, "exaggerate"))
     load_number(*value, 1, kMaxExaggerate, into);
-}
-
-Express load_posed(const YamlMapping& entries, const ExpressionBook& book) {
-  Express express;
-  const YamlValue* named = find_value(entries, "express");
-  if (named != nullptr) {
-    express = load_express(*named, book);
-  } else {
-    express.label = express.name = "neutral";
-    if (const auto neutral = find_expression(book, "neutral")) {
-      express.library = book.expressions[*neutral].library;
-      express.pose = book.expressions[*neutral].pose;
-    }
-  }
-  double strength = 1;
-  if (const YamlValue* value = find_value(entries, "strength")) {
-    load_number(*value, 0, 1, strength);
-    if (named == nullptr)
-      add_mistake(*value, "'strength' weakens nothing here; expected 'express' beside it");
-    const bool is_mix = express.label.find('+') != std::string::npos;
-    if (strength != 1 && is_mix) express.label = fmt::format("({})", express.label);
-    if (strength != 1) express.label += fmt::format(" {:.3g}", strength);
-  }
-  double exaggerate = book.exaggerate;
-  load_exaggerate(entries, exaggerate);
-  AreaValues areas;
-  if (const YamlValue* value = find_value(entries, "areas")) areas = load_areas(*value);
-  const HeldPose posed = hold_pose({express.pose, express.reach, strength, areas, exaggerate});
-  express.pose = posed.pose;
-  express.reach = posed.reach;
-  for (Held held : posed.held) {
-    if (!areas.values[held.move]) {
-      held.place = find_asking_place(*named, express, book, held);
-      held.by = express.label;
-    }
-    express.held.push_back(std::move(held));
-  }
-  return express;
 }
 
 }  // namespace mien

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/load_formula.hpp"
 #include "config/pose_mix.hpp"
 #include "config/spec.hpp"
 #include "config/yaml_reader.hpp"
@@ -40,6 +41,7 @@ struct ExpressionDraft {
   double strength = 1;            // of what it starts from
   double exaggerate = 1;
   AreaValues areas;
+  std::optional<double> attack_s;  // empty: that of what it starts from
 };
 
 // Reads `expressions:` into the book and its drafts; `library` is empty for a file's own. The document must
@@ -55,6 +57,7 @@ struct ExpressShare {
   double weight = 1;
   std::size_t expression = 0;  // index in the book
   Spot spot;
+  FormulaPointer formula = {};  // instead of the weight
 };
 
 // What `express:` means: a name or a mix of names.
@@ -66,13 +69,19 @@ struct Express {
   double reach = 1;
   std::vector<Held> held;  // its own, and those of the expressions it names
   std::vector<ExpressShare> shares;
+  double attack_s = kDefaultAttack_s;         // of the one with the most weight
+  std::shared_ptr<const LivePose> live = {};  // instead of the pose, if numbers of it are formulas
 };
-Express load_express(const YamlValue& value, const ExpressionBook& book);
+// Without `formulas` a weight that is one is a mistake.
+Express load_express(const YamlValue& value, const ExpressionBook& book,
+                     const FormulaReader* formulas = nullptr);
 
 // `exaggerate: 1.5`.
 void load_exaggerate(const YamlMapping& entries, double& into);
 
 // `express`, `strength`, `exaggerate` and `areas` of a key or a bust. Without `express` it is neutral.
-Express load_posed(const YamlMapping& entries, const ExpressionBook& book);
+// Numbers may be formulas if there are `formulas`.
+Express load_posed(const YamlMapping& entries, const ExpressionBook& book,
+                   const FormulaReader* formulas = nullptr);
 
 }  // namespace mien

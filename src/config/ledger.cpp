@@ -38,6 +38,18 @@ std::string describe(const Held& held, const std::string& name) {
   return fmt::format("{}; held at its limit, {:.4g}", start, held.held);
 }
 
+// Of a clip's keys and cues, and of the scripts that it plays.
+void append_held(const ClipSpec& clip, std::vector<Held>& ledger) {
+  const auto append = [&](const PoseKey& key) {
+    ledger.insert(ledger.end(), key.held.begin(), key.held.end());
+  };
+  for (const PoseKey& key : clip.keys) append(key);
+  for (const CueSpec& cue : clip.cues) {
+    append(cue.what);
+    if (cue.script) append_held(*cue.script, ledger);
+  }
+}
+
 }  // namespace
 
 bool Held::operator==(const Held& other) const { return key_of(*this) == key_of(other); }
@@ -61,7 +73,7 @@ std::vector<Held> list_held(const Spec& spec) {
   };
   for (const Expression& expression : spec.expressions)
     if (expression.library.empty()) append(expression.held);
-  for (const PoseKey& key : spec.clip.keys) append(key.held);
+  append_held(spec.clip, ledger);
   for (const BustSpec& bust : spec.busts) append(bust.expression.held);
   sort_ledger(ledger);
   return ledger;

@@ -15,12 +15,30 @@ Names list_moves(const AreaKey& key) {
   return moves;
 }
 
-void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas) {
+// A formula instead of a number; false if there is none.
+bool load_live_value(const YamlValue& value, const std::vector<std::size_t>& moves, AreaValues& areas,
+                     LiveAreas* live) {
+  if (live == nullptr || !is_formula(value)) return false;
+  const FormulaPointer formula = load_formula(value, *live->formulas);
+  for (const std::size_t move : moves) {
+    const MoveInfo& info = kMoves[move];
+    areas.values[move].reset();
+    areas.places.erase(move);
+    std::erase_if(live->values, [&](const LivePose::Value& other) { return other.move == move; });
+    if (formula)
+      live->values.push_back({move, formula, info.low * kMaxExaggerate, info.high * kMaxExaggerate,
+                              find_place(value.document->source, value.spot)});
+  }
+  return true;
+}
+
+void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, LiveAreas* live) {
   const YamlMapping moves = load_mapping(value, list_moves(key), "moves such as {up: 0.5}", "move");
-  for (const YamlEntry& entry : moves)
-    for (const Side side : {Side::none, Side::left, Side::right}) {
-      if (key.is_both ? side == Side::none : side != key.side) continue;
-      const std::size_t move = *find_move(key.area, side, entry.key);
+  for (const YamlEntry& entry : moves) {
+    std::vector<std::size_t> meant = list_moves_of(key);
+    std::erase_if(meant, [&](std::size_t move) { return kMoves[move].move != entry.key; });
+    if (load_live_value(entry.value, meant, areas, live)) continue;
+    for (const std::size_t move : meant) {
       const MoveInfo& info = kMoves[move];
       double number = 0;
       if (!load_number(entry.value, info.low * kMaxExaggerate, info.high * kMaxExaggerate, number,
@@ -28,9 +46,12 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas) {
         break;
       areas.values[move] = number;
       areas.places.erase(move);  // of a plural key that this one overrides
+      if (live != nullptr)
+        std::erase_if(live->values, [&](const LivePose::Value& other) { return other.move == move; });
       if (number < info.low || number > info.high)
         areas.places[move] = find_place(entry.value.document->source, entry.value.spot);
     }
+  }
 }
 
 }  // namespace
@@ -41,17 +62,24 @@ Names list_area_keys() {
   return keys;
 }
 
-AreaValues load_areas(const YamlValue& value) {
-  return load_areas(load_mapping(value, list_area_keys(), "areas such as {brows: {up: 0.5}}", "area"));
+std::vector<std::size_t> list_moves_of(const AreaKey& key) {
+  std::vector<std::size_t> moves;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (kMoves[i].area == key.area && (key.is_both || kMoves[i].side == key.side)) moves.push_back(i);
+  return moves;
 }
 
-AreaValues load_areas(const YamlMapping& entries) {
+AreaValues load_areas(const YamlValue& value, LiveAreas* live) {
+  return load_areas(load_mapping(value, list_area_keys(), "areas such as {brows: {up: 0.5}}", "area"), live);
+}
+
+AreaValues load_areas(const YamlMapping& entries, LiveAreas* live) {
   AreaValues areas;
   for (const bool is_plural_pass : {true, false})
     for (const AreaKey& key : kAreaKeys)
       if (const YamlValue* value = find_value(entries, key.key);
           value != nullptr && key.is_both == is_plural_pass)
-        load_area(*value, key, areas);
+        load_area(*value, key, areas, live);
   return areas;
 }
 

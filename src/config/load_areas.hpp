@@ -2,6 +2,8 @@
 #pragma once
 
 #include "config/areas.hpp"
+#include "config/live_pose.hpp"
+#include "config/load_formula.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {
@@ -9,10 +11,19 @@ namespace mien {
 // "brows", "brow.left", ..., "chin".
 Names list_area_keys();
 
-// `areas: {...}`: a mapping of area keys.
-AreaValues load_areas(const YamlValue& value);
+// Where values may be formulas, and those that are.
+struct LiveAreas {
+  const FormulaReader* formulas = nullptr;
+  std::vector<LivePose::Value> values = {};
+};
+
+// `areas: {...}`: a mapping of area keys. Without `live` a formula is a mistake.
+AreaValues load_areas(const YamlValue& value, LiveAreas* live = nullptr);
 
 // The area keys among the entries; others are passed over. A sided key overrides a plural one.
-AreaValues load_areas(const YamlMapping& entries);
+AreaValues load_areas(const YamlMapping& entries, LiveAreas* live = nullptr);
+
+// The moves that an area key such as "brows" or "lips" means.
+std::vector<std::size_t> list_moves_of(const AreaKey& key);
 
 }  // namespace mien

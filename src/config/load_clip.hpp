@@ -1,8 +1,12 @@
 // The parts of `clip:`, each from the clip's entries to its field of clip_spec.hpp.
 #pragma once
 
+#include <map>
+#include <set>
+
 #include "config/clip_spec.hpp"
 #include "config/expressions.hpp"
+#include "config/load_formula.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {
@@ -10,29 +14,95 @@ namespace mien {
 // What reading times needs.
 struct ClipClock {
   Measure measure;
-  double end_s = 0;  // the last time that kMaxFrames leave
+  double end_s = 0;    // the last time that kMaxFrames leave
+  double start_s = 0;  // of the clip's time, where the file's own begins
 };
 
+// A moment, and a length of time; both in whole ticks (core/ticks.hpp).
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into);
+bool load_duration(const YamlValue& value, const ClipClock& clock, double& into);
 
 // `at:` of a key of a track, which must come after `before_s`; that is made this key's then.
 void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
                    std::optional<double>& before_s, double& into);
 
-// `ease:` of a key.
-void load_ease(const YamlMapping& entries, Easing& into);
+// A script as it was written; it is read anew for each set of parameters that it is played with.
+struct ScriptText {
+  YamlValue body;
+  std::shared_ptr<const ExpressionBook> book;  // of the file that it stands in
+  ClipClock clock;
+  Inputs inputs;
+};
 
-// The pose of a key: `express`, `strength`, `exaggerate`, `areas`. Without them it is neutral.
-void load_pose(const YamlMapping& entries, const ExpressionBook& book, PoseKey& key);
+// Everything that all the files of one clip share.
+struct ClipLibrary {
+  std::map<std::string, ScriptText> scripts;
+  std::map<std::string, std::shared_ptr<const ClipSpec>> played;  // by the script's name and its parameters
+  std::set<std::string> played_names;
+  std::deque<std::pair<FormulaPointer, YamlValue>> formulas;
+  std::deque<YamlDocument> documents;  // of `include`: values point into them
+  int include_count = 0;
+};
+
+// Where a part of a clip is read: in which file, or in which script.
+struct ClipReader {
+  ClipClock clock;
+  std::shared_ptr<const ExpressionBook> book;
+  FormulaReader formulas;
+  Between between = Between::ease;  // of keys that say nothing of it
+  LeadSpec lead;
+  ClipLibrary* library = nullptr;
+  std::vector<std::string> scripts;          // being read, the outermost first
+  std::vector<std::filesystem::path> files;  // the same of files
+};
+
+// `between:` and `ease:` of a key.
+void load_way(const YamlMapping& entries, const ClipReader& reader, Ease& ease, Between& between);
+void load_between(const YamlMapping& entries, Between& into);
+
+// The pose of a key or a cue at its time: `express`, `strength`, `exaggerate`, `areas`. Without them it is
+// neutral. Returns how long it takes to come, s.
+Express load_pose(const YamlMapping& entries, const ClipReader& reader, PoseKey& key);
 
 // `keys:`, `camera:` and `turn:`; empty if there is no such key.
-std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipClock& clock,
-                                    const ExpressionBook& book);
-std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipClock& clock);
-std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipClock& clock);
+std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipReader& reader);
+std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipReader& reader);
+std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipReader& reader);
 
-// `draw:`.
-void load_draw(const YamlMapping& entries, ClipSpec& clip);
+// `cues:`, `laws:` and `tracks:`, appended.
+void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
+void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
+void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
+
+// `attack: 0.4s`, `release: 0.8s` of a cue, a law or a table; false if there is none.
+bool load_duration(const YamlMapping& entries, std::string_view key, const ClipClock& clock, double& into);
+void load_rule(const YamlMapping& entries, Rule& into);
+
+// A time table of moves; empty, with mistakes told in it, if it is wrong.
+std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& file, int fps,
+                                                 Findings& findings);
+
+// `scripts:` into the library.
+void load_scripts(const YamlMapping& clip, const ClipReader& reader);
+// The script that `name` names, with its parameters; empty if there is no such script or it is being read
+// already.
+std::shared_ptr<const ClipSpec> play_script(const YamlValue& name, const YamlValue* parameters,
+                                            const ClipReader& reader);
+// Reads the scripts that nobody played, for their mistakes.
+void check_scripts(const ClipReader& reader);
+
+// `include:`: the other files' tracks, cues, laws, scripts and inputs.
+void load_includes(const YamlMapping& clip, ClipReader& reader, ClipSpec& into);
+
+// All that a file's or a script's entries ask of these, on top of what is there; by time.
+void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec& into);
+
+// The last time of any key, and of any cue that ends.
+double find_last_s(const ClipSpec& clip);
+
+// `draw:` and `lead:`.
+void load_draw(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
+LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock);
 
 // What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`.
 void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);

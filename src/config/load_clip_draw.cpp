@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <algorithm>
 
 #include "config/load_clip.hpp"
@@ -6,21 +7,72 @@ namespace mien {
 
 namespace {
 
-constexpr int kMaxDraw = 12;  // held longer, a clip is a row of stills
+constexpr std::size_t kMaxChanges = 1000;  // of how drawings are held: each frame looks them through
+constexpr int kMaxDraw = 12;               // held longer, a clip is a row of stills
+constexpr double kMaxLead_s = 1;           // an area later than that no longer belongs to the same move
+
+// `twos`, or a number of frames.
+void load_frames(const YamlValue& value, int& into) {
+  const YamlNode& node = find_node(value);
+  if (node.kind == NodeKind::text && !parse_number(node.text)) {
+    std::string name;
+    if (load_name(value, "draw", kDraws, name))
+      into = 1 + static_cast<int>(std::ranges::find(kDraws, name) - kDraws.begin());
+  } else {
+    load_whole(value, 1, kMaxDraw, into, "frames a drawing");
+  }
+}
+
+void load_changes(const YamlValue& value, const ClipClock& clock, ClipSpec& clip) {
+  constexpr const char* kExpected = "a change such as {at: 2s, on: ones}";
+  std::optional<double> before_s;
+  for (const YamlValue& item : load_list(value, "a list of changes such as [{at: 0s, on: twos}]")) {
+    if (clip.draw_changes.size() >= kMaxChanges)
+      return add_mistake(item, fmt::format("more than {} changes of drawing; expected fewer", kMaxChanges));
+    const YamlMapping entries = load_mapping(item, kDrawKeys, kExpected);
+    const YamlValue* at = find_required(entries, "at", item, "a time such as 1.5s");
+    const YamlValue* on = find_required(entries, "on", item, "ones, twos, threes or a number of frames");
+    DrawChange change;
+    if (at == nullptr || on == nullptr || !load_time(*at, clock, change.at_s)) continue;
+    if (before_s && change.at_s <= *before_s)
+      add_mistake(*at,
+                  fmt::format("{} is {}, not after the {} of the change before it; expected rising times",
+                              describe_subject(*at), format_quantity(change.at_s, clock.measure),
+                              format_quantity(*before_s, clock.measure)));
+    before_s = change.at_s;
+    load_frames(*on, change.draw);
+    clip.draw_changes.push_back(change);
+  }
+}
 
 }  // namespace
 
-void load_draw(const YamlMapping& entries, ClipSpec& clip) {
+void load_draw(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip) {
   const YamlValue* value = find_value(entries, "draw");
   if (value == nullptr) return;
-  const YamlNode& node = find_node(*value);
-  if (node.kind == NodeKind::text && !parse_number(node.text)) {
+  if (find_node(*value).kind == NodeKind::list)
+    load_changes(*value, clock, clip);
+  else
+    load_frames(*value, clip.draw);
+}
+
+LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock) {
+  const YamlValue* value = find_value(entries, "lead");
+  if (value == nullptr) return kNaturalLead;
+  if (find_node(*value).kind != NodeKind::mapping) {
     std::string name;
-    if (load_name(*value, "draw", kDraws, name))
-      clip.draw = 1 + static_cast<int>(std::ranges::find(kDraws, name) - kDraws.begin());
-  } else {
-    load_whole(*value, 1, kMaxDraw, clip.draw, "frames a drawing");
+    const bool is_named = load_name(*value, "lead", kLeads, name);
+    return is_named && name == kLeads.front() ? LeadSpec{} : kNaturalLead;
   }
+  LeadSpec lead;
+  const YamlMapping parts = load_mapping(*value, kLeadKeys, "none, natural, or offsets such as {brows: 2f}");
+  Measure measure = clock.measure;
+  measure.note.clear();
+  for (const YamlEntry& entry : parts)
+    load_quantity(
+        entry.value, measure, 0, kMaxLead_s,
+        lead.after_s[static_cast<std::size_t>(std::ranges::find(kLeadKeys, entry.key) - kLeadKeys.begin())]);
+  return lead;
 }
 
 }  // namespace mien

@@ -7,46 +7,82 @@ namespace mien {
 
 namespace {
 
-void load_angle(const YamlMapping& entries, std::string_view key, double low_deg, double high_deg,
-                double& into) {
-  if (const YamlValue* value = find_value(entries, key))
-    load_quantity(*value, build_angle_measure(), low_deg, high_deg, into);
+// A number of a camera's or turn's key; `measure` is empty for one without a unit.
+void load_live(const YamlMapping& entries, std::string_view key, const Measure* measure, const Bounds& bounds,
+               const ClipReader& reader, double& into, FormulaPointer& live) {
+  const YamlValue* value = find_value(entries, key);
+  if (value == nullptr) return;
+  live = nullptr;
+  if (measure != nullptr ? is_formula(*value, *measure) : is_formula(*value))
+    live = load_formula(*value, reader.formulas);
+  else if (measure != nullptr)
+    load_quantity(*value, *measure, bounds.low, bounds.high, into);
+  else
+    load_number(*value, bounds.low, bounds.high, into);
+}
+
+// What formulas come to at the key's own time.
+void settle(double at_s, const std::array<Bounds, 3>& bounds, const std::array<FormulaPointer, 3>& live,
+            const std::array<double*, 3>& numbers) {
+  for (std::size_t i = 0; i < live.size(); ++i)
+    if (live[i]) *numbers[i] = std::clamp(evaluate_held(*live[i], at_s), bounds[i].low, bounds[i].high);
 }
 
 // A key's own values, over those of the key before it.
-void load_values(const YamlMapping& entries, CameraKey& key) {
-  load_angle(entries, "angle", -360, 360, key.angle_deg);
-  load_angle(entries, "height", -60, 80, key.height_deg);
-  if (const YamlValue* distance = find_value(entries, "distance"))
-    load_number(*distance, 0.2, 4, key.distance);
+void load_values(const YamlMapping& entries, const ClipReader& reader, CameraKey& key) {
+  const Measure angle = build_angle_measure();
+  load_live(entries, "angle", &angle, kCameraBounds[0], reader, key.angle_deg, key.live[0]);
+  load_live(entries, "height", &angle, kCameraBounds[1], reader, key.height_deg, key.live[1]);
+  load_live(entries, "distance", nullptr, kCameraBounds[2], reader, key.distance, key.live[2]);
+  settle(key.at_s, kCameraBounds, key.live, {&key.angle_deg, &key.height_deg, &key.distance});
 }
 
-void load_values(const YamlMapping& entries, TurnKey& key) {
-  load_angle(entries, "turn", -kMaxTurn_deg, kMaxTurn_deg, key.turn_deg);
-  load_angle(entries, "nod", -kMaxNod_deg, kMaxNod_deg, key.nod_deg);
-  load_angle(entries, "tilt", -kMaxTilt_deg, kMaxTilt_deg, key.tilt_deg);
+void load_values(const YamlMapping& entries, const ClipReader& reader, TurnKey& key) {
+  const Measure angle = build_angle_measure();
+  load_live(entries, "turn", &angle, kTurnBounds[0], reader, key.turn_deg, key.live[0]);
+  load_live(entries, "nod", &angle, kTurnBounds[1], reader, key.nod_deg, key.live[1]);
+  load_live(entries, "tilt", &angle, kTurnBounds[2], reader, key.tilt_deg, key.live[2]);
+  settle(key.at_s, kTurnBounds, key.live, {&key.turn_deg, &key.nod_deg, &key.tilt_deg});
 }
 
 // The keys of one track, each a mapping with `at`, in rising time. `load_own` reads what else a key holds.
 template <typename Key, typename LoadOwn>
 std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, const Names& words,
-                            std::string_view example, const ClipClock& clock, const LoadOwn& load_own) {
+                            std::string_view example, const ClipReader& reader, const LoadOwn& load_own) {
   std::vector<Key> keys;
   const YamlValue* track = find_value(clip, name);
   if (track == nullptr) return keys;
+  const ClipClock& clock = reader.clock;
   const std::string item = fmt::format("a key such as {}", example);
   std::optional<double> before_s;
   for (const YamlValue& value : load_list(*track, "a list of keys such as [" + std::string(example) + "]")) {
     Key key = keys.empty() ? Key{} : keys.back();
-    key.ease = Key{}.ease;
     const YamlMapping entries = load_mapping(value, words, item);
     load_key_time(entries, value, clock, before_s, key.at_s);
     if constexpr (requires { key.place; }) key.place = find_place(value.document->source, value.spot);
-    load_ease(entries, key.ease);
+    load_way(entries, reader, key.ease, key.between);
     load_own(entries, key);
     keys.push_back(std::move(key));
   }
   return keys;
+}
+
+// Four numbers of a curve, as in CSS.
+void load_bezier(const YamlValue& value, Ease& into) {
+  constexpr const char* kExpected = "four numbers x1, y1, x2, y2 such as [0.3, 0, 0.2, 1]";
+  constexpr double kMostPast = 2;  // how far y may pass the way at either end: further is no ease
+  const std::vector<YamlValue> items = load_list(value, kExpected);
+  if (items.size() != 4) {
+    add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
+                                   items.size() == 1 ? "" : "s", kExpected));
+    return;
+  }
+  Ease ease(Easing::bezier);
+  bool is_right = true;
+  for (std::size_t i = 0; i < 4; ++i)
+    is_right &= i % 2 == 0 ? load_number(items[i], 0, 1, ease.handles[i])
+                           : load_number(items[i], -kMostPast, 1 + kMostPast, ease.handles[i]);
+  if (is_right) into = ease;
 }
 
 }  // namespace
@@ -62,36 +98,57 @@ void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipC
   before_s = into;
 }
 
-void load_ease(const YamlMapping& entries, Easing& into) {
-  const YamlValue* value = find_value(entries, "ease");
+void load_between(const YamlMapping& entries, Between& into) {
   std::string name;
-  if (value != nullptr && load_name(*value, "ease", kEasings, name))
-    into = static_cast<Easing>(std::ranges::find(kEasings, name) - kEasings.begin());
+  if (const YamlValue* value = find_value(entries, "between"))
+    if (load_name(*value, "between", kBetweens, name))
+      into = static_cast<Between>(std::ranges::find(kBetweens, name) - kBetweens.begin());
 }
 
-void load_pose(const YamlMapping& entries, const ExpressionBook& book, PoseKey& key) {
-  const Express express = load_posed(entries, book);
-  key.pose = express.pose;
+void load_way(const YamlMapping& entries, const ClipReader& reader, Ease& ease, Between& between) {
+  ease = Ease{};
+  between = reader.between;
+  load_between(entries, between);
+  const YamlValue* value = find_value(entries, "ease");
+  if (value == nullptr) return;
+  const YamlValue* beside = find_value(entries, "between");
+  if (beside != nullptr && between != Between::ease)
+    add_mistake(*beside, fmt::format("{} is '{}' and there is an 'ease' beside it; expected one of them",
+                                     describe_subject(*beside), find_node(*beside).text));
+  between = Between::ease;
+  std::string name;
+  if (find_node(*value).kind == NodeKind::list)
+    load_bezier(*value, ease);
+  else if (load_name(*value, "ease", kEasings, name))
+    ease = static_cast<Easing>(std::ranges::find(kEasings, name) - kEasings.begin());
+}
+
+Express load_pose(const YamlMapping& entries, const ClipReader& reader, PoseKey& key) {
+  Express express = load_posed(entries, *reader.book, &reader.formulas);
+  key.pose = express.live ? evaluate_pose(*express.live, key.at_s).pose : express.pose;
   key.label = express.label;
   key.reach = express.reach;
   key.held = express.held;
+  key.live = express.live;
+  return express;
 }
 
-std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipClock& clock,
-                                    const ExpressionBook& book) {
+std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipReader& reader) {
   return load_track<PoseKey>(
-      clip, "keys", kPoseKeyKeys, "{at: 1s, express: smile}", clock,
-      [&](const YamlMapping& entries, PoseKey& key) { load_pose(entries, book, key); });
+      clip, "keys", kPoseKeyKeys, "{at: 1s, express: smile}", reader,
+      [&](const YamlMapping& entries, PoseKey& key) { load_pose(entries, reader, key); });
 }
 
-std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipClock& clock) {
-  return load_track<CameraKey>(clip, "camera", kCameraKeys, "{at: 1s, angle: 20deg}", clock,
-                               [](const YamlMapping& entries, CameraKey& key) { load_values(entries, key); });
+std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipReader& reader) {
+  return load_track<CameraKey>(
+      clip, "camera", kCameraKeys, "{at: 1s, angle: 20deg}", reader,
+      [&](const YamlMapping& entries, CameraKey& key) { load_values(entries, reader, key); });
 }
 
-std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipClock& clock) {
-  return load_track<TurnKey>(clip, "turn", kTurnKeys, "{at: 1s, turn: 20deg}", clock,
-                             [](const YamlMapping& entries, TurnKey& key) { load_values(entries, key); });
+std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipReader& reader) {
+  return load_track<TurnKey>(
+      clip, "turn", kTurnKeys, "{at: 1s, turn: 20deg}", reader,
+      [&](const YamlMapping& entries, TurnKey& key) { load_values(entries, reader, key); });
 }
 
 }  // namespace mien

@@ -63,13 +63,18 @@ struct HeadShare {
   double weight = 1;
 };
 
+// Between those of surprise (0.2 s) and of sadness (1.5 s): Recio et al. (2013) find that most expressions
+// are known at any from 0.2 to 0.9 s.
+inline constexpr double kDefaultAttack_s = 0.5;
+
 // A named expression after `from:` and the library were looked up: the whole pose.
 struct Expression {
   std::string name;     // "smile"
   std::string library;  // "mien", "tezuka", or "" for one of the file's own
   Pose pose;
-  double reach = 1;             // how many times its limits the pose may go: `exaggerate`
-  std::vector<Held> held = {};  // what the limits held back of it
+  double reach = 1;                    // how many times its limits the pose may go: `exaggerate`
+  std::vector<Held> held = {};         // what the limits held back of it
+  double attack_s = kDefaultAttack_s;  // how long it takes to come, as a cue
 };
 
 enum class Quality { draft, good, best };

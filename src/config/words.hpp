@@ -17,7 +17,10 @@ inline const Names kCharacters{"female", "male"};
 inline const Names kHairs{"none", "crop", "bob", "bun"};  // none, and the cuts of templates/head/hair.yaml
 inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
 inline const Names kEarGuides{"ear_base", "ear_top"};  // beside the face's
-inline const Names kEasings{"linear", "in", "out", "in_out", "hold"};
+inline const Names kEasings{"linear", "in", "out", "in_out", "hold", "back", "bounce"};
+inline const Names kBetweens{"ease", "linear", "smooth", "spline"};
+inline const Names kRules{"over", "add", "max", "share"};
+inline const Names kLeads{"none", "natural"};
 inline const Names kBlinkStyles{"none", "natural"};
 inline const Names kGazeWords{"wander", "camera"};
 inline const Names kLooks{"ahead", "camera", "left", "right", "up", "down"};
@@ -36,12 +39,22 @@ inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features",
                              "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
 inline const Names kSculptKeys{"at", "move", "radius"};
 inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair"};
-inline const Names kExpressionKeys{"from", "strength", "exaggerate"};  // and every area's
-inline const Names kClipKeys{"fps",    "draw",   "keys", "camera", "turn",     "blink",
-                             "blinks", "length", "gaze", "drift",  "asymmetry"};
-inline const Names kPoseKeyKeys{"at", "express", "strength", "exaggerate", "areas", "ease"};
-inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease"};
-inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease"};
+inline const Names kExpressionKeys{"from", "strength", "exaggerate", "attack"};  // and every area's
+inline const Names kClipKeys{"fps",    "draw",    "keys", "camera", "turn",     "blink",  "blinks",
+                             "length", "between", "lead", "cues",   "laws",     "tracks", "scripts",
+                             "inputs", "include", "gaze", "drift",  "asymmetry"};
+inline const Names kPoseKeyKeys{"at", "express", "strength", "exaggerate", "areas", "ease", "between"};
+inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease", "between"};
+inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between"};
+inline const Names kDrawKeys{"at", "on"};
+inline const Names kLeadKeys{"eyes", "lids", "brows", "lips", "corners", "chin", "head"};  // as LeadPart
+inline const Names kCueKeys{"from", "to",      "express",  "play",       "with",  "repeat", "attack",
+                            "hold", "release", "strength", "exaggerate", "areas", "rule"};
+inline const Names kLawKeys{"area", "move", "value", "from", "to", "range", "attack", "release", "rule"};
+inline const Names kTrackKeys{"csv", "at", "between", "attack", "release", "rule"};
+inline const Names kScriptKeys{"length", "parameters", "keys", "cues", "turn", "laws", "between"};
+inline const Names kIncludeKeys{"file", "at", "take"};
+inline const Names kTakes{"keys", "camera", "turn", "cues", "laws", "tracks", "scripts", "inputs"};
 inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial", "shifts"};
 inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
 inline const Names kGazeKeyKeys{"at", "look"};

@@ -82,7 +82,8 @@ void judge_speed(const ClipSpec& clip, std::size_t key, const std::vector<Shown>
     for (std::size_t i = 0; i < kMoveCount; ++i) {
       if (is_quick_by_nature(kMoves[i])) continue;
       const double step_mm = find_step_mm(before.pose, now.pose, reach, i) / held_frames;
-      if (step_mm <= worst_mm) continue;
+      constexpr double kSame_mm = 1e-6;  // of two equal steps the first one is told
+      if (step_mm <= worst_mm + kSame_mm) continue;
       worst_mm = step_mm;
       worst_s = now.time_s;
       area = kMoves[i].area;

@@ -36,11 +36,13 @@ double sample_interval_s(std::mt19937_64& random, double mean_s) {
 
 // The time of the drawing nearest to `time_s` that the clip shows.
 double snap_to_drawing_s(const ClipSpec& clip, double time_s) {
-  const int draw = std::max(clip.draw, 1);
-  const int last_drawing = (count_frames(clip) - 1) / draw;
-  const double nearest = std::round(time_s * clip.fps / draw);
-  const double drawing = std::clamp(nearest, 0.0, static_cast<double>(last_drawing));
-  return drawing * draw / clip.fps;
+  const int last = count_frames(clip) - 1;
+  const double frame = std::clamp(time_s * clip.fps, 0.0, static_cast<double>(last));
+  const int before = find_drawn_frame(clip, static_cast<int>(frame));
+  int after = static_cast<int>(frame) + 1;
+  while (after <= last && find_drawn_frame(clip, after) != after) ++after;
+  const bool is_after = after <= last && after - frame <= frame - before;
+  return static_cast<double>(is_after ? after : before) / clip.fps;
 }
 
 bool is_free(const std::vector<Blink>& blinks, double time_s) {

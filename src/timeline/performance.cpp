@@ -1,11 +1,6 @@
-// Key frames and their in-betweens: Burtnyk and Wein (1976), as Yen (1990) uses them for the nine areas. An
-// in-between is the eased linear mix of the two keys around it, value by value.
 #include "timeline/performance.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "timeline/easing.hpp"
 
 namespace mien {
 namespace {
@@ -14,51 +9,49 @@ namespace {
 template <typename Key>
 void sort_track(std::vector<Key>& keys) {
   if (keys.empty()) keys.emplace_back();
-  std::stable_sort(keys.begin(), keys.end(), [](const Key& a, const Key& b) { return a.at_s < b.at_s; });
+  std::ranges::stable_sort(keys, {}, &Key::at_s);
 }
 
-// std::lerp: exact at both ends and never outside them, which a + (b - a) * t is not.
-PoseKey mix_keys(const PoseKey& from, const PoseKey& to, double share) {
-  PoseKey mixed = from;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    mixed.pose.values[i] = std::lerp(from.pose.values[i], to.pose.values[i], share);
-  return mixed;
+double hold(double value, const Bounds& bounds) { return std::clamp(value, bounds.low, bounds.high); }
+
+Pose hold_pose(const FaceState& face) {
+  Pose pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i) pose.values[i] = hold_value(i, face.values[i], face.reach[i]);
+  return pose;
 }
 
-TurnKey mix_keys(const TurnKey& from, const TurnKey& to, double share) {
-  TurnKey mixed = from;
-  mixed.turn_deg = std::lerp(from.turn_deg, to.turn_deg, share);
-  mixed.nod_deg = std::lerp(from.nod_deg, to.nod_deg, share);
-  mixed.tilt_deg = std::lerp(from.tilt_deg, to.tilt_deg, share);
-  return mixed;
+TurnKey build_turn(const FaceState& face, double time_s) {
+  TurnKey turn;
+  turn.at_s = time_s;
+  turn.turn_deg = hold(face.turn_deg[0], kTurnBounds[0]);
+  turn.nod_deg = hold(face.turn_deg[1], kTurnBounds[1]);
+  turn.tilt_deg = hold(face.turn_deg[2], kTurnBounds[2]);
+  return turn;
 }
 
-CameraKey mix_keys(const CameraKey& from, const CameraKey& to, double share) {
-  CameraKey mixed = from;
-  mixed.angle_deg = std::lerp(from.angle_deg, to.angle_deg, share);
-  mixed.height_deg = std::lerp(from.height_deg, to.height_deg, share);
-  mixed.distance = std::lerp(from.distance, to.distance, share);
-  return mixed;
-}
-
-// The track at `time_s`. `keys` are sorted and at least one.
-template <typename Key>
-Key sample_track(const std::vector<Key>& keys, double time_s) {
-  const auto next = std::upper_bound(keys.begin(), keys.end(), time_s,
-                                     [](double time, const Key& key) { return time < key.at_s; });
-  Key sampled = next == keys.begin() ? keys.front() : *(next - 1);
-  if (next != keys.begin() && next != keys.end()) {
-    const double fraction = (time_s - sampled.at_s) / (next->at_s - sampled.at_s);
-    sampled = mix_keys(sampled, *next, ease(next->ease, fraction));
-  }
-  sampled.at_s = time_s;
-  return sampled;
+CameraKey sample_camera(const Layers& layers, double time_s) {
+  std::array<double, 3> numbers;
+  sample_track(layers.camera, find_ticks(time_s), numbers);
+  CameraKey camera;
+  camera.at_s = time_s;
+  camera.angle_deg = hold(numbers[0], kCameraBounds[0]);
+  camera.height_deg = hold(numbers[1], kCameraBounds[1]);
+  camera.distance = hold(numbers[2], kCameraBounds[2]);
+  return camera;
 }
 
 }  // namespace
 
+double hold_value(std::size_t move, double value, double reach) {
+  const MoveInfo& info = kMoves[move];
+  if (value >= info.low && value <= info.high) return value;
+  const double end = value < 0 ? info.low : info.high;
+  const double most = find_stop(move, value < 0 ? -1 : 1).empty() ? end * reach : end;
+  return value < 0 ? std::max(value, most) : std::min(value, most);
+}
+
 Performance build_performance(const ClipSpec& clip) {
-  Performance performance{clip, {}};
+  Performance performance{clip, {}, std::make_shared<const Layers>(build_layers(clip))};
   sort_track(performance.clip.keys);
   sort_track(performance.clip.camera);
   sort_track(performance.clip.turn);
@@ -67,16 +60,16 @@ Performance build_performance(const ClipSpec& clip) {
 }
 
 Moment sample_performance(const Performance& performance, double time_s) {
-  const ClipSpec& clip = performance.clip;
-  const auto sample_pose = [&](double at_s) { return sample_track(clip.keys, at_s).pose; };
+  const Layers& layers = *performance.layers;
+  const auto sample_pose = [&](double at_s) { return hold_pose(sample_layers(layers, find_ticks(at_s))); };
   Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose),
-                sample_track(clip.turn, time_s), sample_track(clip.camera, time_s)};
+                build_turn(sample_layers(layers, find_ticks(time_s)), time_s), sample_camera(layers, time_s)};
   add_idle(performance.idle, time_s, moment.camera, moment.pose, moment.turn);
   return moment;
 }
 
 double find_drawing_time_s(const ClipSpec& clip, int frame) {
-  return static_cast<double>(frame - frame % std::max(clip.draw, 1)) / clip.fps;
+  return find_seconds(find_frame_ticks(find_drawn_frame(clip, frame), clip.fps));
 }
 
 }  // namespace mien

@@ -1,10 +1,11 @@
 // When: the tracks of a clip, sampled at a time. Knows no geometry.
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "config/clip_spec.hpp"
 #include "timeline/idle.hpp"
+#include "timeline/layers.hpp"
 
 namespace mien {
 
@@ -15,19 +16,25 @@ struct Moment {
   CameraKey camera;
 };
 
-// A clip ready to be sampled: keys sorted, blinks placed.
+// A clip ready to be sampled.
 struct Performance {
-  ClipSpec clip;
-  Idle idle;  // what the face does by itself
+  ClipSpec clip;  // its keys sorted
+  Idle idle;      // what the face does by itself
+  std::shared_ptr<const Layers> layers;
 };
 
 Performance build_performance(const ClipSpec& clip);
 
-// Exactly a key's values at a key's time (what `idle` adds apart), the first key's before it and the last
-// key's after it.
+// The clip at a time, which counts in whole ticks (core/ticks.hpp). Exactly a key's values at a key's time
+// (cues and what `idle` adds apart), the first key's before it and the last key's after it; nothing is past
+// its limits, times the reach of those who ask. A pure function: any number of threads may ask.
 Moment sample_performance(const Performance& performance, double time_s);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.
 double find_drawing_time_s(const ClipSpec& clip, int frame);
+
+// A move's value within its limits times `reach`; limits that are ends of the body (find_stop) are not
+// lifted.
+double hold_value(std::size_t move, double value, double reach);
 
 }  // namespace mien

@@ -67,7 +67,20 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
   EXPECT_EQ(list_properties(defs.at("pose_key")), sort(kPoseKeyKeys));
   EXPECT_EQ(list_properties(defs.at("camera_key")), sort(kCameraKeys));
   EXPECT_EQ(list_properties(defs.at("turn_key")), sort(kTurnKeys));
-  EXPECT_EQ(defs.at("ease").at("enum").get<Names>(), kEasings);
+  EXPECT_EQ(defs.at("ease").at("anyOf")[0].at("enum").get<Names>(), kEasings);
+  EXPECT_EQ(defs.at("between").at("enum").get<Names>(), kBetweens);
+  EXPECT_EQ(defs.at("rule").at("enum").get<Names>(), kRules);
+  EXPECT_EQ(list_properties(defs.at("cue")), sort(kCueKeys));
+  EXPECT_EQ(list_properties(defs.at("law")), sort(kLawKeys));
+  EXPECT_EQ(list_properties(defs.at("script")), sort(kScriptKeys));
+  const json& parts = clip.at("properties");
+  EXPECT_EQ(parts.at("lead").at("anyOf")[0].at("enum").get<Names>(), kLeads);
+  EXPECT_EQ(list_properties(parts.at("lead").at("anyOf")[1]), sort(kLeadKeys));
+  EXPECT_EQ(list_properties(parts.at("draw").at("anyOf")[2].at("items")), sort(kDrawKeys));
+  EXPECT_EQ(list_properties(parts.at("tracks").at("items")), sort(kTrackKeys));
+  const json& include = parts.at("include").at("anyOf")[1];
+  EXPECT_EQ(list_properties(include), sort(kIncludeKeys));
+  EXPECT_EQ(include.at("properties").at("take").at("items").at("enum").get<Names>(), kTakes);
 
   EXPECT_EQ(list_properties(file.at("render")), sort(kRenderKeys));
   EXPECT_EQ(file.at("render").at("properties").at("quality").at("enum").get<Names>(), kQualities);

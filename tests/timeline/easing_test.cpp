@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace mien {
 namespace {
 
@@ -24,6 +26,34 @@ TEST(easing, never_turns_back_and_never_leaves_its_range) {
       before = share;
     }
   }
+}
+
+TEST(easing, of_back_bounce_and_curves_begin_and_end_exactly) {
+  Ease curve(Easing::bezier);
+  curve.handles = {0.3, 0, 0.2, 1};
+  for (const Ease& each : {Ease(Easing::back), Ease(Easing::bounce), curve}) {
+    EXPECT_EQ(ease(each, 0), 0);
+    EXPECT_EQ(ease(each, 1), 1);
+    for (int i = 0; i < 1000; ++i)
+      EXPECT_LT(std::abs(ease(each, (i + 1) / 1000.0) - ease(each, i / 1000.0)), 0.01);
+  }
+}
+
+TEST(easing, back_passes_the_key_by_a_tenth_and_bounce_never_does) {
+  double most = 0;
+  for (int i = 0; i <= 1000; ++i) {
+    most = std::max(most, ease(Easing::back, i / 1000.0));
+    EXPECT_LE(ease(Easing::bounce, i / 1000.0), 1);
+  }
+  EXPECT_NEAR(most, 1.1, 0.001);
+}
+
+TEST(easing, a_curve_is_that_of_css) {
+  Ease curve(Easing::bezier);
+  curve.handles = {0.25, 0.1, 0.25, 1};  // "ease"
+  EXPECT_NEAR(ease(curve, 0.5), 0.8024034, 1e-7);
+  curve.handles = {0.2, 0.2, 0.7, 0.7};
+  EXPECT_NEAR(ease(curve, 0.3), 0.3, 1e-12);
 }
 
 TEST(easing, is_slow_where_its_name_says) {

@@ -116,6 +116,43 @@ TEST(performance, holds_a_drawing_on_twos_and_threes) {
   for (int frame = 0; frame < 48; ++frame) EXPECT_EQ(find_drawing_time_s(clip, frame), frame / 24.0);
 }
 
+TEST(performance, changes_how_long_drawings_are_held) {
+  ClipSpec clip;
+  clip.draw = 2;
+  clip.draw_changes = {{5 / 24.0, 3}, {1, 1}};
+  for (const auto& [frame, shown] :
+       {std::pair{0, 0}, {1, 0}, {4, 4}, {5, 5}, {7, 5}, {8, 8}, {23, 23}, {24, 24}, {25, 25}})
+    EXPECT_EQ(find_drawn_frame(clip, frame), shown) << frame;
+}
+
+TEST(performance, is_the_same_at_the_same_times_whatever_the_frame_rate) {
+  ClipSpec clip = build_random_clip(5);
+  clip.draw = 1;
+  clip.length_s = 3600;
+  const Performance performance = build_performance(clip);
+  const auto sample = [&](int fps, int frame) {
+    ClipSpec other = clip;
+    other.fps = fps;
+    return sample_performance(performance, find_drawing_time_s(other, frame)).pose;
+  };
+  // Seconds and halves of them, from the first to one an hour later.
+  for (const int half : {0, 1, 3, 7, 9, 7199, 7200})
+    for (const int fps : {12, 24, 30, 60})
+      EXPECT_EQ(sample(fps, half * fps / 2), sample(24, half * 12)) << half;
+  for (const int second : {0, 1, 3599, 3600})
+    for (const int fps : {11, 25, 50, 120}) EXPECT_EQ(sample(fps, second * fps), sample(24, second * 24));
+  for (int frame = 0; frame < 60; ++frame) EXPECT_EQ(sample(12, frame), sample(60, 5 * frame));
+}
+
+TEST(performance, counts_time_in_whole_ticks) {
+  for (const int fps : {12, 24, 25, 30, 48, 50, 60, 120})
+    for (const int frame : {1, 7, 1001, 360001})
+      EXPECT_EQ(find_seconds(find_frame_ticks(frame, fps)), static_cast<double>(frame) / fps);
+  EXPECT_EQ(find_ticks(0.1) + find_ticks(0.2), find_ticks(0.3));
+  EXPECT_EQ(find_ticks(kForever_s), kEndless);
+  EXPECT_EQ(find_frame_ticks(22, 11), 2 * kTicksPerSecond);
+}
+
 TEST(performance, blinks_on_top_of_its_pose) {
   ClipSpec clip;
   clip.length_s = 2;

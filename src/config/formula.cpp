@@ -1,0 +1,220 @@
+#include "config/formula.hpp"
+
+#include <fmt/format.h>
+#include <muParser.h>
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <numbers>
+
+#include "config/findings.hpp"
+#include "config/words.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxBytes = 1000;  // a longer formula is no director's note
+
+double clamp_between(double value, double low, double high) { return std::min(std::max(value, low), high); }
+double find_remainder(double value, double period) { return value - period * std::floor(value / period); }
+
+// One reader of a formula: muParser keeps its variables and its stack in the object, so that each thread that
+// evaluates needs its own.
+struct Reader {
+  mu::Parser parser;
+  std::vector<double> values;  // t, then the inputs
+
+  Reader(const std::string& text, const Inputs& inputs) : values(inputs.size() + 1, 0) {
+    parser.DefineConst("pi", std::numbers::pi);
+    parser.DefineFun("clamp", clamp_between);
+    parser.DefineFun("mod", find_remainder);
+    parser.DefineVar("t", values.data());
+    for (std::size_t i = 0; i < inputs.size(); ++i) parser.DefineVar(inputs[i].name, &values[i + 1]);
+    parser.SetExpr(text);
+  }
+};
+
+const Names& list_words() {
+  static const Names words = [] {
+    mu::Parser parser;
+    Names names{"t", "pi", "clamp", "mod"};
+    for (const auto& [name, function] : parser.GetFunDef()) names.push_back(name);
+    for (const auto& [name, value] : parser.GetConst()) names.push_back(name);
+    return names;
+  }();
+  return words;
+}
+
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+// muParser would take "t = 3" for an order to change t.
+std::size_t find_assignment(const std::string& text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '=') continue;
+    if (i + 1 < text.size() && text[i + 1] == '=') {
+      ++i;
+      continue;
+    }
+    if (i == 0 || std::string_view("<>!").find(text[i - 1]) == std::string_view::npos) return i;
+  }
+  return std::string::npos;
+}
+
+std::string describe_fault(const mu::Parser::exception_type& error, const Inputs& inputs) {
+  const std::string token = show_word(error.GetToken());
+  switch (error.GetCode()) {
+    case mu::ecUNASSIGNABLE_TOKEN: {
+      Names known = list_words();
+      for (const Input& input : inputs) known.push_back(input.name);
+      if (std::ranges::find(list_words(), token) != list_words().end())
+        return fmt::format("'{}' is a function; expected '(' behind it", token);
+      const bool is_word = !token.empty() && is_letter(token[0]);
+      const std::string nearest = is_word ? suggest_name(token, known) : "";
+      if (!nearest.empty()) return fmt::format("unknown word '{}'; did you mean '{}'?", token, nearest);
+      if (is_word)
+        return fmt::format("unknown word '{}'; expected t, pi, a function such as sin, or an input", token);
+      return fmt::format("'{}' means nothing here", token);
+    }
+    case mu::ecMISSING_PARENS:
+      return "a '(' is not closed";
+    case mu::ecUNEXPECTED_PARENS:
+      return fmt::format("'{}' is not expected here", token.empty() ? ")" : token);
+    case mu::ecUNEXPECTED_EOF:
+    case mu::ecEMPTY_EXPRESSION:
+      return "it ends too early";
+    case mu::ecTOO_MANY_PARAMS:
+      return fmt::format("'{}' is given too many numbers", token);
+    case mu::ecTOO_FEW_PARAMS:
+      return fmt::format("'{}' is given too few numbers", token);
+    default:
+      return token.empty() ? std::string("it cannot be read here")
+                           : fmt::format("'{}' is not expected here", token);
+  }
+}
+
+}  // namespace
+
+struct Formula {
+  std::string text;
+  Inputs inputs;
+  std::vector<bool> is_used;  // input by input: by the formula, or by an input that it uses
+  double start_s = 0;
+  mutable std::mutex mutex;                           // of `idle`
+  mutable std::vector<std::unique_ptr<Reader>> idle;  // readers that no thread uses now
+};
+
+namespace {
+
+std::unique_ptr<Reader> take_reader(const Formula& formula) {
+  {
+    const std::lock_guard lock(formula.mutex);
+    if (!formula.idle.empty()) {
+      auto reader = std::move(formula.idle.back());
+      formula.idle.pop_back();
+      return reader;
+    }
+  }
+  return std::make_unique<Reader>(formula.text, formula.inputs);
+}
+
+double evaluate_with(const Formula& formula, double time_s, const std::vector<double>& inputs) {
+  auto reader = take_reader(formula);
+  reader->values[0] = time_s - formula.start_s;
+  std::copy_n(inputs.begin(), formula.inputs.size(), reader->values.begin() + 1);
+  double value = NAN;
+  try {
+    value = reader->parser.Eval();
+  } catch (const mu::Parser::exception_type&) {
+    // A division that muParser refuses has no value either.
+  }
+  const std::lock_guard lock(formula.mutex);
+  formula.idle.push_back(std::move(reader));
+  return value;
+}
+
+}  // namespace
+
+bool is_input_name(const std::string& name) {
+  return !name.empty() && name.size() <= 64 && is_letter(name[0]) &&
+         std::ranges::all_of(name, [](char c) { return is_letter(c) || is_digit(c); }) &&
+         std::ranges::find(list_words(), name) == list_words().end();
+}
+
+FormulaPointer build_formula(const std::string& text, const Inputs& inputs, double start_s,
+                             FormulaFault& fault) {
+  if (text.size() > kMaxBytes) {
+    fault = {fmt::format("it is longer than {} bytes", kMaxBytes), 0};
+    return {};
+  }
+  const auto bad =
+      std::ranges::find_if(text, [](unsigned char c) { return c >= 0x7F || c < 0x20 || c == '"'; });
+  if (bad != text.end()) {
+    fault = {"a letter that no formula has", static_cast<std::size_t>(bad - text.begin())};
+    return {};
+  }
+  if (const std::size_t at = find_assignment(text); at != std::string::npos) {
+    fault = {"a single '='; expected '==' to compare", at};
+    return {};
+  }
+  auto formula = std::make_shared<Formula>();
+  formula->text = text;
+  formula->inputs = inputs;
+  formula->start_s = start_s;
+  formula->is_used.assign(inputs.size(), false);
+  auto reader = std::make_unique<Reader>(text, inputs);
+  try {
+    int count = 0;
+    reader->parser.Eval(count);
+    if (count != 1) {
+      fault = {fmt::format("it comes to {} numbers; expected one", count), 0};
+      return {};
+    }
+    for (const auto& [name, variable] : reader->parser.GetUsedVar())
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+        if (inputs[i].name == name) formula->is_used[i] = true;
+  } catch (const mu::Parser::exception_type& error) {
+    const int at = error.GetPos();
+    const std::size_t token = error.GetToken().size();
+    // muParser points behind some of its words.
+    std::size_t byte = at < 0 ? 0 : std::min<std::size_t>(static_cast<std::size_t>(at), text.size());
+    if (token > 0 && text.compare(byte, token, error.GetToken()) != 0 && byte >= token &&
+        text.compare(byte - token, token, error.GetToken()) == 0)
+      byte -= token;
+    fault = {describe_fault(error, inputs), byte};
+    return {};
+  }
+  for (std::size_t i = inputs.size(); i-- > 0;)
+    if (formula->is_used[i] && inputs[i].formula)
+      for (std::size_t j = 0; j < i && j < inputs[i].formula->is_used.size(); ++j)
+        if (inputs[i].formula->is_used[j]) formula->is_used[j] = true;
+  formula->idle.push_back(std::move(reader));
+  return formula;
+}
+
+double evaluate(const Formula& formula, double time_s) {
+  // Each input once, in order: one may use another many times over.
+  std::vector<double> values(formula.inputs.size(), 0);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!formula.is_used[i]) continue;
+    const Input& input = formula.inputs[i];
+    values[i] = input.formula ? evaluate_with(*input.formula, time_s, values) : input.value;
+  }
+  return evaluate_with(formula, time_s, values);
+}
+
+double find_start_s(const Formula& formula) { return formula.start_s; }
+
+double evaluate_held(const Formula& formula, double time_s) {
+  const double value = evaluate(formula, time_s);
+  return std::isfinite(value) ? value : 0;
+}
+
+const double* find_undefined(const Formula& formula, const std::vector<double>& times_s) {
+  for (const double& time_s : times_s)
+    if (!std::isfinite(evaluate(formula, time_s))) return &time_s;
+  return nullptr;
+}
+
+}  // namespace mien

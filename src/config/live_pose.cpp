@@ -1,0 +1,27 @@
+#include "config/live_pose.hpp"
+
+#include <algorithm>
+
+namespace mien {
+
+double evaluate(const Number& number, double time_s) {
+  return number.formula ? evaluate_held(*number.formula, time_s) : number.value;
+}
+
+HeldPose evaluate_pose(const LivePose& live, double time_s) {
+  std::vector<PoseShare> shares;
+  for (const LivePose::Share& share : live.shares)
+    shares.push_back({std::clamp(evaluate(share.weight, time_s), 0.0, 1.0), share.pose});
+  PoseAsk ask{mix_poses(shares), live.reach, std::clamp(evaluate(live.strength, time_s), 0.0, 1.0),
+              live.areas, live.exaggerate};
+  for (const LivePose::Value& value : live.values) {
+    const MoveInfo& info = kMoves[value.move];
+    const double number = std::clamp(evaluate_held(*value.formula, time_s), value.low, value.high);
+    ask.areas.values[value.move] = number;
+    ask.areas.places.erase(value.move);
+    if (number < info.low || number > info.high) ask.areas.places[value.move] = value.place;
+  }
+  return hold_pose(ask);
+}
+
+}  // namespace mien

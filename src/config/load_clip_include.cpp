@@ -1,0 +1,118 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "config/load_clip.hpp"
+#include "config/load_spec.hpp"
+#include "config/named_file.hpp"
+#include "config/sections.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kMaxDepth = 8;
+constexpr int kMaxFiles = 100;
+
+// One entry of `include:`.
+struct Include {
+  std::optional<FileReference> file;
+  YamlValue place;  // for messages
+  double at_s = 0;
+  Names take = kTakes;
+};
+
+bool load_entry(const YamlValue& value, const ClipReader& reader, Include& include) {
+  include.place = value;
+  const Names endings{".yaml", ".yml"};
+  if (find_node(value).kind != NodeKind::mapping) return load_file(value, endings, include.file);
+  const YamlMapping entries =
+      load_mapping(value, kIncludeKeys, "a file such as {file: nods.yaml, take: [scripts]}");
+  if (const YamlValue* at = find_value(entries, "at")) load_time(*at, reader.clock, include.at_s);
+  if (const YamlValue* take = find_value(entries, "take")) {
+    include.take.clear();
+    for (const YamlValue& item : load_list(*take, "parts such as [keys, cues, scripts]"))
+      if (std::string part; load_name(item, "part", kTakes, part)) include.take.push_back(part);
+  }
+  const YamlValue* file = find_required(entries, "file", value, "a file such as nods.yaml");
+  return file != nullptr && load_file(*file, endings, include.file);
+}
+
+// The names that the other file's clip may use: its own expressions and the libraries.
+std::shared_ptr<const ExpressionBook> build_other_book(const YamlMapping& entries,
+                                                       const ExpressionBook& outer) {
+  auto book = std::make_shared<ExpressionBook>(outer);
+  std::erase_if(book->index, [](const auto& entry) { return entry.first.starts_with('/'); });
+  book->library = ExpressionBook{}.library;
+  book->exaggerate = 1;
+  if (const YamlValue* library = find_value(entries, "library"))
+    load_name(*library, "library", book->libraries, book->library);
+  load_exaggerate(entries, book->exaggerate);
+  if (const YamlValue* expressions = find_value(entries, "expressions")) {
+    std::vector<ExpressionDraft> drafts;
+    load_drafts(*expressions, "", *book, drafts);
+    build_drafts(drafts, *book);
+  }
+  return book;
+}
+
+void load_other(const YamlValue& value, const Include& include, const YamlMapping& file, ClipReader& outer,
+                const fs::path& path, ClipSpec& into) {
+  YamlMapping entries = load_mapping(value, kClipKeys, "a mapping such as {fps: 24, keys: [...]}");
+  int fps = 24;
+  if (const YamlValue* rate = find_value(entries, "fps")) load_whole(*rate, 1, 120, fps, "frames a second");
+  ClipReader reader = outer;
+  reader.clock = {build_time_measure(fps), outer.clock.end_s, include.at_s};
+  reader.clock.measure.note = outer.clock.measure.note;
+  reader.formulas.start_s = include.at_s;
+  reader.between = Between::ease;
+  reader.files.push_back(path);
+  reader.book = build_other_book(file, *outer.book);
+  load_between(entries, reader.between);
+  std::erase_if(entries, [&](const YamlEntry& entry) {
+    return entry.key != "include" && std::ranges::find(include.take, entry.key) == include.take.end();
+  });
+  load_includes(entries, reader, into);
+  if (const YamlValue* inputs = find_value(entries, "inputs")) load_inputs(*inputs, {}, reader.formulas);
+  load_scripts(entries, reader);
+  load_layers(entries, reader, into);
+  outer.formulas.inputs = reader.formulas.inputs;
+}
+
+void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
+  const fs::path path = fs::weakly_canonical(include.file->path);
+  if (std::ranges::find(reader.files, path) != reader.files.end())
+    return add_mistake(include.place, fmt::format("'{}' includes itself; expected another file",
+                                                  show_word(path.filename().string())));
+  if (reader.files.size() > kMaxDepth)
+    return add_mistake(include.place,
+                       fmt::format("files include files more than {} deep; expected fewer", kMaxDepth));
+  if (++reader.library->include_count > kMaxFiles)
+    return add_mistake(include.place,
+                       fmt::format("more than {} files are included; expected fewer", kMaxFiles));
+  Findings& findings = *include.place.findings;
+  auto text = load_source(include.file->path, findings);
+  auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
+  if (!document) return;
+  reader.library->documents.push_back(std::move(*document));
+  const YamlValue root = find_root(reader.library->documents.back(), findings);
+  const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+  if (find_node(root).kind != NodeKind::mapping) return;
+  check_version(root, entries);
+  if (const YamlValue* clip = find_required(entries, "clip", root, "a clip to include"))
+    load_other(*clip, include, entries, reader, path, into);
+}
+
+}  // namespace
+
+void load_includes(const YamlMapping& clip, ClipReader& reader, ClipSpec& into) {
+  const YamlValue* value = find_value(clip, "include");
+  if (value == nullptr) return;
+  std::vector<YamlValue> items{*value};
+  if (find_node(*value).kind == NodeKind::list) items = load_list(*value, "");
+  for (const YamlValue& item : items)
+    if (Include include; load_entry(item, reader, include)) load_include(include, reader, into);
+}
+
+}  // namespace mien

@@ -1,0 +1,105 @@
+#include <fmt/format.h>
+#include <algorithm>
+
+#include "config/load_clip.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxDepth = 8;      // of scripts that play scripts
+constexpr std::size_t kMaxPlayed = 2000;  // different sets of parameters in one clip
+
+std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::string& name,
+                                            const Inputs& given, const ClipReader& outer) {
+  ClipReader reader = outer;
+  reader.clock = text.clock;
+  reader.clock.start_s = 0;
+  reader.book = text.book;
+  reader.formulas.inputs = text.inputs;
+  reader.formulas.start_s = 0;
+  reader.scripts.push_back(name);
+  const YamlMapping entries =
+      load_mapping(text.body, kScriptKeys, "a script such as {length: 1s, keys: [...]}");
+  load_between(entries, reader.between);
+  if (const YamlValue* parameters = find_value(entries, "parameters"))
+    load_inputs(*parameters, given, reader.formulas);
+  auto clip = std::make_shared<ClipSpec>();
+  load_layers(entries, reader, *clip);
+  // Without keys it begins and ends at rest.
+  if (clip->keys.empty()) clip->keys.emplace_back();
+  if (clip->turn.empty()) clip->turn.emplace_back();
+  if (clip->camera.empty()) clip->camera.emplace_back();
+  return clip;
+}
+
+// The numbers that a cue plays the script with; each has to be one of its parameters.
+Inputs load_given(const YamlValue& value, const ScriptText& text) {
+  Names known;
+  Findings silent;  // the script's own mistakes are told when it is read
+  YamlValue body = text.body;
+  body.findings = &silent;
+  if (const YamlValue* parameters = find_value(load_free_mapping(body, ""), "parameters");
+      parameters != nullptr)
+    for (const YamlEntry& entry : load_free_mapping(*parameters, "")) known.push_back(entry.key);
+  Inputs given;
+  for (const YamlEntry& entry : load_mapping(value, known, "numbers such as {times: 3}", "parameter")) {
+    Input input{entry.key, 0, {}};
+    if (load_number(entry.value, -1e6, 1e6, input.value)) given.push_back(input);
+  }
+  return given;
+}
+
+}  // namespace
+
+void load_scripts(const YamlMapping& clip, const ClipReader& reader) {
+  const YamlValue* value = find_value(clip, "scripts");
+  if (value == nullptr) return;
+  for (const YamlEntry& entry :
+       load_free_mapping(*value, "scripts by name such as {nod: {length: 1s, keys: [...]}}"))
+    reader.library->scripts[entry.key] = {entry.value, reader.book, reader.clock, reader.formulas.inputs};
+}
+
+std::shared_ptr<const ClipSpec> play_script(const YamlValue& name, const YamlValue* parameters,
+                                            const ClipReader& reader) {
+  ClipLibrary& library = *reader.library;
+  Names known;
+  for (const auto& [script, text] : library.scripts) known.push_back(script);
+  std::string word;
+  if (!load_text(name, "a script's name", word)) return {};
+  if (known.empty()) {
+    add_mistake(
+        name, fmt::format("unknown script '{}'; expected one of 'scripts', which has none", show_word(word)));
+    return {};
+  }
+  if (std::ranges::find(known, word) == known.end()) {
+    add_mistake(name, describe_unknown("script", word, known));
+    return {};
+  }
+  const auto again = std::ranges::find(reader.scripts, word);
+  if (again != reader.scripts.end() || reader.scripts.size() >= kMaxDepth) {
+    add_mistake(name, again != reader.scripts.end()
+                          ? fmt::format("script '{}' plays itself; expected another one", word)
+                          : fmt::format("scripts play scripts more than {} deep; expected fewer", kMaxDepth));
+    return {};
+  }
+  const ScriptText& text = library.scripts.at(word);
+  const Inputs given = parameters != nullptr ? load_given(*parameters, text) : Inputs{};
+  library.played_names.insert(word);
+  std::string key = word;
+  for (const Input& input : given) key += fmt::format(" {}={}", input.name, input.value);
+  if (const auto played = library.played.find(key); played != library.played.end()) return played->second;
+  if (library.played.size() >= kMaxPlayed) {
+    add_mistake(name, fmt::format("scripts are played with more than {} sets of parameters; expected fewer",
+                                  kMaxPlayed));
+    return {};
+  }
+  return library.played[key] = load_script(text, word, given, reader);
+}
+
+void check_scripts(const ClipReader& reader) {
+  for (const auto& [name, text] : reader.library->scripts)
+    if (!reader.library->played_names.contains(name)) load_script(text, name, {}, reader);
+}
+
+}  // namespace mien

@@ -1,0 +1,216 @@
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+
+#include "config/clip_spec.hpp"
+#include "config/load_clip.hpp"
+#include "config/named_file.hpp"
+#include "core/ticks.hpp"
+
+namespace mien {
+
+namespace {
+
+// Outside its rows a table gives the areas back within these: shorter is a jump, longer blurs the first word.
+constexpr double kAttack_s = 0.1, kRelease_s = 0.2;
+
+constexpr double kMaxTime_s = 100000;
+
+struct Cell {
+  std::string text;
+  Spot spot;
+};
+
+struct CsvFile {
+  SourceText source;
+  Findings* findings = nullptr;
+};
+
+void tell(const CsvFile& file, Spot spot, std::string message) {
+  add_mistake(*file.findings, file.source, spot, std::move(message));
+}
+
+// The cells of a line, without blanks and quotes around them.
+std::vector<Cell> split(std::string_view line, int number, char separator) {
+  std::vector<Cell> cells;
+  for (std::size_t begin = 0; begin <= line.size();) {
+    const std::size_t end = std::min(line.find(separator, begin), line.size());
+    std::size_t first = begin, last = end;
+    const auto is_blank = [](char c) { return c == ' ' || c == '\t' || c == '"'; };
+    while (first < last && is_blank(line[first])) ++first;
+    while (last > first && is_blank(line[last - 1])) --last;
+    cells.push_back({std::string(line.substr(first, last - first)), {number, static_cast<int>(first)}});
+    begin = end + 1;
+  }
+  return cells;
+}
+
+char find_separator(std::string_view line) {
+  for (const char c : {';', '\t'})
+    if (line.find(c) != std::string_view::npos) return c;
+  return ',';
+}
+
+// The moves that "brow.left.up" or "brows.up" means; empty if it is none.
+std::vector<std::size_t> find_moves(const std::string& column) {
+  std::vector<std::size_t> moves;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (column == name_move(i) || (kMoves[i].side != Side::none && column == name_move(i, true)))
+      moves.push_back(i);
+  return moves;
+}
+
+Names list_columns() {
+  Names names{"time", "frame"};
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    names.push_back(name_move(i));
+    if (kMoves[i].side == Side::left) names.push_back(name_move(i, true));
+  }
+  return names;
+}
+
+// What the columns of the first line are.
+struct Columns {
+  std::size_t time = 0;
+  bool is_frames = false;
+  std::vector<std::vector<std::size_t>> moves;  // column by column; none for the time
+};
+
+bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& columns) {
+  bool has_time = false, is_right = true;
+  std::bitset<kMoveCount> seen;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const Cell& cell = cells[i];
+    columns.moves.push_back(find_moves(cell.text));
+    std::string mistake;
+    if (cell.text == "time" || cell.text == "frame") {
+      if (has_time) mistake = fmt::format("'{}' is a second time; expected one", cell.text);
+      has_time = true;
+      columns.time = i;
+      columns.is_frames = cell.text == "frame";
+    } else if (columns.moves.back().empty()) {
+      const std::string nearest = suggest_name(cell.text, list_columns());
+      mistake =
+          fmt::format("unknown column '{}'; {}", show_word(cell.text),
+                      nearest.empty() ? "expected time, frame, or a move such as brow.left.up or lips.upper"
+                                      : "did you mean '" + nearest + "'?");
+    }
+    for (const std::size_t move : columns.moves.back()) {
+      if (seen[move]) mistake = fmt::format("'{}' has a column already", name_move(move));
+      seen.set(move);
+    }
+    if (!mistake.empty()) tell(file, cell.spot, mistake);
+    is_right &= mistake.empty();
+  }
+  if (!has_time) tell(file, {1, 0}, "no column is the time; expected 'time' in seconds, or 'frame'");
+  if (has_time && seen.none() && is_right)
+    tell(file, {1, 0}, "no column is a move; expected one such as lips.upper");
+  return is_right && has_time && seen.any();
+}
+
+bool load_cell(const CsvFile& file, const Cell& cell, double low, double high, const std::string& what,
+               double& into) {
+  const auto number = parse_number(cell.text);
+  if (number && *number >= low && *number <= high) {
+    into = *number;
+    return true;
+  }
+  tell(file, cell.spot,
+       fmt::format("'{}' is '{}'; expected a number from {:.7g} to {:.7g}", what, show_word(cell.text), low,
+                   high));
+  return false;
+}
+
+void load_row(const CsvFile& file, const std::vector<Cell>& cells, const std::vector<Cell>& head,
+              const Columns& columns, int fps, TimeTable& table) {
+  if (cells.size() != head.size())
+    return tell(file, cells.front().spot,
+                fmt::format("this line has {} cell{}; expected {} as in the first line", cells.size(),
+                            cells.size() == 1 ? "" : "s", head.size()));
+  double at_s = 0;
+  const double most = columns.is_frames ? kMaxTime_s * fps : kMaxTime_s;
+  if (!load_cell(file, cells[columns.time], 0, most, head[columns.time].text, at_s)) return;
+  if (columns.is_frames) at_s /= fps;
+  at_s = find_seconds(find_ticks(at_s));
+  if (!table.at_s.empty() && at_s <= table.at_s.back())
+    return tell(file, cells[columns.time].spot,
+                "this time is not after the one of the line before; expected rising times");
+  table.at_s.push_back(at_s);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (columns.moves[i].empty()) continue;
+    const MoveInfo& info = kMoves[columns.moves[i][0]];
+    double value = 0;
+    load_cell(file, cells[i], info.low * kMaxExaggerate, info.high * kMaxExaggerate, head[i].text, value);
+    for (std::size_t side = 0; side < columns.moves[i].size(); ++side) table.values.push_back(value);
+  }
+}
+
+}  // namespace
+
+std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& path, int fps,
+                                                 Findings& findings) {
+  auto source = load_source(path, findings);
+  if (!source) return {};
+  const CsvFile file{std::move(*source), &findings};
+  const auto before = findings.mistakes.size() + findings.untold;
+  TimeTable table;
+  Columns columns;
+  std::vector<Cell> head;
+  char separator = ',';
+  for (int number = 1; number <= static_cast<int>(file.source.line_starts.size()); ++number) {
+    const std::string_view line = find_line(file.source, number);
+    if (line.find_first_not_of(" \t,;") == std::string_view::npos) continue;
+    if (head.empty()) {
+      separator = find_separator(line);
+      head = split(line, number, separator);
+      if (!load_columns(file, head, columns)) return {};
+      for (const auto& moves : columns.moves)
+        table.moves.insert(table.moves.end(), moves.begin(), moves.end());
+    } else {
+      load_row(file, split(line, number, separator), head, columns, fps, table);
+    }
+  }
+  if (table.at_s.empty() && findings.mistakes.size() + findings.untold == before)
+    tell(file, {1, 0}, "there are no rows; expected a line of names and a line for each time");
+  if (findings.mistakes.size() + findings.untold != before) return {};
+  return std::make_shared<const TimeTable>(std::move(table));
+}
+
+void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into) {
+  const YamlValue* list = find_value(clip, "tracks");
+  if (list == nullptr) return;
+  for (const YamlValue& item : load_list(*list, "a list of tracks such as [{csv: talk.csv}]")) {
+    const YamlMapping entries = load_mapping(item, kTrackKeys, "a track such as {csv: talk.csv}");
+    CueSpec cue;
+    cue.layer = Layer::table;
+    cue.has_lead = false;
+    cue.start_s = reader.clock.start_s;
+    cue.what.place = find_place(item.document->source, item.spot);
+    load_rule(entries, cue.rule);
+    if (const YamlValue* at = find_value(entries, "at")) load_time(*at, reader.clock, cue.start_s);
+    double attack_s = kAttack_s, release_s = kRelease_s;
+    load_duration(entries, "attack", reader.clock, attack_s);
+    load_duration(entries, "release", reader.clock, release_s);
+    Between between = Between::linear;
+    load_between(entries, between);
+    const YamlValue* csv = find_required(entries, "csv", item, "a file such as talk.csv");
+    std::optional<FileReference> file;
+    if (csv == nullptr || !load_file(*csv, {".csv"}, file)) continue;
+    const auto table = load_move_table(
+        file->path, static_cast<int>(std::lround(reader.clock.measure.units[2].over)), *item.findings);
+    if (!table) continue;
+    TimeTable timed = *table;
+    timed.between = between;
+    const Ticks start = find_ticks(cue.start_s);
+    cue.full_s = find_seconds(start + find_ticks(timed.at_s.front()));
+    cue.ebb_s = find_seconds(start + find_ticks(timed.at_s.back()));
+    cue.from_s = cue.full_s - attack_s;
+    cue.end_s = cue.ebb_s + release_s;
+    for (const std::size_t move : timed.moves) cue.owns.set(move);
+    cue.what.label = file->path.filename().string();
+    cue.table = std::make_shared<const TimeTable>(std::move(timed));
+    into.push_back(std::move(cue));
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,35 @@
+// Formulas in a file: a text in quotes where a number could stand.
+#pragma once
+
+#include <deque>
+#include <utility>
+
+#include "config/formula.hpp"
+#include "config/quantity.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+// Where the formulas of a clip or of a script are read.
+struct FormulaReader {
+  Inputs inputs;
+  double start_s = 0;  // when `t` is 0
+  std::deque<std::pair<FormulaPointer, YamlValue>>* found =
+      nullptr;  // all that were read, and where they stand
+};
+
+// A text in quotes: "0.3*sin(t)". With a measure, one that is no plain quantity: "20deg" is no formula.
+bool is_formula(const YamlValue& value);
+bool is_formula(const YamlValue& value, const Measure& measure);
+
+// Empty, with a mistake told at its letter, if it cannot be read.
+FormulaPointer load_formula(const YamlValue& value, const FormulaReader& reader);
+
+// Tells a mistake at the formula's place if it has no value at one of the times.
+void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
+                   const std::vector<double>& times_s);
+
+// `inputs:` and `parameters:`, after those that are known. `given` replaces the values of those named in it.
+void load_inputs(const YamlValue& value, const Inputs& given, FormulaReader& reader);
+
+}  // namespace mien

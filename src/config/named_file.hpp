@@ -1,0 +1,24 @@
+// Files that a file names: found from the folder of the file that names them, plain ones only, by their
+// endings.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "config/spec.hpp"
+#include "config/yaml_reader.hpp"
+
+namespace mien {
+
+// The folder of the file that the value stands in.
+std::filesystem::path find_folder(const YamlValue& value);
+
+// What is wrong with a file's name or with the file that it names; empty: nothing. Only then `path` holds.
+std::string find_file_fault(const std::string& name, const std::filesystem::path& folder,
+                            const Names& endings, std::filesystem::path& path);
+
+// False, with a mistake told, if the value names no such file.
+bool load_file(const YamlValue& value, const Names& endings, std::optional<FileReference>& into);
+
+}  // namespace mien

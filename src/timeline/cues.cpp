@@ -1,0 +1,229 @@
+#include "timeline/cues.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "timeline/easing.hpp"
+#include "timeline/layers.hpp"
+
+namespace mien {
+
+namespace {
+
+bool covers(const Cue& cue) {
+  return cue.spec.rule == Rule::over && cue.full > cue.from && cue.ebb >= cue.full;
+}
+
+// Until when each cue, move by move, is still coming over what lies below: longer than its own attack if yet
+// another one comes over it meanwhile.
+using Covers = std::vector<std::array<Ticks, kMoveCount>>;
+
+Covers find_covers(std::span<const Cue> cues) {
+  Covers until(cues.size());
+  for (std::size_t i = cues.size(); i-- > 0;) {
+    until[i].fill(cues[i].full);
+    for (std::size_t later = i + 1; later < cues.size(); ++later) {
+      const Cue& other = cues[later];
+      if (other.from >= *std::ranges::max_element(until[i])) break;
+      const auto shared = cues[i].spec.owns & other.spec.owns;
+      for (std::size_t move = 0; move < kMoveCount && covers(other); ++move)
+        if (shared[move] && other.from < until[i][move])
+          until[i][move] = std::max(until[i][move], until[later][move]);
+    }
+  }
+  return until;
+}
+
+// The cues of one layer, by their times.
+void freeze_cues(std::span<Cue> cues) {
+  const Covers covered = find_covers(cues);
+  for (std::size_t i = 0; i < cues.size(); ++i) {
+    Cue& cue = cues[i];
+    cue.gone = cue.end;
+    if (cue.spec.rule != Rule::over) continue;
+    for (std::size_t later = i + 1; later < cues.size() && cues[later].from < cue.end; ++later) {
+      const Cue& other = cues[later];
+      const auto shared = cue.spec.owns & other.spec.owns;
+      if (!covers(other) || shared.none()) continue;
+      for (std::size_t move = 0; move < kMoveCount; ++move) {
+        if (!shared[move]) continue;
+        const Ticks until = covered[later][move];
+        if (cue.full <= other.from && until <= cue.ebb) continue;  // all there meanwhile anyhow
+        if (cue.freezes.empty() || cue.freezes.back().from != other.from || cue.freezes.back().until != until)
+          cue.freezes.push_back({other.from, until, {}});
+        cue.freezes.back().moves.set(move);
+        cue.gone = std::max(cue.gone, until);
+      }
+    }
+  }
+}
+
+// What a cue shows now.
+FaceState show(const Cue& cue, Ticks time) {
+  FaceState shown;
+  if (cue.script) return sample_layers(*cue.script, find_script_time(cue, time));
+  if (!cue.table.keys.empty()) {
+    std::array<double, kMaxChannels> row;
+    const auto& moves = cue.spec.table->moves;
+    sample_track(cue.table, time - cue.start, std::span(row).first(moves.size()));
+    for (std::size_t i = 0; i < moves.size(); ++i) shown.values[moves[i]] = row[i];
+    shown.reach.fill(cue.spec.what.reach);
+  } else if (cue.spec.what.live) {
+    const HeldPose held = evaluate_pose(*cue.spec.what.live, find_seconds(time));
+    shown.values = held.pose.values;
+    shown.reach.fill(held.reach);
+  } else {
+    shown.values = cue.spec.what.pose.values;
+    shown.reach.fill(cue.spec.what.reach);
+  }
+  return shown;
+}
+
+double find_envelope(const Cue& cue, Ticks after, Ticks widest, Ticks time) {
+  if (time < cue.from || time >= cue.end) return 0;
+  const Ease eased = Easing::in_out;
+  const double come = ease(eased, find_led_fraction(cue.from, cue.full, after, widest, time));
+  const double gone =
+      time <= cue.ebb ? 0 : ease(eased, find_led_fraction(cue.ebb, cue.end, after, widest, time));
+  return come * (1 - gone);
+}
+
+bool is_upper_lid(std::size_t move) { return kMoves[move].area == "lid" && kMoves[move].move == "upper"; }
+
+void lay(Rule rule, std::size_t move, double weight, const FaceState& shown, FaceState& face) {
+  double &value = face.values[move], &reach = face.reach[move];
+  const double asked = shown.values[move], part = weight * asked;
+  if (rule == Rule::over) {
+    value = std::lerp(value, asked, weight);
+    reach = std::lerp(reach, shown.reach[move], weight);
+    return;
+  }
+  reach = std::max(reach, std::lerp(1.0, shown.reach[move], weight));
+  if (rule == Rule::max)
+    // The furthest of each way, so that nothing jumps when one way becomes the further one.
+    value = std::max({value, part, 0.0}) + std::min({value, part, 0.0});
+  else if (is_upper_lid(move) && value < 0 && part < 0)
+    value = std::min(value, part);  // two that close do not close twice (pose_mix.hpp)
+  else
+    value += part;
+}
+
+// Those that share an area, by their weights; what lies below has the rest.
+struct Shares {
+  std::array<double, kMoveCount> weights{}, values{}, reach{};
+
+  void add(std::size_t move, double weight, const FaceState& shown) {
+    weights[move] += weight;
+    values[move] += weight * shown.values[move];
+    reach[move] += weight * shown.reach[move];
+  }
+  void lay(FaceState& face) const {
+    for (std::size_t i = 0; i < kMoveCount; ++i) {
+      const double all = std::max(weights[i], 1.0), below = 1 - std::min(weights[i], 1.0);
+      if (weights[i] == 0) continue;
+      face.values[i] = below * face.values[i] + values[i] / all;
+      face.reach[i] = below * face.reach[i] + reach[i] / all;
+    }
+  }
+};
+
+void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, FaceState& face, Shares& shares) {
+  const FaceState shown = show(cue, time);
+  for (std::size_t i = 0; i < shown.turn_deg.size(); ++i)
+    face.turn_deg[i] += find_envelope(cue, 0, 0, time) * shown.turn_deg[i];
+  for (std::size_t move = 0; move < kMoveCount; ++move) {
+    if (!cue.spec.owns[move]) continue;
+    const double weight = find_weight(stack, cue, move, time);
+    if (weight == 0) continue;
+    if (cue.spec.rule == Rule::share)
+      shares.add(move, weight, shown);
+    else
+      lay(cue.spec.rule, move, weight, shown, face);
+  }
+}
+
+// The cues of one layer that are there at a time, from the earliest on.
+void apply_layer(const CueStack& stack, std::size_t begin, std::size_t end, Ticks time, FaceState& face) {
+  const auto& cues = stack.cues;
+  const auto here = std::span(cues).subspan(begin, end - begin);
+  const auto after = std::ranges::upper_bound(here, time, {}, &Cue::from);
+  const std::size_t last = begin + static_cast<std::size_t>(after - here.begin());
+  std::size_t first = last;
+  while (first > begin && stack.latest_end[first - 1] > time) --first;
+  for (const bool is_shared : {true, false}) {
+    Shares shares;
+    for (std::size_t i = first; i < last; ++i)
+      if ((cues[i].spec.rule == Rule::share) == is_shared && time < cues[i].gone)
+        apply_cue(stack, cues[i], time, face, shares);
+    if (is_shared) shares.lay(face);
+  }
+}
+
+}  // namespace
+
+LeadPart find_lead_part(std::size_t move) {
+  const std::string_view area = kMoves[move].area;
+  if (area == "eye") return LeadPart::eyes;
+  if (area == "lid") return LeadPart::lids;
+  if (area == "brow") return LeadPart::brows;
+  if (area == "lips") return LeadPart::lips;
+  return area == "corner" ? LeadPart::corners : LeadPart::chin;
+}
+
+CueStack build_cue_stack(const ClipSpec& clip) {
+  CueStack stack;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    stack.after[i] = find_ticks(clip.lead.after_s[static_cast<std::size_t>(find_lead_part(i))]);
+  stack.widest = find_ticks(std::ranges::max(clip.lead.after_s));
+  for (const CueSpec& spec : clip.cues) {
+    Cue cue{spec,
+            find_ticks(spec.from_s),
+            find_ticks(spec.full_s),
+            find_ticks(spec.ebb_s),
+            find_ticks(spec.end_s),
+            find_ticks(spec.start_s),
+            spec.script ? std::make_shared<const Layers>(build_layers(*spec.script)) : nullptr,
+            {},
+            {},
+            0};
+    if (spec.table) cue.table = build_table(*spec.table);
+    stack.cues.push_back(std::move(cue));
+  }
+  std::ranges::stable_sort(stack.cues, [](const Cue& a, const Cue& b) {
+    return std::pair(a.spec.layer, a.from) < std::pair(b.spec.layer, b.from);
+  });
+  for (std::size_t i = 0; i < stack.cues.size(); ++i)
+    if (i == 0 || stack.cues[i - 1].spec.layer != stack.cues[i].spec.layer) stack.layer_begins.push_back(i);
+  stack.layer_begins.push_back(stack.cues.size());
+  for (std::size_t i = 0; i + 1 < stack.layer_begins.size(); ++i) {
+    const std::size_t begin = stack.layer_begins[i], end = stack.layer_begins[i + 1];
+    freeze_cues(std::span(stack.cues).subspan(begin, end - begin));
+    for (std::size_t cue = begin; cue < end; ++cue)
+      stack.latest_end.push_back(
+          std::max(stack.cues[cue].gone, cue == begin ? stack.cues[cue].gone : stack.latest_end.back()));
+  }
+  return stack;
+}
+
+void apply_cues(const CueStack& stack, Ticks time, FaceState& face) {
+  for (std::size_t i = 0; i + 1 < stack.layer_begins.size(); ++i)
+    apply_layer(stack, stack.layer_begins[i], stack.layer_begins[i + 1], time, face);
+}
+
+double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
+  for (const Freeze& freeze : cue.freezes)
+    if (freeze.moves[move] && freeze.from <= time && time < freeze.until) {
+      time = freeze.from;  // the first one is the earliest
+      break;
+    }
+  return cue.spec.has_lead ? find_envelope(cue, stack.after[move], stack.widest, time)
+                           : find_envelope(cue, 0, 0, time);
+}
+
+Ticks find_script_time(const Cue& cue, Ticks time) {
+  const Ticks since = std::max<Ticks>(time - cue.start, 0), length = cue.script->length;
+  if (length == 0) return 0;
+  return cue.spec.is_repeated ? since % length : std::min(since, length);
+}
+
+}  // namespace mien

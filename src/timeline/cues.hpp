@@ -1,0 +1,62 @@
+// Cues: what comes and goes on top of the keys, with a rule for each area that several ask for. After the
+// actors and cues of ASAS (C. Reynolds, "Computer animation with scripts and actors", 1982), as Yen (1990),
+// chapter 2, tells of them; onset, apex and offset as in BML.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "timeline/track.hpp"
+
+namespace mien {
+
+struct Layers;
+
+// While another cue comes over it, a cue stays at what it had then: between two cues in a row there is no
+// rest.
+struct Freeze {
+  Ticks from = 0, until = 0;
+  std::bitset<kMoveCount> moves;
+};
+
+// A CueSpec made ready to be sampled.
+struct Cue {
+  CueSpec spec;
+  Ticks from = 0, full = 0, ebb = 0, end = 0, start = 0;
+  std::shared_ptr<const Layers> script;  // what it shows: this,
+  KeyTrack table;                        // else this, if it has keys, else `spec.what`
+  std::vector<Freeze> freezes;
+  Ticks gone = 0;  // when it ends, or the last freeze does
+};
+
+// The cues of a clip in the order in which they lie upon each other.
+struct CueStack {
+  std::vector<Cue> cues;
+  std::vector<Ticks> latest_end;          // of this one and all before it, within its layer
+  std::vector<std::size_t> layer_begins;  // where each layer begins, and the end
+  std::array<Ticks, kMoveCount> after{};  // the clip's lead, move by move
+  Ticks widest = 0;
+};
+
+CueStack build_cue_stack(const ClipSpec& clip);
+
+// A face while it is put together: each move's value, and how many times its limit it may go.
+struct FaceState {
+  std::array<double, kMoveCount> values{}, reach{};
+  std::array<double, 3> turn_deg{};  // of scripts, on top of the head's own
+};
+
+// Lays the cues upon the face.
+void apply_cues(const CueStack& stack, Ticks time, FaceState& face);
+
+// How much of a cue there is at a time, for a move: 0..1.
+double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time);
+
+// A script's own time: since it began, again and again if it is repeated.
+Ticks find_script_time(const Cue& cue, Ticks time);
+
+// Which part of `lead` a move belongs to.
+LeadPart find_lead_part(std::size_t move);
+
+}  // namespace mien

@@ -1,0 +1,23 @@
+// The tracks of a clip or of a script with their cues, made ready to be sampled.
+#pragma once
+
+#include "timeline/cues.hpp"
+
+namespace mien {
+
+struct Layers {
+  KeyTrack pose, turn, camera;
+  KeyTrack reach;  // of the pose's keys: that of the first area to set out, and of the last one
+  double most_reach = 1;
+  CueStack cues;
+  Ticks length = 0;
+};
+
+Layers build_layers(const ClipSpec& clip);
+KeyTrack build_table(const TimeTable& table);
+
+// The face with all cues upon it, not yet held within its limits; the head's turn is the track's and the
+// cues'.
+FaceState sample_layers(const Layers& layers, Ticks time);
+
+}  // namespace mien

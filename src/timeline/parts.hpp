@@ -1,0 +1,29 @@
+// What a moment is made of, and which limits hold it: for `mien explain` and the ledger.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "timeline/performance.hpp"
+
+namespace mien {
+
+// A key or a cue that a moment shows, and how much of it there is.
+struct MomentPart {
+  std::string label;
+  double at_s = 0;  // of the key, or when the cue began
+  double share = 1;
+  bool is_cue = false;
+  double reach = 1;
+  std::vector<Held> held;  // of itself
+};
+
+// The keys around the moment (one, exactly at its time), then the cues from below. A key's share is that of
+// an area in the middle of the others' `lead`.
+std::vector<MomentPart> list_parts(const Performance& performance, double time_s);
+
+// What the limits hold back only in time: where curves, overshoots, sums of cues and formulas ask for more.
+// Each move of each line once, at the frame at which it asks for most, by places and moves.
+std::vector<Held> list_held_in_time(const Performance& performance);
+
+}  // namespace mien

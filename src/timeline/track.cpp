@@ -1,0 +1,136 @@
+// Key frames and their in-betweens: Burtnyk and Wein (1976), as Yen (1990) uses them for the nine areas. An
+// in-between is the mix of the two keys around it, number by number, or lies on a curve through all of them.
+#include "timeline/track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "timeline/curves.hpp"
+#include "timeline/easing.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr Ticks kLeadShare = 4;  // nobody is later than one in so many: with 1, a short way would be a jump
+
+bool is_curve(Between between) { return between == Between::smooth || between == Between::spline; }
+
+// The curves to the keys first + 1 .. last, which are all of one kind.
+void build_curve(KeyTrack& track, std::size_t first, std::size_t last) {
+  std::vector<double> at_s, values;
+  for (std::size_t i = first; i <= last; ++i) at_s.push_back(find_seconds(track.at[i] - track.at[first]));
+  const bool is_spline = track.keys[last].between == Between::spline;
+  for (std::size_t i = first + 1; i <= last; ++i) track.slopes[i].resize(track.channels);
+  for (std::size_t channel = 0; channel < track.channels; ++channel) {
+    values.clear();
+    for (std::size_t i = first; i <= last; ++i) values.push_back(track.keys[i].values[channel]);
+    const auto slopes = is_spline ? find_spline_slopes(at_s, values) : find_smooth_slopes(at_s, values);
+    for (std::size_t i = first + 1; i <= last; ++i)
+      track.slopes[i][channel] = {slopes[i - first - 1], slopes[i - first]};
+  }
+}
+
+void build_curves(KeyTrack& track) {
+  const auto goes_on = [&](std::size_t i, Between between) {
+    return i < track.keys.size() && track.keys[i].between == between && track.at[i] > track.at[i - 1];
+  };
+  for (std::size_t first = 0; first + 1 < track.keys.size();) {
+    std::size_t last = first + 1;
+    const Between between = track.keys[last].between;
+    if (is_curve(between) && goes_on(last, between)) {
+      while (goes_on(last + 1, between)) ++last;
+      build_curve(track, first, last);
+    }
+    first = last;
+  }
+}
+
+using Numbers = std::array<double, kMaxChannels>;
+
+// A key's numbers now.
+void find_values(const TrackKey& key, double time_s, std::span<double> into) {
+  if (key.law)
+    key.law(time_s, into);
+  else
+    std::ranges::copy(key.values, into.begin());
+}
+
+// On a curve through the keys' own numbers; what laws add to these meanwhile comes on top.
+void sample_curve(const KeyTrack& track, std::size_t to, Ticks time, std::span<double> into, const Numbers& a,
+                  const Numbers& b) {
+  const TrackKey &from_key = track.keys[to - 1], &to_key = track.keys[to];
+  const Ticks length = track.at[to] - track.at[to - 1];
+  const double u = static_cast<double>(time - track.at[to - 1]) / static_cast<double>(length);
+  for (std::size_t i = 0; i < track.channels; ++i) {
+    const auto [out, in] = track.slopes[to][i];
+    into[i] = sample_cubic(from_key.values[i], to_key.values[i], out, in, find_seconds(length), u) +
+              std::lerp(a[i] - from_key.values[i], b[i] - to_key.values[i], u);
+  }
+}
+
+void sample_way(const KeyTrack& track, std::size_t to, Ticks time, std::span<double> into) {
+  const TrackKey& key = track.keys[to];
+  Numbers a, b;
+  find_values(track.keys[to - 1], find_seconds(time), std::span(a).first(track.channels));
+  find_values(key, find_seconds(time), std::span(b).first(track.channels));
+  if (!track.slopes[to].empty()) {
+    sample_curve(track, to, time, into, a, b);
+    return;
+  }
+  const bool is_even = key.between == Between::linear || key.ease.kind == Easing::linear;
+  const Ease eased = is_even ? Ease(Easing::linear) : key.ease;
+  const bool is_led = !is_even && key.ease.kind != Easing::hold && !track.after.empty();
+  Ticks known_after = -1;
+  double share = 0;
+  for (std::size_t i = 0; i < track.channels; ++i) {
+    const Ticks after = is_led ? track.after[i] : 0;
+    if (after != known_after)
+      share = ease(eased,
+                   find_led_fraction(track.at[to - 1], track.at[to], after, is_led ? track.widest : 0, time));
+    known_after = after;
+    // std::lerp: exact at both ends and never outside them, which a + (b - a) * t is not.
+    into[i] = std::lerp(a[i], b[i], share);
+  }
+}
+
+}  // namespace
+
+KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, std::span<const double> after_s) {
+  KeyTrack track;
+  track.channels = channels;
+  track.keys = std::move(keys);
+  std::ranges::stable_sort(track.keys, {}, &TrackKey::at_s);
+  for (const TrackKey& key : track.keys) track.at.push_back(find_ticks(key.at_s));
+  track.slopes.resize(track.keys.size());
+  for (const double each_s : after_s) track.after.push_back(find_ticks(each_s));
+  if (!track.after.empty()) track.widest = std::ranges::max(track.after);
+  build_curves(track);
+  return track;
+}
+
+void sample_track(const KeyTrack& track, Ticks time, std::span<double> into) {
+  const auto next = static_cast<std::size_t>(std::ranges::upper_bound(track.at, time) - track.at.begin());
+  const bool is_on_key = next > 0 && track.at[next - 1] == time;
+  if (next == 0 || next == track.at.size() || is_on_key)
+    find_values(track.keys[next == 0 ? 0 : next - 1], find_seconds(time), into);
+  else
+    sample_way(track, next, time, into);
+}
+
+double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time) {
+  const Ticks length = end - begin;
+  if (time >= end) return 1;
+  if (length <= 0 || time <= begin) return 0;
+  double out = static_cast<double>(after), early = static_cast<double>(widest - after);
+  if (widest > length / kLeadShare) {
+    const double less = static_cast<double>(length) / static_cast<double>(kLeadShare * widest);
+    out *= less;
+    early *= less;
+  }
+  const double fraction =
+      (static_cast<double>(time - begin) - out) / (static_cast<double>(length) - out - early);
+  return std::clamp(fraction, 0.0, 1.0);
+}
+
+}  // namespace mien

@@ -1,0 +1,223 @@
+// Cues, laws, scripts, tables and other files, from the text to the plain values.
+#include "config/config_fixture.hpp"
+
+namespace mien {
+namespace {
+
+ClipSpec load_clip_text(const std::string& clip) { return load_text("mien: 1\nclip:\n" + clip).clip; }
+
+std::size_t find_move_of(std::string_view area, Side side, std::string_view move) {
+  return find_move(area, side, move).value();
+}
+
+TEST(clip, reads_eases_and_curves) {
+  const ClipSpec clip = load_clip_text(R"Y(  between: spline
+  keys:
+    - {at: 0s}
+    - {at: 1s, express: smile}
+    - {at: 2s, ease: back}
+    - {at: 3s, ease: [0.3, 0, 0.2, 1]}
+    - {at: 4s, between: smooth}
+  turn: [{at: 0s}, {at: 1s, turn: 10deg, between: linear}]
+)Y");
+  EXPECT_EQ(clip.keys[1].between, Between::spline);
+  EXPECT_EQ(clip.keys[2].between, Between::ease);
+  EXPECT_EQ(clip.keys[2].ease, Easing::back);
+  EXPECT_EQ(clip.keys[3].ease.handles, (std::array{0.3, 0.0, 0.2, 1.0}));
+  EXPECT_EQ(clip.keys[4].between, Between::smooth);
+  EXPECT_EQ(clip.turn[1].between, Between::linear);
+}
+
+TEST(clip, leads_unless_it_is_told_not_to) {
+  EXPECT_EQ(load_text("mien: 1\n").clip.lead.after_s, kNaturalLead.after_s);
+  EXPECT_EQ(load_clip_text("  lead: natural\n").lead.after_s, kNaturalLead.after_s);
+  EXPECT_EQ(load_clip_text("  lead: none\n").lead.after_s, LeadSpec{}.after_s);
+  EXPECT_EQ(load_clip_text("  lead: {brows: 2f, head: 0.5s}\n").lead.after_s,
+            (std::array{0.0, 0.0, 2 / 24.0, 0.0, 0.0, 0.0, 0.5}));
+}
+
+TEST(clip, reads_changes_of_drawing) {
+  const ClipSpec clip = load_clip_text("  draw: [{at: 0s, on: twos}, {at: 2s, on: 4}]\n");
+  ASSERT_EQ(clip.draw_changes.size(), 2u);
+  EXPECT_EQ(clip.draw_changes[0].draw, 2);
+  EXPECT_EQ(clip.draw_changes[1].at_s, 2);
+  EXPECT_EQ(clip.draw_changes[1].draw, 4);
+}
+
+TEST(clip, reads_cues) {
+  const ClipSpec clip = load_clip_text(R"Y(  cues:
+    - {from: 1s, express: smile, attack: 0.4s, hold: 1s, release: 0.8s, areas: [corners, lid.left], strength: 0.5, rule: add}
+    - {from: 0.5s, areas: {brows: {up: 0.4}}}
+    - {from: 3s, express: anger, areas: [brows]}
+)Y");
+  ASSERT_EQ(clip.cues.size(), 3u);
+  const CueSpec &brow = clip.cues[0], &smile = clip.cues[1], &anger = clip.cues[2];
+  EXPECT_EQ(smile.from_s, 1);
+  EXPECT_EQ(smile.full_s, 1.4);
+  EXPECT_EQ(smile.ebb_s, 2.4);
+  EXPECT_EQ(smile.end_s, 3.2);
+  EXPECT_EQ(smile.rule, Rule::add);
+  EXPECT_TRUE(smile.owns[find_move_of("corner", Side::left, "up")]);
+  EXPECT_TRUE(smile.owns[find_move_of("lid", Side::left, "lower")]);
+  EXPECT_FALSE(smile.owns[find_move_of("lid", Side::right, "lower")]);
+  EXPECT_FALSE(smile.owns[find_move_of("lips", Side::none, "upper")]);
+  // It goes when the next one on its areas comes.
+  EXPECT_EQ(brow.ebb_s, 3);
+  EXPECT_TRUE(brow.owns[find_move_of("brow", Side::right, "turn")]);
+  EXPECT_EQ(find_value(brow.what.pose, "brow", Side::left, "up"), 0.4);
+  EXPECT_EQ(anger.end_s, kForever_s);
+  EXPECT_GT(clip.length_s, 3);
+}
+
+TEST(clip, an_expression_takes_the_areas_that_it_moves_in_its_own_time) {
+  const ClipSpec clip =
+      load_clip_text("  cues: [{from: 0s, express: surprise}, {from: 3s, express: sadness}]\n");
+  EXPECT_LT(clip.cues[0].full_s, 0.5);
+  EXPECT_GT(clip.cues[1].full_s, 3.8);
+  EXPECT_GT(clip.cues[0].end_s - clip.cues[0].ebb_s, clip.cues[0].full_s);
+  EXPECT_TRUE(clip.cues[0].owns[find_move_of("brow", Side::left, "up")]);
+  EXPECT_FALSE(clip.cues[0].owns[find_move_of("eye", Side::left, "up")]);
+  EXPECT_TRUE(load_clip_text("  cues: [{from: 0s, express: neutral}]\n").cues[0].owns.all());
+}
+
+TEST(clip, numbers_may_be_formulas) {
+  const ClipSpec clip = load_clip_text(R"Y(  inputs: {mood: 0.5, wave: "mood*sin(t)"}
+  keys:
+    - {at: 0s, express: {smile: "wave", anger: 0.1}, strength: "1 - t/10"}
+    - {
+at:
+  2s, areas : {
+  brows : {
+  up:
+    "wave"
+  }
+    , brow.left : {
+    up:
+      0.2
+    }
+  }
+}
+  turn: [{at: 1s, turn: "10*t", nod: "5deg"}]
+  camera: [{at: 1s, distance: "0.5 + t"}]
+)Y");
+  ASSERT_NE(clip.keys[0].live, nullptr);
+  ASSERT_NE(clip.keys[1].live, nullptr);
+  EXPECT_EQ(find_value(clip.keys[1].pose, "brow", Side::left, "up"), 0.2);
+  EXPECT_DOUBLE_EQ(find_value(clip.keys[1].pose, "brow", Side::right, "up"), 0.5 * std::sin(2.0));
+  EXPECT_EQ(clip.turn[0].turn_deg, 10);
+  EXPECT_EQ(clip.turn[0].nod_deg, 5);
+  EXPECT_EQ(clip.turn[0].live[1], nullptr);
+  EXPECT_EQ(clip.camera[0].distance, 1.5);
+}
+
+TEST(clip, reads_laws) {
+  const ClipSpec clip = load_clip_text(R"Y(  laws:
+    - {area: brow.left, move: up, value: "0.3*sin(2*pi*t/1.5)", from: 1s, to: 3s, range: [-0.2, 1]}
+    - {area: lids, move: lower, value: 0.4}
+)Y");
+  ASSERT_EQ(clip.cues.size(), 2u);
+  EXPECT_EQ(clip.cues[0].from_s, 0);
+  EXPECT_EQ(clip.cues[0].full_s, 0);
+  EXPECT_EQ(clip.cues[0].owns.count(), 2u);
+  const CueSpec& wave = clip.cues[1];
+  EXPECT_EQ(wave.owns.count(), 1u);
+  EXPECT_EQ(wave.full_s, 1.2);
+  EXPECT_EQ(wave.ebb_s, 2.8);
+  EXPECT_EQ(evaluate_pose(*wave.what.live, 1.125).pose.values[0], -0.2);
+}
+
+TEST(clip, plays_scripts_with_parameters) {
+  const ClipSpec clip = load_clip_text(R"Y(  scripts:
+    nod_yes:
+      length: 0.5s
+      parameters: {depth: 0.5}
+      turn: [{at: 0s}, {at: 0.25s, nod: "20*depth"}, {at: 0.5s, nod: 0deg}]
+      laws: [{area: lids, move: lower, value: "depth*t"}]
+  cues:
+    - {from: 1s, play: nod_yes, repeat: 3}
+    - {from: 4s, play: nod_yes, with: {depth: 1}, to: 4.25s}
+)Y");
+  ASSERT_EQ(clip.cues.size(), 2u);
+  ASSERT_NE(clip.cues[0].script, nullptr);
+  EXPECT_EQ(clip.cues[0].script->turn[1].nod_deg, 10);
+  EXPECT_EQ(clip.cues[1].script->turn[1].nod_deg, 20);
+  EXPECT_TRUE(clip.cues[0].is_repeated);
+  EXPECT_EQ(clip.cues[0].ebb_s, 2.5);
+  EXPECT_EQ(clip.cues[1].ebb_s, 4.25);
+  EXPECT_EQ(clip.cues[0].owns.count(), 2u);
+}
+
+TEST(clip, includes_other_files) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "other.yaml", R"Y(mien: 1
+expressions: {sly: {from: smile, brow.left: {up: 0.7}}}
+clip:
+  fps: 12
+  inputs: {mood: 0.5}
+  keys: [{at: 0s}, {at: 12f, express: sly}, {at: 2s, areas: {brows: {up: "mood*t"}}}]
+  scripts: {wink: {keys: [{at: 0s}, {at: 0.2s, express: wink}, {at: 0.5s}]}}
+)Y");
+  write_file(folder / "main.yaml", R"Y(mien: 1
+clip:
+  include: {file: other.yaml, at: 1s}
+  keys: [{at: 0s, express: anger}, {at: 2s, express: fear}]
+  cues: [{from: 3s, play: wink}]
+)Y");
+  const ClipSpec clip = load_spec(folder / "main.yaml", kData).clip;
+  EXPECT_EQ(clip.fps, 24);
+  ASSERT_EQ(clip.keys.size(), 4u);
+  EXPECT_EQ(clip.keys[1].at_s, 1);
+  EXPECT_EQ(clip.keys[2].label, "fear");  // its own key in place of the included one
+  EXPECT_EQ(clip.keys[3].at_s, 3);
+  EXPECT_EQ(find_value(clip.keys[3].pose, "brow", Side::left, "up"), 1);  // its t counts from 1 s
+  ASSERT_EQ(clip.cues.size(), 1u);
+  write_file(folder / "part.yaml", "mien: 1\nclip: {include: {file: other.yaml, take: [scripts]}}\n");
+  const ClipSpec part = load_spec(folder / "part.yaml", kData).clip;
+  EXPECT_EQ(part.keys.size(), 1u);
+  write_file(folder / "loop.yaml", "mien: 1\nclip: {include: [loop.yaml, none.yaml]}\n");
+  EXPECT_EQ(find_mistakes(folder / "loop.yaml"),
+            "loop.yaml:2:18: error: 'loop.yaml' includes itself; expected another file\n"
+            "  clip: {include: [loop.yaml, none.yaml]}\n"
+            "                   ^\n"
+            "loop.yaml:2:29: error: there is no file 'none.yaml'; expected a file that ends in .yaml, .yml\n"
+            "  clip: {include: [loop.yaml, none.yaml]}\n"
+            "                              ^");
+}
+
+TEST(clip, reads_tables) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "talk.csv", "time,lips.upper, brows.up\n0.5,0,0.1\n1,0.5,0.2\n\n1.5,1,-0.3\n");
+  write_file(folder / "main.yaml", "mien: 1\nclip: {tracks: [{csv: talk.csv, at: 1s}]}\n");
+  const ClipSpec clip = load_spec(folder / "main.yaml", kData).clip;
+  ASSERT_EQ(clip.cues.size(), 1u);
+  const CueSpec& cue = clip.cues[0];
+  EXPECT_EQ(cue.full_s, 1.5);
+  EXPECT_EQ(cue.ebb_s, 2.5);
+  EXPECT_EQ(cue.table->moves.size(), 3u);
+  EXPECT_EQ(cue.table->values, (std::vector<double>{0, 0.1, 0.1, 0.5, 0.2, 0.2, 1, -0.3, -0.3}));
+}
+
+TEST(clip, tells_what_is_wrong_in_a_table) {
+  const auto folder = make_test_folder("_files");
+  const auto mistakes = [&](const std::string& table) {
+    write_file(folder / "talk.csv", table);
+    write_file(folder / "main.yaml", "mien: 1\nclip: {tracks: [{csv: talk.csv}]}\n");
+    return find_mistakes(folder / "main.yaml");
+  };
+  EXPECT_EQ(mistakes("time,lips.uper\n0,0\n"),
+            "talk.csv:1:6: error: unknown column 'lips.uper'; did you mean 'lips.upper'?\n"
+            "  time,lips.uper\n"
+            "       ^");
+  EXPECT_EQ(mistakes("time;lips.upper\n0;x\n1;3\n0.5;0\n2;0;1\n"),
+            "talk.csv:2:3: error: 'lips.upper' is 'x'; expected a number from -2 to 2\n  0;x\n    ^\n"
+            "talk.csv:3:3: error: 'lips.upper' is '3'; expected a number from -2 to 2\n  1;3\n    ^\n"
+            "talk.csv:4:1: error: this time is not after the one of the line before; expected rising times\n"
+            "  0.5;0\n  ^\n"
+            "talk.csv:5:1: error: this line has 3 cells; expected 2 as in the first line\n  2;0;1\n  ^");
+  EXPECT_NE(mistakes("lips.upper\n0\n").find("no column is the time"), std::string::npos);
+  EXPECT_NE(mistakes("").find("talk.csv"), std::string::npos);
+  EXPECT_NE(mistakes("time,lips.upper\n").find("there are no rows"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace mien

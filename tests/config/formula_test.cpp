@@ -1,0 +1,87 @@
+#include "config/formula.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace mien {
+namespace {
+
+double value_of(const std::string& text, double time_s = 0, const Inputs& inputs = {}) {
+  FormulaFault fault;
+  const FormulaPointer formula = build_formula(text, inputs, 0, fault);
+  EXPECT_NE(formula, nullptr) << text << ": " << fault.message;
+  return formula ? evaluate(*formula, time_s) : NAN;
+}
+
+std::string fault_of(const std::string& text, const Inputs& inputs = {}) {
+  FormulaFault fault;
+  EXPECT_EQ(build_formula(text, inputs, 0, fault), nullptr) << text;
+  return std::to_string(fault.byte) + ": " + fault.message;
+}
+
+TEST(formula, is_a_number_of_time) {
+  EXPECT_DOUBLE_EQ(value_of("0.3*sin(2*pi*t/1.5)", 0.25), 0.3 * std::sin(2 * std::numbers::pi * 0.25 / 1.5));
+  EXPECT_EQ(value_of("t > 1 ? 2 : 3", 2), 2);
+  EXPECT_EQ(value_of("clamp(t, 0, 1) + mod(-1, 3) + min(4, 5) + max(1, 2)", 7), 1 + 2 + 4 + 2);
+  EXPECT_EQ(value_of("2^3 - abs(-1)"), 7);
+  EXPECT_EQ(value_of("t == 2 && t >= 1", 2), 1);
+}
+
+TEST(formula, counts_t_from_its_start) {
+  FormulaFault fault;
+  EXPECT_EQ(evaluate(*build_formula("t", {}, 2, fault), 5), 3);
+}
+
+TEST(formula, uses_inputs_and_what_they_use) {
+  FormulaFault fault;
+  const Inputs one{{"mood", 0.5, {}}};
+  const Inputs two{one[0], {"beat", 0, build_formula("mood * t", one, 0, fault)}};
+  EXPECT_EQ(value_of("beat + mood", 4, two), 2.5);
+  // Each input is worked out once: forty that use the one before twice would take years otherwise.
+  Inputs many{{"a0", 1, {}}};
+  for (int i = 1; i <= 40; ++i) {
+    const std::string before = "a" + std::to_string(i - 1);
+    many.push_back({"a" + std::to_string(i), 0, build_formula(before + " + " + before, many, 0, fault)});
+  }
+  EXPECT_EQ(value_of("a40", 0, many), std::pow(2.0, 40));
+}
+
+TEST(formula, has_no_value_where_it_has_none) {
+  EXPECT_FALSE(std::isfinite(value_of("1/t", 0)));
+  EXPECT_FALSE(std::isfinite(value_of("sqrt(t)", -1)));
+  FormulaFault fault;
+  EXPECT_EQ(evaluate_held(*build_formula("1/t", {}, 0, fault), 0), 0);
+}
+
+TEST(formula, tells_what_is_wrong_and_where) {
+  EXPECT_EQ(fault_of("0.3*sni(t)"), "4: unknown word 'sni'; did you mean 'sin'?");
+  EXPECT_EQ(fault_of("1 + moood", {{"mood", 1, {}}}), "4: unknown word 'moood'; did you mean 'mood'?");
+  EXPECT_EQ(fault_of("t = 3"), "2: a single '='; expected '==' to compare");
+  EXPECT_EQ(fault_of("1, 2"), "0: it comes to 2 numbers; expected one");
+  EXPECT_EQ(fault_of("t \x01"), "2: a letter that no formula has");
+  EXPECT_EQ(fault_of(std::string(2000, '(')), "0: it is longer than 1000 bytes");
+  for (const char* text :
+       {"", "(t", "t)", "sin()", "sin(1, 2)", "1 +", "* 2", "t t", "1 ? 2", "a b", "\\", "#"})
+    fault_of(text);
+}
+
+TEST(formula, survives_nonsense) {
+  for (const std::string unit :
+       {"(", "-", "!", "sin(", "t?", "1:", "t?t:", "1+", "max(1,", "^", "t^", "((t)"}) {
+    std::string text;
+    while (text.size() + unit.size() <= 1000) text += unit;
+    FormulaFault fault;
+    EXPECT_EQ(build_formula(text, {}, 0, fault), nullptr) << unit;
+  }
+}
+
+TEST(formula, names_of_inputs_are_words_of_their_own) {
+  for (const char* name : {"mood", "_x", "beat2"}) EXPECT_TRUE(is_input_name(name)) << name;
+  for (const char* name : {"", "t", "pi", "sin", "clamp", "2x", "a-b", "_pi"})
+    EXPECT_FALSE(is_input_name(name)) << name;
+}
+
+}  // namespace
+}  // namespace mien
