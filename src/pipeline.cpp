@@ -22,7 +22,7 @@
 #include "scene/mesh_files.hpp"
 #include "scene/openscad.hpp"
 #include "scene/wavefront.hpp"
-#include "sheet.hpp"
+#include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
 #include "timeline/drawings.hpp"
 

@@ -120,6 +120,9 @@ Request read_arguments(int argc, const char* const* argv) {
     request.kind = words.front();
     words.erase(words.begin());
   }
+  if (request.command == Command::sheet && request.options.express && request.kind != "heads")
+    throw InputError(fmt::format(
+        "--express says nothing to 'mien sheet {}'; expected it with 'mien sheet heads'", request.kind));
   if (!words.empty()) request.options.file = words.front();
   return request;
 }

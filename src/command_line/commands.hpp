@@ -80,11 +80,16 @@ inline constexpr std::array kCommands{
     CommandInfo{
         Command::sheet, "sheet", "KIND FILE", "many heads on one page, to compare them",
         "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
-        "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, or features (each at -1,\n"
-        "0 and 1). --size is the size of one picture. Two kinds put the clip itself on paper: strip "
-        "(drawings\n"
-        "and the curves of each area, as SVG) and exposure (each frame's drawing and what changed, as CSV).",
-        "", "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png"},
+        "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, features (each at -1, 0\n"
+        "and 1), areas (each move with its arrows), limits (of each area, drawn on the face), expressions,\n"
+        "libraries (what each means by six feelings) or heads (one expression at five ages of four skulls).\n"
+        "FILE may be a library's name after expressions and an expression's after heads, for a FILE of\n"
+        "which --express names another than its poster's. --size is the size of one picture. Two kinds put\n"
+        "the clip itself on paper: strip (drawings and the curves of each area, as SVG) and exposure (each\n"
+        "frame's drawing and what changed, as CSV).",
+        "express",
+        "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
+        "mien sheet expressions tezuka\nmien sheet heads smile"},
     CommandInfo{
         Command::mesh, "mesh", "FILE", "one head as OBJ, PLY or STL, its landmarks as JSON",
         "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), in the\n"

@@ -20,6 +20,17 @@ std::optional<YamlDocument> load_document(const std::filesystem::path& file, Fin
   return source ? scan_document(std::move(*source), findings) : std::nullopt;
 }
 
+// The files of expression libraries, by name.
+std::vector<std::filesystem::path> list_library_files(const std::filesystem::path& folder) {
+  std::error_code error;
+  std::vector<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
+  if (error) throw RunError(fmt::format("cannot read {}: {}", folder.string(), error.message()));
+  std::ranges::sort(files);
+  return files;
+}
+
 // One line of text: it is written into scenes, as a comment.
 void load_title(const YamlValue& value, std::string& title) {
   constexpr const char* kExpected = "one line of text, 200 bytes at most";
@@ -42,6 +53,8 @@ void load_library(const YamlValue& root, const std::string& name, ExpressionBook
     if (std::string word; load_text(*library, "the file's name", word) && word != name)
       add_mistake(*library, fmt::format("library '{}' stands in another file's name; expected '{}'",
                                         show_word(word), name));
+  std::string line;
+  if (const YamlValue* source = find_value(entries, "source")) load_title(*source, line);
   if (const YamlValue* expressions =
           find_required(entries, "expressions", root, "a mapping of names to areas"))
     load_drafts(*expressions, name, book, drafts);
@@ -138,18 +151,11 @@ Expression take_expression(const Spec& spec, const std::string& name) {
 }
 
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error))
-    if (entry.path().extension() == ".yaml") files.push_back(entry.path());
-  if (error) throw RunError(fmt::format("cannot read {}: {}", folder.string(), error.message()));
-  std::ranges::sort(files);
-
   Findings findings;
   ExpressionBook book;
   std::deque<YamlDocument> documents;  // a deque: drafts point into them
   std::vector<ExpressionDraft> drafts;
-  for (const std::filesystem::path& file : files) {
+  for (const std::filesystem::path& file : list_library_files(folder)) {
     book.libraries.push_back(file.stem().string());
     auto document = load_document(file, findings);
     if (!document) continue;
@@ -163,6 +169,20 @@ std::vector<Expression> load_expression_libraries(const std::filesystem::path& f
                      return std::tie(a.library, a.name) < std::tie(b.library, b.name);
                    });
   return std::move(book.expressions);
+}
+
+std::map<std::string, std::string> load_library_sources(const std::filesystem::path& folder) {
+  std::map<std::string, std::string> sources;
+  Findings findings;
+  for (const std::filesystem::path& file : list_library_files(folder)) {
+    std::string& source = sources[file.stem().string()];
+    const auto document = load_document(file, findings);
+    if (!document) continue;
+    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "");
+    if (const YamlValue* value = find_value(entries, "source")) load_title(*value, source);
+  }
+  throw_mistakes(std::move(findings));
+  return sources;
 }
 
 std::string build_name(const std::filesystem::path& file) {

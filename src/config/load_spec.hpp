@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -31,6 +32,10 @@ Expression take_expression(const Spec& spec, const std::string& name);
 
 // Every expression of the libraries in the folder, by library and name.
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder);
+
+// Where each library of the folder comes from, in the one line that its `source:` says; empty if it says
+// none.
+std::map<std::string, std::string> load_library_sources(const std::filesystem::path& folder);
 
 // The name of out/<name>/ from a file's: one '_' for each character that is no ASCII letter, digit, '-' or
 // '_'.

@@ -34,7 +34,7 @@ inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
 // Keys.
 inline const Names kFileKeys{"mien",        "title", "head",   "library", "exaggerate",
                              "expressions", "clip",  "render", "busts"};
-inline const Names kLibraryFileKeys{"mien", "library", "expressions"};
+inline const Names kLibraryFileKeys{"mien", "library", "source", "expressions"};
 inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",
                              "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
 inline const Names kSculptKeys{"at", "move", "radius"};

@@ -67,6 +67,10 @@ std::string build_plate_scene(const Plate& plate, const std::filesystem::path& t
   for (const PlateRule& rule : plate.rules)
     marks += fmt::format("plate_rule({}, {}, {}, {}, {})\n", number(rule.x_px), number(rule.y_px),
                          number(rule.width_px), number(rule.thickness_px), number(rule.strength));
+  for (const PlateLine& line : plate.lines)
+    marks += fmt::format("plate_{}({}, {}, {}, {}, {}, {})\n", line.has_tip ? "arrow" : "line",
+                         number(line.x_px), number(line.y_px), number(line.to_x_px), number(line.to_y_px),
+                         number(line.thickness_px), number(line.strength));
   for (const PlateWords& words : plate.words) {
     const std::string plain = simplify_letters(words.words);
     if (plain.find_first_not_of(' ') == plain.npos) continue;  // POV-Ray knows no text without a letter

@@ -1,4 +1,4 @@
-// A sheet's page as a POV-Ray scene: paper, rules and words, to which pictures are added afterwards.
+// A sheet's page as a POV-Ray scene: paper, rules, lines and words, to which pictures are added afterwards.
 #pragma once
 
 #include <filesystem>
@@ -25,10 +25,19 @@ struct PlateRule {
   double strength = 1;
 };
 
+// A stroke of the pen, round at its ends. With a tip it is an arrow.
+struct PlateLine {
+  double x_px = 0, y_px = 0, to_x_px = 0, to_y_px = 0;
+  double thickness_px = 1;
+  double strength = 1;
+  bool has_tip = false;
+};
+
 struct Plate {
   int width_px = 0, height_px = 0;
   std::vector<PlateWords> words;
   std::vector<PlateRule> rules;
+  std::vector<PlateLine> lines;
 };
 
 // The page's scene by `templates_folder`/povray/plate.pov.

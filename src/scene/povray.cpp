@@ -238,16 +238,18 @@ void append_povray_overlay(std::string& text, const Overlay& overlay, const Came
     text += ">)";
   };
   for (const OverlayLine& line : overlay.lines) {
-    if (line.segments.empty()) continue;
-    text += "union {\n";
-    for (const auto& [from, to] : line.segments) {
-      if (glm::distance(from, to) < kShortest_mm) continue;
-      text += "stage_line(";
-      append_vector(text, from, kPositionDecimals);
+    if (line.segments.empty() && line.tips.empty()) continue;
+    const auto append_piece = [&](const char* piece, const std::array<glm::vec3, 2>& ends, double radius_mm) {
+      if (glm::distance(ends[0], ends[1]) < kShortest_mm) return;
+      text += fmt::format("{}(", piece);
+      append_vector(text, ends[0], kPositionDecimals);
       text += ", ";
-      append_vector(text, to, kPositionDecimals);
-      text += fmt::format(", {})\n", format_number(line.radius_mm, kPositionDecimals));
-    }
+      append_vector(text, ends[1], kPositionDecimals);
+      text += fmt::format(", {})\n", format_number(radius_mm, kPositionDecimals));
+    };
+    text += "union {\n";
+    for (const auto& segment : line.segments) append_piece("stage_line", segment, line.radius_mm);
+    for (const auto& tip : line.tips) append_piece("stage_tip", tip, line.radius_mm * kTipWidth);
     text += "stage_ink(";
     append_colour(line.srgb);
     text += " }\n";
@@ -255,8 +257,8 @@ void append_povray_overlay(std::string& text, const Overlay& overlay, const Came
   for (const OverlayWords& words : overlay.words) {
     text += fmt::format("stage_words({}, ", quote_povray(words.words));
     append_vector(text, words.at, kPositionDecimals);
-    text += fmt::format(", {}, {}, ", format_number(words.size_mm, kPositionDecimals),
-                        format_number(-view.angle_deg, 4));
+    text += fmt::format(", {}, {}, {}, ", format_number(words.size_mm, kPositionDecimals),
+                        format_number(words.align, 2), format_number(-view.angle_deg, 4));
     append_colour(words.srgb);
     text += "\n";
   }

@@ -33,15 +33,18 @@ struct CameraView {
 // stands before them hides them.
 struct OverlayLine {
   std::vector<std::array<glm::vec3, 2>> segments;  // mm
-  double radius_mm = 0.5;
+  std::vector<std::array<glm::vec3, 2>> tips;      // of arrows: from the middle of a tip's back to its point
+  double radius_mm = 0.5;                          // of the line; a tip's back is kTipWidth times as wide
   glm::vec3 srgb{0};
 };
 struct OverlayWords {
   std::string words;
-  glm::vec3 at{0};  // mm, the left end of the line they stand on
+  glm::vec3 at{0};  // mm, of the line they stand on: the left end, or as `align` says
   double size_mm = 8;
   glm::vec3 srgb{0};
+  double align = 0;  // 0: `at` is their left end, 0.5: their middle, 1: their right end
 };
+inline constexpr double kTipWidth = 3.2;  // narrower tips look like ends of lines, wider ones like flags
 struct Overlay {
   std::vector<OverlayLine> lines;
   std::vector<OverlayWords> words;

@@ -26,6 +26,32 @@ background { srgb <243, 240, 233> / 255 }
 #macro plate_rule(X, Y, Width, Thickness, Strength)
   box { <X, Page_height - Y - Thickness, 0>, <X + Width, Page_height - Y, 1> plate_ink(Strength) }
 #end
+#macro plate_line(X, Y, To_x, To_y, Thickness, Strength)
+  #local From = <X, Page_height - Y, 0>;
+  #local To = <To_x, Page_height - To_y, 0>;
+  union {
+    sphere { From, Thickness / 2 }
+    sphere { To, Thickness / 2 }
+    #if (vlength(To - From) > Thickness / 100) cylinder { From, To, Thickness / 2 } #end
+    plate_ink(Strength)
+  }
+#end
+// A line whose end is the point of its tip: 5 thicknesses long, on a short arrow two thirds of it.
+#macro plate_arrow(X, Y, To_x, To_y, Thickness, Strength)
+  #local From = <X, Page_height - Y, 0>;
+  #local To = <To_x, Page_height - To_y, 0>;
+  #local Way = vlength(To - From);
+  #if (Way > Thickness / 100)
+    #local Tip = min(5 * Thickness, Way * 2 / 3);
+    #local Neck = To - (To - From) * Tip / Way;
+    union {
+      sphere { From, Thickness / 2 }
+      cylinder { From, Neck, Thickness / 2 }
+      cone { Neck, Tip * .42, To, 0 }
+      plate_ink(Strength)
+    }
+  #end
+#end
 // Paper under all: a page without a word is no empty scene.
 box { <-1, -1, 2>, <Page_width + 1, Page_height + 1, 3> plate_ink(0) }
 {{marks}}

@@ -81,6 +81,9 @@ TEST(arguments, give_sheet_a_kind_and_a_file) {
       "'mien sheet' needs a KIND and a FILE, as in: mien sheet views configs/hello.yaml\n";
   EXPECT_EQ(read_mistakes({"sheet"}), needs);
   EXPECT_EQ(read_mistakes({"sheet", "views"}), needs);
+  EXPECT_EQ(read({"sheet", "heads", "a.yaml", "--express", "sly"}).options.express, "sly");
+  EXPECT_EQ(read_mistakes({"sheet", "views", "a.yaml", "--express", "sly"}),
+            "--express says nothing to 'mien sheet views'; expected it with 'mien sheet heads'\n");
   EXPECT_EQ(read_mistakes({"sheet", "views", "a", "b"}), "'b' is one word too many for 'mien sheet'\n");
 }
 

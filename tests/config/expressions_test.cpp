@@ -157,6 +157,18 @@ TEST(libraries, may_start_from_one_another) {
   EXPECT_EQ(find_value(all[0].pose, "chin", Side::none, "up"), 1);
 }
 
+TEST(libraries, say_in_one_line_where_they_are_from) {
+  const auto data = make_data({{"a", "mien: 1\nlibrary: a\nsource: Aye, 1990\nexpressions: {}\n"},
+                               {"b", "mien: 1\nlibrary: b\nexpressions: {}\n"}});
+  EXPECT_EQ(load_library_sources(data / "configs/expressions"),
+            (std::map<std::string, std::string>{{"a", "Aye, 1990"}, {"b", ""}}));
+  const auto wrong = make_data({{"a", "mien: 1\nlibrary: a\nsource: [1]\nexpressions: {}\n"}});
+  EXPECT_NE(
+      find_text_mistakes("mien: 1\n", wrong).find("a.yaml:3:9: error: 'source' is a list; expected one line"),
+      std::string::npos)
+      << find_text_mistakes("mien: 1\n", wrong);
+}
+
 TEST(libraries, are_judged_as_the_files_of_authors_are) {
   const auto data =
       make_data({{"a", "mien: 1\nlibrary: b\nexpressions: {x: {brows: {upp: 1}}, y: {from: z}}\n"},
@@ -173,7 +185,7 @@ a.yaml:3:27: error: unknown move 'upp' in 'expressions.x.brows'; did you mean 'u
 a.yaml:3:47: error: unknown expression 'z'; did you mean 'x'?
   expressions: {x: {brows: {upp: 1}}, y: {from: z}}
                                                 ^
-b.yaml:1:1: error: unknown key 'title'; known: mien, library, expressions
+b.yaml:1:1: error: unknown key 'title'; known: mien, library, source, expressions
   title: x
   ^
 b.yaml:1:1: error: 'mien: 1' is missing; expected it as the first line

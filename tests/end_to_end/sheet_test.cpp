@@ -4,8 +4,8 @@
 #include "core/error.hpp"
 #include "end_to_end/program.hpp"
 #include "render/picture.hpp"
-#include "sheet_camera.hpp"
-#include "sheet_layout.hpp"
+#include "sheet/camera.hpp"
+#include "sheet/layout.hpp"
 
 namespace mien {
 namespace {
@@ -42,13 +42,13 @@ TEST(sheet, draws_each_guide_line_at_its_height_in_every_view) {
   EXPECT_EQ(run.out + run.err, "");
   const Pixels page = read_pixels(folder / "views.png");
 
-  Spec spec;
-  spec.head.age = {{"child", 1.0}};
-  const SheetPlan plan = build_sheet_plan("views", spec, source_folder());
-  const SheetLayout layout = build_sheet_layout(plan, "", std::vector<std::string>(8), kCell);
+  SheetSubject subject;
+  subject.spec.head.age = {{"child", 1.0}};
+  const SheetPlan plan = build_sheet_plan("views", subject, source_folder());
+  const SheetLayout layout = build_sheet_layout(plan, "", kCell);
   ASSERT_EQ(page.size.width_px, layout.plate.width_px);
   ASSERT_EQ(page.size.height_px, layout.plate.height_px);
-  const HeadMeasures head = measure_head(build_figure(spec.head, source_folder()), source_folder());
+  const HeadMeasures head = measure_head(build_figure(subject.spec.head, source_folder()), source_folder());
   ASSERT_EQ(head.guides.size(), 7u);
   for (std::size_t i = 0; i < 4; ++i) {
     const SheetCell& cell = plan.blocks[1].cells[i];
@@ -67,6 +67,27 @@ TEST(sheet, draws_each_guide_line_at_its_height_in_every_view) {
   }
 }
 
+// In the picture of the chin, beside the neck: the levels of the limits in red.
+TEST(sheet, draws_the_limits_on_the_face) {
+  constexpr std::pair kCell{96, 72};
+  const auto folder = make_folder("sheet_limits");
+  write_file(folder / "child.yaml", kChild);
+  const ProgramRun run = run_shell(folder, "mien sheet limits child.yaml --size 96x72 --quiet -o limits.png");
+  ASSERT_EQ(run.status, 0) << run.err;
+  const Pixels page = read_pixels(folder / "limits.png");
+  const SheetLayout layout = build_sheet_layout(build_sheet_plan("limits", {}, source_folder()), "", kCell);
+  ASSERT_EQ(page.size.width_px, layout.plate.width_px);
+  ASSERT_EQ(page.size.height_px, layout.plate.height_px);
+  const auto [left, top] = layout.places.at(5);
+  int lines = 0;
+  for (int y = top + 1, above = 0; y < top + kCell.second; ++y) {
+    const int redness = find_redness(page, left + 1, y);
+    if (redness > 40 && above <= 40) ++lines;
+    above = redness;
+  }
+  EXPECT_EQ(lines, 2) << "up and down";
+}
+
 TEST(sheet, writes_nothing_if_its_words_are_wrong) {
   const auto folder = make_folder("sheet_wrong");
   write_file(folder / "child.yaml", kChild);
@@ -78,13 +99,18 @@ TEST(sheet, writes_nothing_if_its_words_are_wrong) {
   };
   EXPECT_EQ(find_mistake("vews child.yaml"), "error: unknown kind 'vews'; did you mean 'views'?\n");
   EXPECT_EQ(find_mistake("poster child.yaml"),
-            "error: unknown kind 'poster'; expected views, details, ages, skulls or features\n");
+            "error: unknown kind 'poster'; expected views, details, ages, skulls, features, expressions, "
+            "libraries, heads, areas or limits\n");
   EXPECT_EQ(find_mistake("views child.yaml -o a.jpg"),
             "error: -o a.jpg: unknown kind of picture '.jpg'; expected a name that ends in .png\n");
   EXPECT_EQ(
       find_mistake("views child.yaml --size 8000x8000"),
       "error: --size: the sheet would have 34976x22416 pixels; expected cells so small that no side has "
       "more than 20000\n");
+  EXPECT_EQ(find_mistake("expressions tezka"),
+            "error: 'tezka' is no FILE and no library; did you mean 'tezuka'?\n");
+  EXPECT_EQ(find_mistake("heads smlie"),
+            "error: 'smlie' is no FILE; unknown expression 'smlie'; did you mean 'smile'?\n");
   EXPECT_NE(find_mistake("skulls crossed.yaml").find("guide line"), std::string::npos);
   EXPECT_EQ(list_files(folder), (std::vector<std::string>{"child.yaml", "crossed.yaml"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));

@@ -1,17 +1,13 @@
-// The kinds of sheets, one function each: which heads, seen from where. Another kind is another row of
-// kKinds.
-#include "sheet_plans.hpp"
+// Sheets that compare heads, one function each: which heads, seen from where.
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "config/words.hpp"
-#include "core/error.hpp"
-#include "core/text.hpp"
 #include "head/shapes.hpp"
+#include "sheet/plan_kinds.hpp"
 
 namespace mien {
 
@@ -27,18 +23,29 @@ struct View {
 constexpr std::array kViews{View{"front", 0}, View{"three-quarter", kThreeQuarter_deg},
                             View{"side", kSide_deg}, View{"back", kBack_deg}};
 
-// "young_adult" and "nose_length" as a caption has them.
-std::string build_caption(std::string word) {
-  std::replace(word.begin(), word.end(), '_', ' ');
-  return word;
+double find_angle(const std::string& view) {
+  return view == "front" ? 0 : view == "side" ? kSide_deg : kThreeQuarter_deg;
 }
 
-SheetPlan plan_views(const Spec& spec, const std::filesystem::path&) {
+// What a feature moves, with as much of the face around it as tells where it is. Seen across the face the
+// near half is enough.
+SheetFraming frame_feature(const FeatureInfo& feature) {
+  SheetFraming framing{feature.around};
+  framing.margin = 0.24;
+  if (feature.view == "front")
+    for (const std::string& name : feature.around)
+      framing.around.push_back(name.ends_with("_l") ? name.substr(0, name.size() - 1) + "r" : "R:" + name);
+  return framing;
+}
+
+}  // namespace
+
+SheetPlan plan_views(const SheetSubject& subject, const std::filesystem::path&) {
   constexpr double kWide =
       1.52;  // Loomis' square seen from the side is as wide as high; words stand beside it
   SheetPlan plan;
   plan.cell_px = {540, 475};
-  plan.heads = {spec.head};
+  plan.heads = {subject.spec.head};
   plan.blocks.resize(2);
   for (const View& view : kViews) {
     SheetCell cell{view.caption};
@@ -53,11 +60,11 @@ SheetPlan plan_views(const Spec& spec, const std::filesystem::path&) {
   return plan;
 }
 
-SheetPlan plan_details(const Spec& spec, const std::filesystem::path&) {
+SheetPlan plan_details(const SheetSubject& subject, const std::filesystem::path&) {
   SheetPlan plan;
   plan.cell_px = {480, 400};
   plan.across = 2;
-  plan.heads = {spec.head};
+  plan.heads = {subject.spec.head};
   const auto add = [&](const char* heading, const SheetFraming& framing,
                        const std::array<SheetCell, 2>& cells) {
     plan.blocks.push_back({heading, "", {cells.begin(), cells.end()}});
@@ -81,7 +88,7 @@ SheetPlan plan_details(const Spec& spec, const std::filesystem::path&) {
   return plan;
 }
 
-SheetPlan plan_ages(const Spec& spec, const std::filesystem::path&) {
+SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path&) {
   SheetPlan plan;
   plan.cell_px = {460, 500};
   plan.blocks.resize(2);
@@ -90,7 +97,7 @@ SheetPlan plan_ages(const Spec& spec, const std::filesystem::path&) {
   // The adult comes first among the heads: the others are drawn to its scale.
   for (auto age = kAges.rbegin(); age != kAges.rend(); ++age) {
     SheetCell cell{build_caption(*age), plan.heads.size()};
-    plan.heads.push_back(spec.head);
+    plan.heads.push_back(subject.spec.head);
     plan.heads.back().age = {{*age, 1.0}};
     plan.heads.back().guides.clear();  // where an age has its lines is what the sheet is for
     cell.tells_height = true;
@@ -103,13 +110,13 @@ SheetPlan plan_ages(const Spec& spec, const std::filesystem::path&) {
   return plan;
 }
 
-SheetPlan plan_skulls(const Spec& spec, const std::filesystem::path&) {
+SheetPlan plan_skulls(const SheetSubject& subject, const std::filesystem::path&) {
   SheetPlan plan;
   plan.cell_px = {400, 480};
   plan.blocks.resize(2);
   for (const std::string& skull : kSkulls) {
     SheetCell cell{build_caption(skull), plan.heads.size()};
-    plan.heads.push_back(spec.head);
+    plan.heads.push_back(subject.spec.head);
     plan.heads.back().skull = {{skull, 1.0}};
     plan.blocks[0].cells.push_back(cell);
     cell.angle_deg = kThreeQuarter_deg;
@@ -118,25 +125,10 @@ SheetPlan plan_skulls(const Spec& spec, const std::filesystem::path&) {
   return plan;
 }
 
-double find_angle(const std::string& view) {
-  return view == "front" ? 0 : view == "side" ? kSide_deg : kThreeQuarter_deg;
-}
-
-// What a feature moves, with as much of the face around it as tells where it is. Seen across the face the
-// near half is enough.
-SheetFraming frame_feature(const FeatureInfo& feature) {
-  SheetFraming framing{feature.around};
-  framing.margin = 0.24;
-  if (feature.view == "front")
-    for (const std::string& name : feature.around)
-      framing.around.push_back(name.ends_with("_l") ? name.substr(0, name.size() - 1) + "r" : "R:" + name);
-  return framing;
-}
-
-SheetPlan plan_features(const Spec& spec, const std::filesystem::path& data) {
+SheetPlan plan_features(const SheetSubject& subject, const std::filesystem::path& data) {
   SheetPlan plan;
   plan.cell_px = {280, 320};
-  plan.heads = {spec.head};
+  plan.heads = {subject.spec.head};
   for (const FeatureInfo& feature : load_features(data / "templates/head")) {
     SheetBlock& block = plan.blocks.emplace_back();
     block.heading = build_caption(feature.name);
@@ -146,7 +138,7 @@ SheetPlan plan_features(const Spec& spec, const std::filesystem::path& data) {
       SheetCell cell{value == 0 ? "0" : fmt::format("{:+}", value)};
       if (value != 0) {
         cell.head = plan.heads.size();
-        plan.heads.push_back(spec.head);
+        plan.heads.push_back(subject.spec.head);
         plan.heads.back().features[feature.name] = value;
       }
       cell.angle_deg = find_angle(feature.view);
@@ -156,49 +148,6 @@ SheetPlan plan_features(const Spec& spec, const std::filesystem::path& data) {
   }
   // About as wide as high.
   plan.across = std::max<std::size_t>(1, std::lround(std::sqrt(static_cast<double>(plan.blocks.size()) / 3)));
-  return plan;
-}
-
-struct SheetKind {
-  const char* name;
-  const char* subject;
-  SheetPlan (*plan)(const Spec& spec, const std::filesystem::path& data_folder);
-};
-constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
-                            SheetKind{"details", "Details", plan_details},
-                            SheetKind{"ages", "Ages", plan_ages}, SheetKind{"skulls", "Skulls", plan_skulls},
-                            SheetKind{"features", "Features", plan_features}};
-
-const SheetKind* find_kind(const std::string& name) {
-  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.name == name; });
-  return kind == kKinds.end() ? nullptr : &*kind;
-}
-
-// "views, details or ages".
-std::string list_kinds() {
-  std::string words;
-  for (std::size_t i = 0; i < kKinds.size(); ++i)
-    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == kKinds.size() ? " or " : ", ", kKinds[i].name);
-  return words;
-}
-
-}  // namespace
-
-void check_sheet_kind(const std::string& kind) {
-  if (find_kind(kind)) return;
-  std::vector<std::string> names;
-  for (const SheetKind& known : kKinds) names.emplace_back(known.name);
-  const std::string near = find_nearest(kind, names);
-  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, list_kinds())
-                                : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
-}
-
-SheetPlan build_sheet_plan(const std::string& kind, const Spec& spec,
-                           const std::filesystem::path& data_folder) {
-  check_sheet_kind(kind);
-  const SheetKind& known = *find_kind(kind);
-  SheetPlan plan = known.plan(spec, data_folder);
-  plan.subject = known.subject;
   return plan;
 }
 

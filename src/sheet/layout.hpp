@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "scene/plate.hpp"
-#include "sheet_plans.hpp"
+#include "sheet/plans.hpp"
 
 namespace mien {
 
@@ -20,8 +20,7 @@ struct SheetLayout {
   std::vector<SheetPlace> places;  // of each cell, block after block
 };
 
-// Pure. All sizes follow the cells' size. `captions`: of each cell, block after block.
-SheetLayout build_sheet_layout(const SheetPlan& plan, const std::string& title,
-                               const std::vector<std::string>& captions, std::pair<int, int> cell_px);
+// Pure. All sizes follow the cells' size; a block is as wide as the widest.
+SheetLayout build_sheet_layout(const SheetPlan& plan, const std::string& title, std::pair<int, int> cell_px);
 
 }  // namespace mien

@@ -1,13 +1,12 @@
-// `mien sheet KIND FILE`: a plan of sheet_plans.cpp as one picture. POV-Ray renders each cell and the page
+// `mien sheet KIND FILE`: a plan of plans.cpp as one picture. POV-Ray renders each cell and the page
 // with its words; the cells are laid on the page.
-#include "sheet.hpp"
+#include "sheet/sheet.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <tuple>
 
-#include "clip.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -18,9 +17,11 @@
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
-#include "sheet_camera.hpp"
-#include "sheet_layout.hpp"
-#include "sheet_plans.hpp"
+#include "sheet/camera.hpp"
+#include "sheet/layout.hpp"
+#include "sheet/marks.hpp"
+#include "sheet/plans.hpp"
+#include "sheet/subject.hpp"
 
 namespace mien {
 
@@ -56,10 +57,10 @@ void check_page(const SheetLayout& layout) {
                     width, height, kMaxPage_px));
 }
 
-std::vector<const SheetCell*> list_cells(const SheetPlan& plan) {
-  std::vector<const SheetCell*> cells;
-  for (const SheetBlock& block : plan.blocks)
-    for (const SheetCell& cell : block.cells) cells.push_back(&cell);
+std::vector<SheetCell*> list_cells(SheetPlan& plan) {
+  std::vector<SheetCell*> cells;
+  for (SheetBlock& block : plan.blocks)
+    for (SheetCell& cell : block.cells) cells.push_back(&cell);
   return cells;
 }
 
@@ -74,16 +75,19 @@ void check_heads(const SheetPlan& plan, const Options& options, const fs::path& 
   });
 }
 
-// The scenes of all cells that show head number `index`, in a folder of their own.
-void write_cell_scenes(const std::vector<const SheetCell*>& cells, std::size_t index, const Figure& figure,
+// The scenes of all cells that show head number `index`, in a folder of their own. What is measured there
+// goes behind their captions.
+void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const Figure& figure,
                        const std::vector<HeadMeasures>& measures, const RenderSpec& render,
                        const fs::path& work, const fs::path& data) {
   const fs::path folder = work / fmt::format("head{}", index);
   write_file(folder / "head.inc", build_povray_include(figure.model, render, data / "templates"));
+  const FigurePlaces places = build_places(figure, data);
+  const std::pair size_px(render.width_px, render.height_px);
   DeformBuffers buffers;
   Drawing drawing;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    const SheetCell& cell = *cells[i];
+    SheetCell& cell = *cells[i];
     if (cell.head != index) continue;
     throw_if_interrupted();
     const CameraView view = find_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
@@ -95,17 +99,37 @@ void write_cell_scenes(const std::vector<const SheetCell*>& cells, std::size_t i
       append_povray_overlay(
           scene,
           build_guides(measures[index], {skin.positions, skin.normals, figure.head.skin.triangles}, view,
-                       {render.width_px, render.height_px}, cell.has_frame),
+                       size_px, cell.has_frame),
           view);
     }
+    const DrawnMarks marks = draw_marks(cell, places, view, size_px);
+    append_povray_overlay(scene, marks.overlay, view);
     write_file(folder / fmt::format("cell{}.pov", i), scene);
+    if (marks.way_mm > 0) cell.caption += fmt::format(", {} mm", format_number(marks.way_mm, 1));
+    if (cell.tells_height)
+      cell.caption += fmt::format(", {} mm", format_number(measures[index].height_mm(), 0));
+  }
+}
+
+// The values of this head's limits in the tables that tell them.
+void tell_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
+  for (SheetBlock& block : plan.blocks) {
+    if (!block.table.tells_limits) continue;
+    for (std::vector<SheetField>& row : block.table.rows)
+      for (const Limit& limit : limits)
+        if (limit.name->name == row.front().words) {
+          row.end()[-2].words = limit.unit == "deg"
+                                    ? fmt::format("{:.1f} deg", limit.value)
+                                    : fmt::format("{:.3f} {}", limit.value, build_caption(limit.unit));
+          row.end()[-1].words = fmt::format("{:.1f}", limit.mm);
+        }
   }
 }
 
 // Builds the heads one after the other: none is kept but its measures.
-std::vector<HeadMeasures> write_all_scenes(const SheetPlan& plan, const std::vector<const SheetCell*>& cells,
-                                           const RenderSpec& render, const fs::path& work,
-                                           const fs::path& data, Progress& progress) {
+void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path& work, const fs::path& data,
+                      Progress& progress) {
+  const std::vector<SheetCell*> cells = list_cells(plan);
   std::vector<HeadMeasures> measures;
   for (std::size_t i = 0; i < plan.heads.size(); ++i) {
     throw_if_interrupted();
@@ -115,17 +139,7 @@ std::vector<HeadMeasures> write_all_scenes(const SheetPlan& plan, const std::vec
     progress.advance(false, static_cast<int>(i) + 1);
   }
   progress.finish();
-  return measures;
-}
-
-std::vector<std::string> list_captions(const std::vector<const SheetCell*>& cells,
-                                       const std::vector<HeadMeasures>& measures) {
-  std::vector<std::string> captions;
-  for (const SheetCell* cell : cells)
-    captions.push_back(cell->tells_height ? fmt::format("{}, {} mm", cell->caption,
-                                                        format_number(measures[cell->head].height_mm(), 0))
-                                          : cell->caption);
-  return captions;
+  tell_limits(measures.front().limits, plan);
 }
 
 void render_scenes(const std::vector<FrameJob>& jobs, const RenderSettings& settings, const Options& options,
@@ -140,7 +154,7 @@ fs::path find_cell_picture(const fs::path& work, std::size_t cell) {
   return work / fmt::format("cell{}.png", cell);
 }
 
-void render_cells(const std::vector<const SheetCell*>& cells, const RenderSpec& render, const fs::path& work,
+void render_cells(const std::vector<SheetCell*>& cells, const RenderSpec& render, const fs::path& work,
                   const Options& options) {
   std::vector<FrameJob> jobs;
   for (std::size_t i = 0; i < cells.size(); ++i)
@@ -173,25 +187,26 @@ Pixels render_page(const SheetLayout& layout, const fs::path& work, const fs::pa
 std::filesystem::path write_sheet(const std::string& kind, const Options& options) {
   check_sheet_kind(kind);
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
+  const SheetSubject subject = load_sheet_subject(kind, options, data);
+  const Spec& spec = subject.spec;
   const fs::path path = find_sheet_path(kind, options, spec);
-  const SheetPlan plan = build_sheet_plan(kind, spec, data);
+  SheetPlan plan = build_sheet_plan(kind, subject, data);
   RenderSpec render = spec.render;
   render.background = kGround;
   const std::pair<int, int> cell_px = options.size_px.value_or(plan.cell_px);
   std::tie(render.width_px, render.height_px) = cell_px;
-  const std::vector<const SheetCell*> cells = list_cells(plan);
   const std::string title = find_title(spec);
-  check_page(build_sheet_layout(plan, title, std::vector<std::string>(cells.size()), cell_px));
+  check_page(build_sheet_layout(plan, title, cell_px));
   require_programs({{"povray", "povray"}});
   check_heads(plan, options, data);
 
   const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
   Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "heads",
                     static_cast<int>(plan.heads.size()));
-  const std::vector<HeadMeasures> measures = write_all_scenes(plan, cells, render, work.path, data, progress);
+  write_all_scenes(plan, render, work.path, data, progress);
+  const std::vector<SheetCell*> cells = list_cells(plan);
   render_cells(cells, render, work.path, options);
-  const SheetLayout layout = build_sheet_layout(plan, title, list_captions(cells, measures), cell_px);
+  const SheetLayout layout = build_sheet_layout(plan, title, cell_px);
   Pixels page = render_page(layout, work.path, data);
   for (std::size_t i = 0; i < cells.size(); ++i)
     paste_pixels(page, read_pixels(find_cell_picture(work.path, i)), layout.places[i].left_px,

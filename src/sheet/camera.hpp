@@ -1,6 +1,7 @@
 // How a sheet's cells see their heads: the camera that a framing asks for, and Loomis' lines in its picture.
 #pragma once
 
+#include <functional>
 #include <map>
 #include <string>
 #include <utility>
@@ -8,21 +9,31 @@
 
 #include "frames/figure.hpp"
 #include "scene/povray.hpp"
-#include "sheet_plans.hpp"
+#include "sheet/plans.hpp"
 
 namespace mien {
 
-// What framing needs to know of a head, mm.
+// Where a head's landmarks are in some pose, mm; and the cage's points on the skin, by their names.
+using PlacesOfPose = std::map<std::string, glm::dvec3>;
+using FigurePlaces = std::function<PlacesOfPose(const Pose& pose)>;
+
+FigurePlaces build_places(const Figure& figure, const std::filesystem::path& data_folder);
+
+// What framing and captions need to know of a head, mm.
 struct HeadMeasures {
-  std::map<std::string, glm::dvec3> landmarks;         // and the cage's points on the skin, by their names
+  PlacesOfPose landmarks;                              // at rest
   std::vector<std::pair<std::string, double>> guides;  // heights from chin to crown, both included
   Box head;                                            // of the skin above the chin
+  std::vector<Limit> limits;                           // of its areas
 
   double chin_mm() const { return guides.front().second; }
   double height_mm() const { return guides.back().second - guides.front().second; }
 };
 
 HeadMeasures measure_head(const Figure& figure, const std::filesystem::path& data_folder);
+
+// Level, of length 1.
+glm::vec3 find_toward_camera(const CameraView& view);
 
 // `scale` is the head that `cell.framing.scale_of` names.
 CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale);

@@ -1,4 +1,4 @@
-#include "sheet_camera.hpp"
+#include "sheet/camera.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,11 +13,6 @@ namespace {
 
 // Around a whole head, as shares of its height: air above; below, enough of the neck to carry it.
 constexpr double kAbove = 0.12, kBelow = 0.22;
-
-glm::vec3 find_toward_camera(const CameraView& view) {
-  const double angle = view.angle_deg * kRadiansPerDegree;
-  return {std::sin(angle), 0, std::cos(angle)};
-}
 
 // Loomis' numbers, in units of which a head is 3.5 high.
 constexpr double kUnitsHigh = 3.5, kUnitsWide = 3, kUnitsDeep = 3.5;
@@ -59,7 +54,7 @@ void append_contour(const Mesh& skin, const glm::vec3& normal, float offset, dou
 // depth, with a notch at each unit. None where the camera looks across a corner of the block.
 OverlayLine build_frame(const HeadMeasures& head, const glm::vec3& right, const glm::vec3& middle,
                         double radius_mm) {
-  OverlayLine frame{{}, radius_mm, kFrameInk};
+  OverlayLine frame{{}, {}, radius_mm, kFrameInk};
   const double along_x = std::abs(right.x), along_z = std::abs(right.z);
   if (std::min(along_x, along_z) > kAcross) return frame;
   const double unit_mm = head.height_mm() / kUnitsHigh;
@@ -83,11 +78,6 @@ OverlayLine build_frame(const HeadMeasures& head, const glm::vec3& right, const 
   return frame;
 }
 
-std::string build_words(std::string name) {
-  std::replace(name.begin(), name.end(), '_', ' ');
-  return name;
-}
-
 // Of those names that the head has.
 std::vector<glm::dvec3> find_places(const HeadMeasures& head, const std::vector<std::string>& names) {
   std::vector<glm::dvec3> places;
@@ -99,16 +89,30 @@ std::vector<glm::dvec3> find_places(const HeadMeasures& head, const std::vector<
 
 }  // namespace
 
+glm::vec3 find_toward_camera(const CameraView& view) {
+  const double angle = view.angle_deg * kRadiansPerDegree;
+  return {std::sin(angle), 0, std::cos(angle)};
+}
+
+FigurePlaces build_places(const Figure& figure, const std::filesystem::path& data_folder) {
+  const auto landmarks = find_landmarks(figure.head, data_folder / "templates/head/landmarks.yaml");
+  return [&figure, landmarks](const Pose& pose) {
+    DeformBuffers buffers;
+    Drawing drawing;
+    deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+    PlacesOfPose places = measure_landmarks(figure.head, landmarks, figure.model, drawing);
+    const Cage& cage = figure.head.cage;
+    for (std::size_t i = 0; i < cage.names.size(); ++i)
+      places.emplace(cage.names[i], drawing.parts.front().positions[i]);
+    return places;
+  };
+}
+
 HeadMeasures measure_head(const Figure& figure, const std::filesystem::path& data_folder) {
   HeadMeasures measures;
-  DeformBuffers buffers;
-  Drawing drawing;
-  deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
-  const auto landmarks = find_landmarks(figure.head, data_folder / "templates/head/landmarks.yaml");
-  measures.landmarks = measure_landmarks(figure.head, landmarks, figure.model, drawing);
-  const Cage& cage = figure.head.cage;
-  for (std::size_t i = 0; i < cage.names.size(); ++i)
-    measures.landmarks.emplace(cage.names[i], figure.head.skin.positions[i]);
+  measures.landmarks = build_places(figure, data_folder)(Pose{});
+  measures.limits =
+      measure_limits(figure.head, figure.face, figure.limits, data_folder / "templates/head/areas.yaml");
   measures.guides = measure_guide_heights(figure.head);
   std::vector<glm::vec3> above;
   for (const glm::vec3& p : figure.head.skin.positions)
@@ -155,7 +159,7 @@ Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraVie
   const glm::vec3 away = toward * static_cast<float>(head.height_mm());  // before all of the head, or behind
   const glm::vec3 reach = right * static_cast<float>(half_width_mm * 1.1);
 
-  OverlayLine guides{{}, std::max(tall_mm * kGuideRadius, thinnest_mm), kGuideInk};
+  OverlayLine guides{{}, {}, std::max(tall_mm * kGuideRadius, thinnest_mm), kGuideInk};
   Overlay overlay;
   for (const auto& [name, y_mm] : head.guides) {
     const glm::vec3 middle(view.look_at.x, y_mm, view.look_at.z);
@@ -164,7 +168,7 @@ Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraVie
       append_contour(skin, {0, 1, 0}, static_cast<float>(y_mm), y_mm - 1, guides);
     glm::vec3 at = middle + away - right * static_cast<float>(half_width_mm - tall_mm * kWordsInset);
     at.y += static_cast<float>(tall_mm * kWordsLift);
-    overlay.words.push_back({build_words(name), at, tall_mm * kWordsSize, kGuideInk});
+    overlay.words.push_back({build_caption(name), at, tall_mm * kWordsSize, kGuideInk, 0});
   }
   append_contour(skin, {1, 0, 0}, 0, head.chin_mm(), guides);
   if (has_frame)

@@ -8,7 +8,7 @@
 
 namespace mien {
 
-// Renders the sheet of this kind (sheet_plans.hpp) for the file's head to -o, else to
+// Renders the sheet of this kind (plans.hpp) of what `options.file` names (subject.hpp) to -o, else to
 // out/NAME/sheet_KIND.png, and returns its path. --size is a cell's. The picture is complete or absent;
 // throws InputError before anything is written.
 std::filesystem::path write_sheet(const std::string& kind, const Options& options);

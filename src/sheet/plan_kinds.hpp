@@ -1,0 +1,27 @@
+// One function a kind of sheet; plans.cpp has the table of them.
+#pragma once
+
+#include <filesystem>
+
+#include "sheet/plans.hpp"
+
+namespace mien {
+
+// head_plans.cpp: heads compared.
+SheetPlan plan_views(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_details(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_skulls(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_features(const SheetSubject& subject, const std::filesystem::path& data_folder);
+
+// expression_plans.cpp: faces compared. One expression on every age of four skulls; all of a library, with
+// the areas that each uses; what each library means by a feeling.
+SheetPlan plan_heads(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_expressions(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_libraries(const SheetSubject& subject, const std::filesystem::path& data_folder);
+
+// area_plans.cpp: each move of each area with arrows; the limits of the areas.
+SheetPlan plan_areas(const SheetSubject& subject, const std::filesystem::path& data_folder);
+SheetPlan plan_limits(const SheetSubject& subject, const std::filesystem::path& data_folder);
+
+}  // namespace mien

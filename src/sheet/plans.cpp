@@ -1,0 +1,71 @@
+// The table of kinds: another kind is another row.
+#include "sheet/plans.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "sheet/plan_kinds.hpp"
+
+namespace mien {
+
+namespace {
+
+struct SheetKind {
+  const char* name;
+  const char* subject;
+  SheetPlan (*plan)(const SheetSubject& subject, const std::filesystem::path& data_folder);
+};
+constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
+                            SheetKind{"details", "Details", plan_details},
+                            SheetKind{"ages", "Ages", plan_ages},
+                            SheetKind{"skulls", "Skulls", plan_skulls},
+                            SheetKind{"features", "Features", plan_features},
+                            SheetKind{"expressions", "Expressions", plan_expressions},
+                            SheetKind{"libraries", "Libraries", plan_libraries},
+                            SheetKind{"heads", "On twenty heads", plan_heads},
+                            SheetKind{"areas", "Areas: the ways of the skin", plan_areas},
+                            SheetKind{"limits", "Limits in red, rest in blue", plan_limits}};
+
+const SheetKind* find_kind(const std::string& name) {
+  const auto kind = std::find_if(kKinds.begin(), kKinds.end(), [&](const auto& k) { return k.name == name; });
+  return kind == kKinds.end() ? nullptr : &*kind;
+}
+
+// "views, details or ages".
+std::string list_kinds() {
+  std::string words;
+  for (std::size_t i = 0; i < kKinds.size(); ++i)
+    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == kKinds.size() ? " or " : ", ", kKinds[i].name);
+  return words;
+}
+
+}  // namespace
+
+std::string build_caption(std::string word) {
+  std::replace(word.begin(), word.end(), '_', ' ');
+  return word;
+}
+
+void check_sheet_kind(const std::string& kind) {
+  if (find_kind(kind)) return;
+  std::vector<std::string> names;
+  for (const SheetKind& known : kKinds) names.emplace_back(known.name);
+  const std::string near = find_nearest(kind, names);
+  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, list_kinds())
+                                : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
+}
+
+SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
+                           const std::filesystem::path& data_folder) {
+  check_sheet_kind(kind);
+  const SheetKind& known = *find_kind(kind);
+  SheetPlan plan = known.plan(subject, data_folder);
+  plan.subject = known.subject;
+  return plan;
+}
+
+}  // namespace mien

@@ -1,0 +1,86 @@
+#include "sheet/subject.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clip.hpp"
+#include "config/findings.hpp"
+#include "config/load_spec.hpp"
+#include "core/error.hpp"
+#include "timeline/drawings.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_file(const fs::path& word) {
+  return word.extension() == ".yaml" || word.extension() == ".yml" ||
+         (fs::exists(word) && !fs::is_directory(word));
+}
+
+// What stands for a file where none was named.
+Spec build_plain_spec(const std::string& word, const Options& options, const fs::path& data) {
+  Spec spec;
+  std::string stem = word;
+  std::ranges::replace(stem, '/', '_');
+  spec.name = build_name(stem);
+  spec.expressions = load_expression_libraries(data / "configs/expressions");
+  if (options.quality) spec.render.quality = *options.quality;
+  return spec;
+}
+
+void check_library(const std::string& word, const std::map<std::string, std::string>& sources) {
+  if (sources.contains(word)) return;
+  std::vector<std::string> names;
+  for (const auto& [name, source] : sources) names.push_back(name);
+  const std::string nearest = suggest_name(word, names);
+  throw InputError(nearest.empty() ? fmt::format("'{}' is no FILE and no library; known libraries: {}",
+                                                 show_word(word), join_names(names))
+                                   : fmt::format("'{}' is no FILE and no library; did you mean '{}'?",
+                                                 show_word(word), nearest));
+}
+
+// The face of the clip's poster.
+Expression find_poster_face(const Spec& spec) {
+  const double at_s = static_cast<double>(find_poster_frame(spec.clip)) / spec.clip.fps;
+  return {spec.title.empty() ? spec.name : spec.title, "",
+          sample_performance(build_performance(spec.clip), at_s).pose};
+}
+
+}  // namespace
+
+SheetSubject load_sheet_subject(const std::string& kind, const Options& options, const fs::path& data) {
+  const bool is_of_heads = kind == "heads";
+  const std::string word = options.file.string();
+  SheetSubject subject;
+  subject.sources = load_library_sources(data / "configs/expressions");
+  if (is_file(options.file) || (kind != "expressions" && !is_of_heads)) {
+    subject.spec = load_request(options, data);
+    if (is_of_heads)
+      subject.expression =
+          options.express ? take_expression(subject.spec, *options.express) : find_poster_face(subject.spec);
+    return subject;
+  }
+  subject.spec = build_plain_spec(word, options, data);
+  if (is_of_heads) {
+    if (options.express)
+      throw InputError(fmt::format(
+          "--express says another expression than '{}'; expected one of the two, or a FILE", word));
+    try {
+      subject.expression = take_expression(subject.spec, word);
+    } catch (const InputError& e) {
+      throw InputError(fmt::format("'{}' is no FILE; {}", show_word(word), e.what()));
+    }
+    subject.spec.title = word;
+    return subject;
+  }
+  check_library(word, subject.sources);
+  subject.spec.library = word;
+  subject.spec.title = "The faces of " + word;
+  return subject;
+}
+
+}  // namespace mien
