@@ -133,15 +133,16 @@ void load_dial(const YamlValue& value, double most, const Names& keys, std::stri
     load_number(value, 0, most, dial.amount);
     return;
   }
-  const YamlMapping entries = load_mapping(
-      value, keys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
+  const YamlMapping entries =
+      load_mapping(value, keys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
   const YamlValue *amount = find_value(entries, "amount"), *stillness = find_value(entries, "stillness");
   if (amount != nullptr) load_number(*amount, 0, most, dial.amount);
   if (double still = 0; stillness != nullptr && load_number(*stillness, 0, most, still))
     dial.amount = most - still;
   if (amount != nullptr && stillness != nullptr)
-    add_mistake(*stillness, fmt::format("{} stands beside 'amount', which is its opposite; expected one of them",
-                                        describe_subject(*stillness)));
+    add_mistake(*stillness,
+                fmt::format("{} stands beside 'amount', which is its opposite; expected one of them",
+                            describe_subject(*stillness)));
   load_seed(entries, dial.seed);
 }
 

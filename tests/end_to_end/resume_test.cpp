@@ -53,7 +53,7 @@ TEST(resume, goes_on_after_ctrl_c_with_nothing_left_behind) {
   const ProgramRun run =
       run_shell(folder, std::string("'") + program_path() +
                             "' render tiny.yaml --jobs 1 & id=$!\n"
-                            "while [ ! -e out/tiny/frames/f0002.png ] && kill -0 $id; do sleep 0.1; done\n"
+                            "while [ ! -e out/tiny/frames/f0003.png ] && kill -0 $id; do sleep 0.1; done\n"
                             "kill -INT $id; wait $id");
   EXPECT_EQ(run.status, 130) << run.err;
   EXPECT_NE(run.err.find("interrupted; finished frames are kept, run again to go on"), std::string::npos)
