@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "clip.hpp"
+#include "clip_view.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clip.hpp"
+#include "clip_view.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "explain.hpp"
@@ -59,28 +60,38 @@ void tell_chart(const Performance& performance) {
 void check_file(const Options& options) {
   const fs::path data = find_data_folder();
   Clip clip = plan_clip(options, data);
-  const Figure figure =
-      build_figure(clip.spec.head, data);  // files it names may be wrong, guide lines may cross
-  clip.performance.idle.eyes = find_eyes(figure, clip.spec.render);
+  std::vector<Figure> figures;
+  for (Actor& actor : clip.actors) {
+    // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
+    // built.
+    for (const HeadKey& key : actor.performance.clip.head) build_neutral_head(key.head, data);
+    figures.push_back(build_figure(actor.head, data));
+    actor.performance.idle.eyes = find_eyes(figures.back(), clip.spec.render);
+  }
   tell_held(options, clip.spec);
   if (options.is_quiet) return;
-  tell_advice(options, clip.performance, figure, data);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    tell_advice(options, clip.actors[i].performance, figures[i], data);
   const RenderSpec& render = clip.spec.render;
   if (options.is_json) {
-    fmt::print("{}\n", nlohmann::json{{"file", options.file.string()},
-                                      {"frames", clip.frame_count},
-                                      {"drawings", clip.plan.drawings.size()},
-                                      {"fps", clip.spec.clip.fps},
-                                      {"width", render.width_px},
-                                      {"height", render.height_px},
-                                      {"busts", clip.spec.busts.size()}}
-                           .dump());
+    nlohmann::json summary{{"file", options.file.string()},
+                           {"frames", clip.frame_count},
+                           {"drawings", clip.plan.drawings.size()},
+                           {"fps", clip.spec.clip.fps},
+                           {"width", render.width_px},
+                           {"height", render.height_px},
+                           {"busts", clip.spec.busts.size()}};
+    for (const ActorSpec& actor : clip.spec.actors) summary["actors"].push_back(actor.name);
+    fmt::print("{}\n", summary.dump());
     return;
   }
   fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
              clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
              render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
-  tell_chart(clip.performance);
+  for (const Actor& actor : clip.actors) {
+    if (!actor.name.empty()) fmt::print("\n{}:", actor.name);
+    tell_chart(actor.performance);
+  }
 }
 
 }  // namespace mien

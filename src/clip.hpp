@@ -6,10 +6,8 @@
 #include <vector>
 
 #include "config/spec.hpp"
-#include "frames/figure.hpp"
 #include "pipeline.hpp"
 #include "render/plan.hpp"
-#include "scene/povray.hpp"
 #include "timeline/performance.hpp"
 
 namespace mien {
@@ -17,33 +15,49 @@ namespace mien {
 // The file as the command line wants it. Throws InputError with every mistake of the file.
 Spec load_request(const Options& options, const std::filesystem::path& data_folder);
 
+// The same with the head and the clip of the one whom --actor names.
+Spec load_actor_request(const Options& options, const std::filesystem::path& data_folder);
+
 // Where a command's files go: -o, else out/NAME.
 std::filesystem::path find_output(const Options& options, const Spec& spec);
+
+// How many threads or processes at once.
+int count_jobs(const Options& options);
+
+// One who plays.
+struct Actor {
+  std::string name;  // empty: the only one
+  HeadSpec head;
+  PlaceSpec place;
+  Performance performance;
+};
 
 // A clip planned: everything but work.
 struct Clip {
   Spec spec;
-  Performance performance;
+  Performance performance;  // of `spec.clip`: its camera is everybody's
+  std::vector<Actor> actors;
   FramePlan plan;
   ClipFiles files;
   int frame_count = 0;  // of the whole clip, whatever --frames says
 };
 
+// The file's people without a plan of frames: for one moment.
+Clip open_clip(const Options& options, const std::filesystem::path& data_folder);
+
 Clip plan_clip(const Options& options, const std::filesystem::path& data_folder);
 
-// What a gaze must know of the figure and of the camera that looks at it.
-EyeRig find_eyes(const Figure& figure, const RenderSpec& render);
+// The one whom --actor names, else the only one. Throws InputError if there are several and none is named.
+const Actor& find_actor(const Clip& clip, const Options& options);
 
-// The camera of one moment. Distance 1 frames the whole face and neck of this head, whatever its size and
-// whatever the angle: a long head from the side is framed wider than from the front. Between two angles the
-// frame changes as smoothly as they do.
-CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render);
+// --at in seconds, else the clip's beginning.
+double find_time_s(const Clip& clip, const Options& options);
 
-// Writes the shared include, a scene for each frame asked for (a held drawing includes the one it repeats)
-// and the .ini. Returns for each drawing of the plan the key of its picture: a hash of all that its pixels
-// depend on.
-std::vector<std::string> write_scenes(const Clip& clip, const Figure& figure, const Options& options,
-                                      const std::filesystem::path& data_folder);
+// The head of an actor at a time; a head that does not change is the same at every time.
+HeadSpec find_head(const Actor& actor, double time_s);
+
+// The head that a command about one moment is for: that of the moment, or with --express the file's own.
+HeadSpec find_asked_head(const Clip& clip, const Actor& actor, const Options& options);
 
 // Renders the drawings and gives every frame asked for its picture.
 void render_pictures(const Clip& clip, const std::vector<std::string>& keys, const Options& options);

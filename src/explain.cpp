@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "clip.hpp"
+#include "clip_view.hpp"
 #include "config/load_areas.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
+#include "frames/figure.hpp"
 #include "head/landmarks.hpp"
 #include "timeline/blinks.hpp"
 #include "timeline/parts.hpp"
@@ -82,9 +84,8 @@ Story tell_expression(const Spec& spec, const std::string& name) {
   return story;
 }
 
-Story tell_moment(const Spec& spec, const Figure& figure, double at_s) {
-  Performance performance = build_performance(spec.clip);
-  performance.idle.eyes = find_eyes(figure, spec.render);
+// `performance` has the eyes of whoever is asked for.
+Story tell_moment(const Spec& spec, const Performance& performance, double at_s) {
   Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 1, {}, {}};
   story.pose = sample_performance(performance, at_s).pose;
   story.blink = find_blink_closure(performance.idle.blinks, at_s);
@@ -239,13 +240,17 @@ void tell_held(const Options& options, const Spec& spec) {
 
 void explain_pose(const Options& options) {
   const std::filesystem::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
+  const Clip clip = open_clip(options, data);
+  const Spec& spec = clip.spec;
+  const Actor& actor = find_actor(clip, options);
   const Names areas = list_area_keys();
   if (options.area && std::ranges::find(areas, *options.area) == areas.end())
     throw InputError(describe_unknown("area", *options.area, areas));
-  const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
-  const Figure figure = build_figure(spec.head, data);
-  Story story = options.express ? tell_expression(spec, *options.express) : tell_moment(spec, figure, at_s);
+  const Figure figure = build_figure(find_asked_head(clip, actor, options), data);
+  Performance performance = actor.performance;
+  performance.idle.eyes = find_eyes(figure, spec.render);
+  Story story = options.express ? tell_expression(spec, *options.express)
+                                : tell_moment(spec, performance, find_time_s(clip, options));
   const auto limits =
       measure_limits(figure.head, figure.face, figure.limits, data / "templates/head/areas.yaml");
   const auto landmarks = find_landmarks(figure.head, data / "templates/head/landmarks.yaml");

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clip.hpp"
+#include "clip_scenes.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
@@ -40,15 +41,12 @@ void tell_result(const Options& options, const std::string& kind, const fs::path
     fmt::print("{:<7} {}\n", kind, path.string());
 }
 
-// The pose that --express asks for, else the clip's at --at or at its beginning.
-Moment find_moment(const Options& options, const Spec& spec, const Figure& figure) {
-  const double at_s = options.at_frames ? *options.at_frames / spec.clip.fps : options.at_s.value_or(0);
-  Performance performance = build_performance(spec.clip);
-  performance.idle.eyes = find_eyes(figure, spec.render);
-  Moment moment = sample_performance(performance, at_s);
-  if (options.express) moment = {take_expression(spec, *options.express).pose, {}, {}};
-  if (options.camera_angle_deg) moment.camera.angle_deg = *options.camera_angle_deg;
-  return moment;
+// The pose that --express asks for, else the actor's at --at or at the clip's beginning.
+Moment find_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure) {
+  if (options.express) return {take_expression(clip.spec, *options.express).pose, {}, {}};
+  Performance performance = actor.performance;
+  performance.idle.eyes = find_eyes(figure, clip.spec.render);
+  return sample_performance(performance, find_time_s(clip, options));
 }
 
 Drawing draw_moment(const Figure& figure, const Moment& moment, bool has_folds = true) {
@@ -118,19 +116,26 @@ std::vector<std::string> name_busts(const std::vector<BustSpec>& busts) {
   return stems;
 }
 
-// The busts of the file, or the one that --express names.
-std::vector<BustSpec> find_busts(const Options& options, const Spec& spec) {
+// The busts of the file, or the one that --express names or --at shows.
+std::vector<BustSpec> find_busts(const Options& options, const Clip& clip, const Actor& actor,
+                                 const Figure& figure) {
+  const Spec& spec = clip.spec;
   if (options.express) return {BustSpec{take_expression(spec, *options.express)}};
+  if (options.at_s || options.at_frames) {
+    Expression moment{fmt::format("{:.4g}s", find_time_s(clip, options)), "", {}, 1, {}};
+    moment.pose = find_moment(options, clip, actor, figure).pose;
+    return {BustSpec{std::move(moment)}};
+  }
   if (spec.busts.empty()) return {BustSpec{find_expression(spec, "neutral")}};
   return spec.busts;
 }
 
 // The neutral head's left half as people edit it, for `head: {mesh: FILE}`.
-void write_half(const Options& options, const Spec& spec, const fs::path& data, const fs::path& path) {
+void write_half(const Options& options, const HeadSpec& head, const fs::path& data, const fs::path& path) {
   const HeadStock stock = load_head_stock(data);
   std::string text;
   append_wavefront(
-      text, find_half_places(stock, build_form(stock, spec.head).points), find_half_quads(stock), "half",
+      text, find_half_places(stock, build_form(stock, head).points), find_half_quads(stock), "half",
       {"The left half of a head (x >= 0): millimetres; x to the character's left, y up, z forward.",
        "Move its points, keep their order and the faces, and name the file: head: {mesh: my_half.obj}"});
   write_file(path, text);
@@ -144,8 +149,7 @@ void render_clip(const Options& options) {
   const Clip clip = plan_clip(options, data);
   tell_held(options, clip.spec);
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
-  const Figure figure = build_figure(clip.spec.head, data);
-  const std::vector<std::string> keys = write_scenes(clip, figure, options, data);
+  const std::vector<std::string> keys = write_scenes(clip, build_cast(clip, data), options, data);
   render_pictures(clip, keys, options);
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
   write_clip(clip, options);
@@ -154,23 +158,37 @@ void render_clip(const Options& options) {
 void write_frames(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = plan_clip(options, data);
-  write_scenes(clip, build_figure(clip.spec.head, data), options, data);
+  write_scenes(clip, build_cast(clip, data), options, data);
   tell_result(options, "scenes", clip.files.scenes());
 }
 
 void render_still(const Options& options) {
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
-  const Figure figure = build_figure(spec.head, data);
-  const Moment moment = find_moment(options, spec, figure);
+  Clip clip = open_clip(options, data);
+  const Spec& spec = clip.spec;
+  Still still{find_time_s(clip, options), {}, {}, {}};
+  still.camera = sample_performance(clip.performance, still.time_s).camera;
+  still.stage = sample_stage(spec.clip, still.time_s);
+  if (options.actor || options.express) {  // one alone, in the middle
+    Actor actor = find_actor(clip, options);
+    if (options.express) {
+      actor.performance.clip.head.clear();
+      still.camera = {};
+      still.stage = {};
+    }
+    actor.place = {};
+    still.stage.aims.clear();
+    clip.actors = {std::move(actor)};
+  }
+  if (options.camera_angle_deg) still.camera.angle_deg = *options.camera_angle_deg;
+  if (options.express) still.pose = take_expression(spec, *options.express).pose;
   require_programs({{"povray", "povray"}});
+  const Cast cast = build_cast(clip, data);
   const fs::path picture = options.output.value_or(fs::path("out") / spec.name / "still.png");
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
-  write_file(work.path / "head.inc", build_povray_include(figure.model, spec.render, data / "templates"));
-  std::string scene;
-  append_povray_frame(scene, figure.model, draw_moment(figure, moment),
-                      find_view(figure, moment.camera, spec.render));
-  write_file(work.path / "still.pov", scene);
+  std::string include;
+  write_file(work.path / "still.pov", build_still_scene(clip, cast, still, data, include));
+  write_file(work.path / "head.inc", include);
 
   RenderSettings settings;
   settings.width_px = spec.render.width_px;
@@ -188,15 +206,18 @@ void render_sheet(const std::string& kind, const Options& options) {
 
 void write_mesh(const Options& options) {
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
+  const Clip clip = open_clip(options, data);
+  const Spec& spec = clip.spec;
+  const Actor& actor = find_actor(clip, options);
+  const HeadSpec head = find_asked_head(clip, actor, options);
   const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
   const std::string ending = path.extension().string();
   if (options.is_half ? ending != ".obj" : !is_mesh_ending(ending))
     throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in {}",
                                  path.string(), ending, options.is_half ? ".obj" : ".obj, .ply or .stl"));
-  if (options.is_half) return write_half(options, spec, data, path);
-  const Figure figure = build_figure(spec.head, data);
-  const Drawing drawing = draw_moment(figure, find_moment(options, spec, figure));
+  if (options.is_half) return write_half(options, head, data, path);
+  const Figure figure = build_figure(head, data);
+  const Drawing drawing = draw_moment(figure, find_moment(options, clip, actor, figure));
   write_file(path,
              build_mesh_file(ending, figure.model, drawing, spec.title.empty() ? spec.name : spec.title));
   tell_result(options, "mesh", path);
@@ -209,12 +230,15 @@ void write_mesh(const Options& options) {
 
 void write_busts(const Options& options) {
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
-  const std::vector<BustSpec> busts = find_busts(options, spec);
+  const Clip clip = open_clip(options, data);
+  const Actor& actor = find_actor(clip, options);
   require_programs({{"openscad", "openscad"}});
-  const Figure figure = build_figure(spec.head, data);
+  const bool has_time = options.at_s || options.at_frames;
+  const Figure figure = build_figure(has_time ? find_asked_head(clip, actor, options) : actor.head, data);
+  const std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
   const std::vector<std::string> stems = name_busts(busts);
-  for (std::size_t i = 0; i < busts.size(); ++i) write_bust(figure, busts[i], stems[i], spec, data, options);
+  for (std::size_t i = 0; i < busts.size(); ++i)
+    write_bust(figure, busts[i], stems[i], clip.spec, data, options);
 }
 
 void write_starter(const Options& options) {

@@ -22,9 +22,10 @@ struct Options {
   int jobs = 0;                                // --jobs: processes or threads at once; 0: as many as cores
   bool is_quiet = false;                       // --quiet: errors only
   bool is_json = false;                        // --json: one JSON object a line instead of words
-  std::optional<double> at_s;                  // --at, for still and mesh
+  std::optional<double> at_s;                  // --at, for still, mesh, bust and explain
   std::optional<double> at_frames;             // --at in frames of the clip, as in 36f; then at_s is empty
   std::optional<std::string> express;          // --express NAME, for still, mesh and bust
+  std::optional<std::string> actor;            // --actor NAME, for still, mesh, bust and explain
   std::optional<std::string> area;             // --area brow.left, for explain
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::optional<std::filesystem::path> landmarks;  // --landmarks face.json, for mesh

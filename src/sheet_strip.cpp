@@ -8,6 +8,7 @@
 #include <set>
 
 #include "clip.hpp"
+#include "clip_view.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
@@ -140,7 +141,7 @@ StripPage build_page(const Spec& spec, const Performance& performance, const Ren
 
 fs::path write_strip(const Options& options) {
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
+  const Spec spec = load_actor_request(options, data);
   const fs::path path = find_path(options, spec, "strip.svg");
   RenderSpec render = spec.render;
   if (!options.size_px) {
@@ -161,7 +162,7 @@ fs::path write_strip(const Options& options) {
 
 fs::path write_exposure(const Options& options) {
   const fs::path data = find_data_folder();
-  const Spec spec = load_request(options, data);
+  const Spec spec = load_actor_request(options, data);
   const fs::path path = find_path(options, spec, "exposure.csv");
   Performance performance = build_performance(spec.clip);
   performance.idle.eyes = find_eyes(build_figure(spec.head, data), spec.render);

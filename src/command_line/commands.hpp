@@ -35,6 +35,7 @@ struct OptionInfo {
 inline constexpr std::array kOptions{
     OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, 500ms or 36f"},
     OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
+    OptionInfo{"actor", 0, "NAME", "this one of the file's actors"},
     OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
@@ -74,7 +75,7 @@ inline constexpr std::array kCommands{
                 "mien frames configs/hello.yaml && povray out/hello/scenes/hello.ini"},
     CommandInfo{Command::still, "still", "FILE", "one picture, of a time or of an expression",
                 "Renders one picture: the clip at a time, or the head with one expression.",
-                "at express angle",
+                "at express actor angle",
                 "mien still configs/hello.yaml --at 1.2s -o face.png\n"
                 "mien still configs/hello.yaml --express surprise --angle 30 -o face.png"},
     CommandInfo{
@@ -87,7 +88,7 @@ inline constexpr std::array kCommands{
         "which --express names another than its poster's. --size is the size of one picture. Two kinds put\n"
         "the clip itself on paper: strip (drawings and the curves of each area, as SVG) and exposure (each\n"
         "frame's drawing and what changed, as CSV).",
-        "express",
+        "actor express",
         "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
         "mien sheet expressions tezuka\nmien sheet heads smile"},
     CommandInfo{
@@ -95,14 +96,14 @@ inline constexpr std::array kCommands{
         "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), in the\n"
         "format that the name after -o ends in: .obj (one group a part), .ply (with colours and each face's\n"
         "part) or .stl.",
-        "at express landmarks half",
+        "at express actor landmarks half",
         "mien mesh configs/hello.yaml --express smile -o face.obj --landmarks face.json\n"
         "mien mesh configs/hello.yaml --half -o my_half.obj"},
     CommandInfo{
         Command::bust, "bust", "FILE", "OpenSCAD source and STL to print",
-        "Writes each bust of the file, or one with the expression that is given, as an OpenSCAD source that\n"
-        "needs nothing else, and has OpenSCAD make the STL.",
-        "express", "mien bust configs/hello.yaml --express laugh -o busts"},
+        "Writes each bust of the file, or one with the expression or of the time that is given, as an\n"
+        "OpenSCAD source that needs nothing else, and has OpenSCAD make the STL.",
+        "at express actor", "mien bust configs/hello.yaml --express laugh -o busts"},
     CommandInfo{
         Command::check, "check", "FILE", "every mistake in the file; writes nothing",
         "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"
@@ -114,7 +115,7 @@ inline constexpr std::array kCommands{
         "Tells one moment of the clip, or one expression, in full: the keys it lies between, the value of\n"
         "each area's moves, the limits (and what they held back), and the millimetres that the skin moved\n"
         "at the area's landmark on this head.",
-        "at express area",
+        "at express actor area",
         "mien explain configs/hello.yaml --at 1.2s\n"
         "mien explain configs/hello.yaml --express smile --area corner.left"},
     CommandInfo{

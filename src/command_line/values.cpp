@@ -97,6 +97,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "landmarks") options.landmarks = text;
   if (name == "express") options.express = text;
   if (name == "area") options.area = text;
+  if (name == "actor") options.actor = text;
   return {};
 }
 

@@ -11,6 +11,7 @@
 
 #include "config/areas.hpp"
 #include "config/formula.hpp"
+#include "config/head_spec.hpp"
 #include "config/idle_spec.hpp"
 #include "config/ledger.hpp"
 #include "config/live_pose.hpp"
@@ -50,6 +51,19 @@ struct PoseKey {
   Place place = {};                           // in the file; nothing for a key that mien adds
 };
 
+// What the camera looks at.
+struct Aim {
+  enum class Kind { frame, landmark, point };
+  Kind kind = Kind::frame;  // frame: the middle of all that is to be seen
+  std::string actor;        // of the landmark; empty: the only one
+  std::string landmark;     // where it lies on the resting face: the camera does not shake with it
+  glm::dvec3 point_mm{0};
+};
+
+// A lens for 24 x 36 film. Distance 1 frames the same with each: a short one comes near, so that the nose
+// grows; a long one flattens the face.
+inline constexpr double kPortraitLens_mm = 100;
+
 struct CameraKey {
   double at_s = 0;
   Ease ease;
@@ -58,6 +72,8 @@ struct CameraKey {
   double distance = 1;    // 1 frames the whole bust at any picture shape; 0.5 is half as far
   Between between = Between::ease;
   std::array<FormulaPointer, 3> live = {};  // instead of the numbers, in their order
+  double lens_mm = kPortraitLens_mm;
+  Aim aim;
 };
 
 // A neck's ways to each side.
@@ -136,16 +152,55 @@ struct DrawChange {
   int draw = 1;
 };
 
+// The head as it is at one time: the file's own `head:` with all that this key and those before it changed.
+struct HeadKey {
+  double at_s = 0;
+  Ease ease;
+  HeadSpec head;
+};
+
+// One of the light sets of templates/povray, faded from key to key.
+struct LightKey {
+  double at_s = 0;
+  Ease ease;
+  std::string set = "studio";
+  double brightness = 1;
+  double angle_deg = 0;  // about the head: + brings the light round to the character's left
+};
+
+// What lies behind: a background of templates/povray, or a colour.
+struct BackgroundKey {
+  double at_s = 0;
+  Ease ease;
+  std::string name = "studio";
+  std::optional<glm::vec3> colour;  // instead of a named one; srgb 0..1
+};
+
+// So much of a light set or background at a moment: of two, where one is faded into the other.
+struct LightShare {
+  std::string set = "studio";
+  double bright = 1;  // brightness times share
+  double angle_deg = 0;
+};
+struct BackgroundShare {
+  std::string name = "studio";
+  std::optional<glm::vec3> colour;
+  double share = 1;  // of all, which sum to 1
+};
+
 struct ClipSpec {
   int fps = 24;
   int draw = 1;                               // each drawing is held for this many frames: ones, twos, threes
   std::vector<DrawChange> draw_changes = {};  // by time
-  std::vector<PoseKey> keys;       // by time, at least one: a missing list is one neutral key at 0 s
-  std::vector<CameraKey> camera;   // by time, at least one
-  std::vector<TurnKey> turn;       // by time, at least one
-  std::vector<CueSpec> cues = {};  // by layer, then by time
-  LeadSpec lead = {};              // of a file that says nothing of it kNaturalLead
-  std::vector<double> blinks_s;    // blinks asked for at exact times (their shut moment)
+  std::vector<PoseKey> keys;         // by time, at least one: a missing list is one neutral key at 0 s
+  std::vector<CameraKey> camera;     // by time, at least one
+  std::vector<TurnKey> turn;         // by time, at least one
+  std::vector<CueSpec> cues = {};    // by layer, then by time
+  LeadSpec lead = {};                // of a file that says nothing of it kNaturalLead
+  std::vector<HeadKey> head = {};    // by time; none: one head for the whole clip
+  std::vector<LightKey> light = {};  // by time; none: the studio
+  std::vector<BackgroundKey> background = {};  // by time; none: as `render:` says
+  std::vector<double> blinks_s;                // blinks asked for at exact times (their shut moment)
   BlinkSpec blink;
   GazeSpec gaze;
   DriftSpec drift;

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
+#include "config/head_spec.hpp"
 #include "config/head_words.hpp"
-#include "config/spec.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {
@@ -29,6 +29,9 @@ std::optional<std::filesystem::path> find_landmark_file(const std::filesystem::p
 // `mesh: my_half.obj`, `scan: face.ply`. What the files hold is read by whoever builds the head.
 void load_mesh(const YamlValue& value, std::optional<FileReference>& into);
 void load_scan(const YamlValue& value, std::optional<FileReference>& into);
+
+// `ann.yaml`: the head of that file.
+bool load_head_file(const YamlValue& value, const HeadSource& source, HeadSpec& head);
 
 // `mix: {a.yaml: 0.5, b.yaml: 0.5}`: the heads of the files, and their colours mixed as the look to begin
 // with.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "config/findings.hpp"
-#include "config/spec.hpp"
+#include "config/head_spec.hpp"
 #include "config/words.hpp"
 #include "config/yaml_reader.hpp"
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
@@ -34,7 +35,8 @@ struct GazeKey {
   LookAt look = LookAt::ahead;
   double side_deg = 0;     // + to the character's left
   double up_deg = 0;       // + up
-  glm::dvec3 point_mm{0};  // as conventions.hpp has space
+  glm::dvec3 point_mm{0};  // as conventions.hpp has space, seen from where the character stands
+  std::string actor = {};  // whose eyes `point_mm` is; empty: nobody's
 };
 
 struct GazeSpec {

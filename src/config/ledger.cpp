@@ -73,7 +73,7 @@ std::vector<Held> list_held(const Spec& spec) {
   };
   for (const Expression& expression : spec.expressions)
     if (expression.library.empty()) append(expression.held);
-  append_held(spec.clip, ledger);
+  for (const ActorSpec& actor : list_actors(spec)) append_held(actor.clip, ledger);
   for (const BustSpec& bust : spec.busts) append(bust.expression.held);
   sort_ledger(ledger);
   return ledger;

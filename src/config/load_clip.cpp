@@ -80,9 +80,43 @@ void check_formulas(const ClipSpec& clip, const ClipReader& reader) {
   }
 }
 
+// {after: ann.hello, delay: 0.3s}; a wrong name was told when the names were read.
+bool load_waiting_time(const YamlValue& value, const ClipClock& clock, double& into) {
+  const YamlMapping entries = load_free_mapping(value, "");
+  const YamlValue* after = find_value(entries, "after");
+  if (after == nullptr || find_node(*after).kind != NodeKind::text) return false;
+  const auto found = clock.times->find(find_node(*after).text);
+  if (found == clock.times->end()) return false;
+  double delay_s = 0;
+  if (const YamlValue* delay = find_value(entries, "delay"))
+    if (!load_quantity(*delay, clock.measure, -clock.end_s, clock.end_s, delay_s)) return false;
+  const double at_s = found->second + delay_s;
+  if (at_s < 0 || at_s > clock.end_s) {
+    add_mistake(value, fmt::format("{} comes to {}; expected a time from 0s to {}{}", describe_subject(value),
+                                   format_quantity(at_s, clock.measure),
+                                   format_quantity(clock.end_s, clock.measure), clock.measure.note));
+    return false;
+  }
+  into = find_seconds(find_ticks(at_s));
+  return true;
+}
+
 }  // namespace
 
+ClipClock build_clip_clock(int fps, const NamedTimes* times) {
+  ClipClock clock{build_time_measure(fps), static_cast<double>(kMaxFrames) / fps, 0, times, {}};
+  clock.measure.note = fmt::format(" ({} frames)", kMaxFrames);
+  return clock;
+}
+
+void load_fps(const YamlMapping& entries, int& into) {
+  if (const YamlValue* fps = find_value(entries, "fps"))
+    load_whole(*fps, 1, kMaxFps, into, "frames a second");
+}
+
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into) {
+  if (clock.times != nullptr && find_node(value).kind == NodeKind::mapping)
+    return load_waiting_time(value, clock, into);
   if (!load_duration(value, clock, into)) return false;
   into = find_seconds(find_ticks(clock.start_s) + find_ticks(into));
   return true;
@@ -128,17 +162,21 @@ void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec&
   check_formulas(into, reader);
 }
 
-ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book) {
+ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const ClipSetting& setting) {
   ClipSpec clip;
+  if (setting.shared != nullptr) {
+    clip.fps = setting.shared->fps;
+    clip.draw = setting.shared->draw;
+    clip.draw_changes = setting.shared->draw_changes;
+  }
   YamlMapping entries;
   if (value != nullptr) entries = load_mapping(*value, kClipKeys, "a mapping such as {fps: 24, keys: [...]}");
-  if (const YamlValue* fps = find_value(entries, "fps"))
-    load_whole(*fps, 1, kMaxFps, clip.fps, "frames a second");
+  load_fps(entries, clip.fps);
 
   ClipLibrary library;
   ClipReader reader;
-  reader.clock = {build_time_measure(clip.fps), static_cast<double>(kMaxFrames) / clip.fps, 0};
-  reader.clock.measure.note = fmt::format(" ({} frames)", kMaxFrames);
+  reader.clock = build_clip_clock(clip.fps, setting.times);
+  reader.clock.others = setting.others;
   reader.book = std::make_shared<const ExpressionBook>(book);
   reader.library = &library;
   reader.formulas.found = &library.formulas;

@@ -7,6 +7,7 @@
 #include "config/clip_spec.hpp"
 #include "config/expressions.hpp"
 #include "config/load_formula.hpp"
+#include "config/named_times.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {
@@ -16,9 +17,17 @@ struct ClipClock {
   Measure measure;
   double end_s = 0;    // the last time that kMaxFrames leave
   double start_s = 0;  // of the clip's time, where the file's own begins
+  const NamedTimes* times = nullptr;
+  Names others = {};  // actors that one may look at
 };
 
-// A moment, and a length of time; both in whole ticks (core/ticks.hpp).
+ClipClock build_clip_clock(int fps, const NamedTimes* times = nullptr);
+
+// `fps:` of a clip's entries.
+void load_fps(const YamlMapping& entries, int& into);
+
+// A moment, as "1.5s" or {after: ann.hello, delay: 0.3s}, and a length of time; both in whole ticks
+// (core/ticks.hpp).
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into);
 bool load_duration(const YamlValue& value, const ClipClock& clock, double& into);
 

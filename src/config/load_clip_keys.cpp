@@ -1,7 +1,7 @@
-#include <fmt/format.h>
 #include <algorithm>
 
 #include "config/load_clip.hpp"
+#include "config/load_track.hpp"
 
 namespace mien {
 
@@ -43,28 +43,6 @@ void load_values(const YamlMapping& entries, const ClipReader& reader, TurnKey& 
   load_live(entries, "nod", &angle, kTurnBounds[1], reader, key.nod_deg, key.live[1]);
   load_live(entries, "tilt", &angle, kTurnBounds[2], reader, key.tilt_deg, key.live[2]);
   settle(key.at_s, kTurnBounds, key.live, {&key.turn_deg, &key.nod_deg, &key.tilt_deg});
-}
-
-// The keys of one track, each a mapping with `at`, in rising time. `load_own` reads what else a key holds.
-template <typename Key, typename LoadOwn>
-std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, const Names& words,
-                            std::string_view example, const ClipReader& reader, const LoadOwn& load_own) {
-  std::vector<Key> keys;
-  const YamlValue* track = find_value(clip, name);
-  if (track == nullptr) return keys;
-  const ClipClock& clock = reader.clock;
-  const std::string item = fmt::format("a key such as {}", example);
-  std::optional<double> before_s;
-  for (const YamlValue& value : load_list(*track, "a list of keys such as [" + std::string(example) + "]")) {
-    Key key = keys.empty() ? Key{} : keys.back();
-    const YamlMapping entries = load_mapping(value, words, item);
-    load_key_time(entries, value, clock, before_s, key.at_s);
-    if constexpr (requires { key.place; }) key.place = find_place(value.document->source, value.spot);
-    load_way(entries, reader, key.ease, key.between);
-    load_own(entries, key);
-    keys.push_back(std::move(key));
-  }
-  return keys;
 }
 
 // Four numbers of a curve, as in CSS.

@@ -153,19 +153,23 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   HeadSpec head;
   const YamlMapping entries = load_mapping(value, kHeadKeys, "a mapping such as {age: adult}");
   load_start(entries, source, head);
+  load_growth(entries, *source.words, head);
+  if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, "cut of hair", kHairs, head.hair);
+  if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
+  if (const YamlValue* sculpt = find_value(entries, "sculpt"))
+    load_sculpt(*sculpt, *source.words, head.sculpt);
+  return head;
+}
+
+void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& head) {
   if (const YamlValue* age = find_value(entries, "age")) load_mix(*age, "age", kAges, head.age);
   if (const YamlValue* skull = find_value(entries, "skull")) load_mix(*skull, "skull", kSkulls, head.skull);
   if (const YamlValue* character = find_value(entries, "character"))
     load_character(*character, head.character);
   if (const YamlValue* guides = find_value(entries, "guides")) load_guides(*guides, head.guides);
   if (const YamlValue* names = find_value(entries, "features"))
-    load_features(*names, source.words->features, head.features);
-  if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, "cut of hair", kHairs, head.hair);
-  if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
-  if (const YamlValue* look = find_value(entries, "look")) load_look(*look, *source.words, head.look);
-  if (const YamlValue* sculpt = find_value(entries, "sculpt"))
-    load_sculpt(*sculpt, *source.words, head.sculpt);
-  return head;
+    load_features(*names, words.features, head.features);
+  if (const YamlValue* look = find_value(entries, "look")) load_look(*look, words, head.look);
 }
 
 }  // namespace mien

@@ -21,14 +21,15 @@ std::string describe_circle(const std::vector<fs::path>& chain, const fs::path& 
   return circle + again.filename().string();
 }
 
-// The head of another file. Its other sections are not looked at.
-bool load_other_head(const YamlEntry& entry, const HeadSource& source, HeadSpec& head) {
+// The head of the file that `name` names at `spot`. Its other sections are not looked at.
+bool load_other_head(const YamlValue& value, const std::string& name, Spot spot, const HeadSource& source,
+                     HeadSpec& head) {
   const auto tell = [&](const std::string& message) {
-    add_mistake(*entry.value.findings, entry.value.document->source, entry.spot, message);
+    add_mistake(*value.findings, value.document->source, spot, message);
     return false;
   };
   fs::path path;
-  const std::string fault = find_file_fault(entry.key, find_folder(entry.value), {".yaml", ".yml"}, path);
+  const std::string fault = find_file_fault(name, find_folder(value), {".yaml", ".yml"}, path);
   if (!fault.empty()) return tell(fault);
   HeadSource inner = source;
   inner.chain.push_back(fs::weakly_canonical(path));
@@ -39,14 +40,14 @@ bool load_other_head(const YamlEntry& entry, const HeadSource& source, HeadSpec&
     return tell(fmt::format("heads are mixed more than {} deep; expected fewer", kMaxMixDepth));
   if (++*source.head_count > kMaxMixedHeads)
     return tell(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
-  Findings& findings = *entry.value.findings;
+  Findings& findings = *value.findings;
   auto text = load_source(path, findings);
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
   if (!document) return false;
   const YamlValue root = find_root(*document, findings);
   const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
   check_version(root, entries);
-  if (const YamlValue* value = find_value(entries, "head")) head = load_head(*value, inner);
+  if (const YamlValue* other = find_value(entries, "head")) head = load_head(*other, inner);
   return true;
 }
 
@@ -79,21 +80,6 @@ bool find_bare_place(const HeadWords& words, std::string& place, bool& is_middle
   return true;
 }
 
-bool load_move(const YamlValue& value, glm::dvec3& into) {
-  constexpr const char* kExpected = "three lengths, x y z, such as [0, -2mm, 3mm]";
-  const std::vector<YamlValue> items = load_list(value, kExpected);
-  if (find_node(value).kind != NodeKind::list) return false;
-  if (items.size() != 3) {
-    add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
-                                   items.size() == 1 ? "" : "s", kExpected));
-    return false;
-  }
-  bool is_right = true;
-  for (int axis = 0; axis < 3; ++axis)
-    is_right &= load_quantity(items[axis], build_length_measure(), -kMostMove_mm, kMostMove_mm, into[axis]);
-  return is_right;
-}
-
 }  // namespace
 
 std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
@@ -119,6 +105,12 @@ void load_scan(const YamlValue& value, std::optional<FileReference>& into) {
                   show_word(fs::path(into->path).replace_extension(".yaml").filename().string())));
 }
 
+bool load_head_file(const YamlValue& value, const HeadSource& source, HeadSpec& head) {
+  std::string name;
+  return load_text(value, "a file that ends in .yaml", name) &&
+         load_other_head(value, name, value.spot, source, head);
+}
+
 void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& head) {
   constexpr const char* kExpected = "files and weights such as {anna.yaml: 0.5, bert.yaml: 0.5}";
   const YamlMapping entries = load_free_mapping(value, kExpected);
@@ -127,7 +119,7 @@ void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& h
   double sum = 0;
   for (const YamlEntry& entry : entries) {
     HeadShare share;
-    const bool is_file = load_other_head(entry, source, share.head);
+    const bool is_file = load_other_head(entry.value, entry.key, entry.spot, source, share.head);
     if (!load_number(entry.value, 0, kMaxWeight, share.weight)) continue;
     if (share.weight == 0)
       add_mistake(entry.value,
@@ -152,7 +144,8 @@ void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<Scu
     if (at != nullptr && load_text(*at, "a place of the head such as chin", stroke.at) &&
         !find_bare_place(words, stroke.at, is_middle))
       add_mistake(*at, describe_unknown("place", stroke.at, list_places(words)));
-    if (move != nullptr && load_move(*move, stroke.move_mm) && is_middle && stroke.move_mm.x != 0)
+    if (move != nullptr && load_lengths(*move, kMostMove_mm, stroke.move_mm) && is_middle &&
+        stroke.move_mm.x != 0)
       add_mistake(*move,
                   fmt::format("'{}' lies in the middle and moves {:.7g}mm aside; expected 0, as one half "
                               "is the mirror image of the other",

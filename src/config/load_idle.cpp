@@ -79,11 +79,18 @@ void load_point(const YamlValue& value, GazeKey& key) {
                   key.point_mm[i]);
 }
 
-void load_look(const YamlValue& value, GazeKey& key) {
+void load_look(const YamlValue& value, const ClipClock& clock, GazeKey& key) {
   if (find_node(value).kind == NodeKind::list) return load_point(value, key);
   if (!is_text(value)) return load_direction(value, key);
   std::string name;
-  if (!load_name(value, "look", kLooks, name)) return;
+  Names looks = kLooks;
+  looks.insert(looks.end(), clock.others.begin(), clock.others.end());
+  if (!load_name(value, "look", looks, name)) return;
+  if (std::ranges::find(kLooks, name) == kLooks.end()) {
+    key.look = LookAt::point;  // known when everybody has a place
+    key.actor = name;
+    return;
+  }
   const LookWord& word = *std::ranges::find(kLookWords, name, &LookWord::word);
   std::tie(key.look, key.side_deg, key.up_deg) = std::tie(word.look, word.side_deg, word.up_deg);
 }
@@ -97,7 +104,7 @@ std::vector<GazeKey> load_gaze_keys(const YamlValue& value, const ClipClock& clo
     load_key_time(entries, item, clock, before_s, key.at_s);
     if (const YamlValue* look =
             find_required(entries, "look", item, "ahead, camera, left, right, up, down, angles or a point"))
-      load_look(*look, key);
+      load_look(*look, clock, key);
     keys.push_back(key);
   }
   return keys;
@@ -119,7 +126,7 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
       load_mapping(value, kGazeKeys, "wander, camera, a list of keys or a mapping such as {wander: 0.5}");
   const YamlValue *keys = find_value(entries, "keys"), *look = find_value(entries, "look");
   if (keys != nullptr) gaze.keys = load_gaze_keys(*keys, clock);
-  if (look != nullptr && keys == nullptr) load_look(*look, gaze.keys.emplace_back());
+  if (look != nullptr && keys == nullptr) load_look(*look, clock, gaze.keys.emplace_back());
   if (look != nullptr && keys != nullptr)
     add_mistake(*look, "'clip.gaze' has 'keys' and 'look'; expected one of them");
   load_share(entries, "wander", gaze.wander);

@@ -74,9 +74,7 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
     build_drafts(drafts, book);
   }
   int head_count = 0;
-  if (const YamlValue* head = find_value(entries, "head"))
-    spec.head = load_head(*head, {&words, {std::filesystem::weakly_canonical(spec.file)}, &head_count});
-  spec.clip = load_clip(find_value(entries, "clip"), book);
+  load_stage(entries, {&book, {&words, {std::filesystem::weakly_canonical(spec.file)}, &head_count}}, spec);
   if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
   if (const YamlValue* busts = find_value(entries, "busts")) spec.busts = load_busts(*busts, book);
   check_version(root, entries);

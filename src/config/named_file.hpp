@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "config/spec.hpp"
+#include "config/head_spec.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {

@@ -27,34 +27,46 @@ inline const Names kLooks{"ahead", "camera", "left", "right", "up", "down"};
 inline const Names kDraws{"ones", "twos", "threes"};  // held for 1, 2, 3 frames
 inline const Names kQualities{"draft", "good", "best"};
 inline const Names kBackgrounds{"studio", "light", "dark"};
+inline const Names kLightSets{"studio", "side", "low", "candle", "moon", "rim"};  // of templates/povray
 
 // A plain expression name is looked up in the file, in its `library`, and then in these.
 inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
 
 // Keys.
 inline const Names kFileKeys{"mien",        "title", "head",   "library", "exaggerate",
-                             "expressions", "clip",  "render", "busts"};
+                             "expressions", "clip",  "render", "busts",   "actors"};
 inline const Names kLibraryFileKeys{"mien", "library", "source", "expressions"};
 inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",
                              "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
+inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
 inline const Names kSculptKeys{"at", "move", "radius"};
 inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair"};
 inline const Names kExpressionKeys{"from", "strength", "exaggerate", "attack"};  // and every area's
-inline const Names kClipKeys{"fps",    "draw",    "keys", "camera", "turn",     "blink",  "blinks",
-                             "length", "between", "lead", "cues",   "laws",     "tracks", "scripts",
-                             "inputs", "include", "gaze", "drift",  "asymmetry"};
-inline const Names kPoseKeyKeys{"at", "express", "strength", "exaggerate", "areas", "ease", "between"};
-inline const Names kCameraKeys{"at", "angle", "height", "distance", "ease", "between"};
-inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between"};
+inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "turn", "blink",
+                             "blinks",    "length",  "between", "lead",      "cues", "laws",
+                             "tracks",    "scripts", "inputs",  "include",   "gaze", "drift",
+                             "asymmetry", "head",    "light",   "background"};
+inline const Names kPoseKeyKeys{"at",    "express", "strength", "exaggerate",
+                                "areas", "ease",    "between",  "name"};
+inline const Names kCameraKeys{"at", "angle", "height", "distance", "look_at", "lens", "ease", "between"};
+inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between", "name"};
 inline const Names kDrawKeys{"at", "on"};
 inline const Names kLeadKeys{"eyes", "lids", "brows", "lips", "corners", "chin", "head"};  // as LeadPart
 inline const Names kCueKeys{"from", "to",      "express",  "play",       "with",  "repeat", "attack",
-                            "hold", "release", "strength", "exaggerate", "areas", "rule"};
+                            "hold", "release", "strength", "exaggerate", "areas", "rule",   "name"};
 inline const Names kLawKeys{"area", "move", "value", "from", "to", "range", "attack", "release", "rule"};
 inline const Names kTrackKeys{"csv", "at", "between", "attack", "release", "rule"};
 inline const Names kScriptKeys{"length", "parameters", "keys", "cues", "turn", "laws", "between"};
 inline const Names kIncludeKeys{"file", "at", "take"};
 inline const Names kTakes{"keys", "camera", "turn", "cues", "laws", "tracks", "scripts", "inputs"};
+inline const Names kHeadTrackKeys{"at",       "age",  "skull", "character", "guides",
+                                  "features", "look", "ease",  "name"};
+inline const Names kLightKeys{"at", "set", "brightness", "angle", "ease"};
+inline const Names kBackgroundKeys{"at", "show", "ease"};
+inline const Names kSharedClipKeys{"fps", "draw", "length", "camera", "light", "background"};  // with actors
+inline const Names kActorKeys{"head", "place", "clip"};
+inline const Names kPlaceKeys{"at", "turn"};
+inline const Names kWaitKeys{"after", "delay"};  // of a time that counts from another one
 inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial", "shifts"};
 inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
 inline const Names kGazeKeyKeys{"at", "look"};

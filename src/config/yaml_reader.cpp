@@ -169,6 +169,22 @@ bool load_quantity(const YamlValue& value, const Measure& measure, double low, d
   return is_right;
 }
 
+bool load_lengths(const YamlValue& value, double most_mm, glm::dvec3& into) {
+  constexpr const char* kExpected = "three lengths, x y z, such as [0, -2mm, 3mm]";
+  const std::vector<YamlValue> items = load_list(value, kExpected);
+  if (find_node(value).kind != NodeKind::list) return false;
+  if (items.size() != 3) {
+    add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
+                                   items.size() == 1 ? "" : "s", kExpected));
+    return false;
+  }
+  bool is_right = true;
+  for (int axis = 0; axis < 3; ++axis)
+    is_right &= load_quantity(items[static_cast<std::size_t>(axis)], build_length_measure(), -most_mm,
+                              most_mm, into[axis]);
+  return is_right;
+}
+
 bool load_colour(const YamlValue& value, glm::vec3& into) {
   const YamlNode& node = find_node(value);
   if (node.kind == NodeKind::text)

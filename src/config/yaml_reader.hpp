@@ -58,6 +58,8 @@ const YamlValue* find_required(const YamlMapping& mapping, std::string_view key,
 bool load_number(const YamlValue& value, double low, double high, double& into, std::string_view unit = "");
 bool load_whole(const YamlValue& value, int low, int high, int& into, std::string_view unit = "");
 bool load_quantity(const YamlValue& value, const Measure& measure, double low, double high, double& into);
+// Three lengths x y z, each from -most_mm to most_mm.
+bool load_lengths(const YamlValue& value, double most_mm, glm::dvec3& into);
 bool load_colour(const YamlValue& value, glm::vec3& into);
 bool load_text(const YamlValue& value, std::string_view expected, std::string& into);
 // One of `names`; `kind` is what they are called ("age").

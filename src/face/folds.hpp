@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "config/areas.hpp"
 #include "face/fold_data.hpp"
 #include "head/fine_skin.hpp"
 

@@ -169,10 +169,13 @@ GuideChart measure_chart(const Cage& cage, const HeadForm& shape) {
   return {ends.y - ends.x, measure_lines(ruler)};
 }
 
-void move_guides(const Cage& cage, const GuideLines& wanted, HeadForm& shape) {
+void move_guides(const Cage& cage, const GuideLines& wanted, HeadForm& shape, const GuideLines& shares) {
   if (wanted.empty()) return;
   GuideLines lines = measure_guides(cage, shape);
-  for (const auto& [line, height] : wanted) lines[line] = height;
+  for (const auto& [line, height] : wanted) {
+    const auto share = shares.find(line);
+    lines[line] = share == shares.end() ? height : std::lerp(lines[line], height, share->second);
+  }
   check_lines(lines);
   // Control points moved by a curve do not carry the skin along it quite: the second and third round take up
   // what the one before left, a hundredth of the move.

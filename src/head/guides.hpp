@@ -50,8 +50,9 @@ GuideLines measure_guides(const Cage& cage, const HeadForm& shape);
 
 // Moves `shape` so that the lines of `wanted` lie where they are wanted and all others stay; chin and crown
 // stay. The whole head follows smoothly: heights by one monotone curve, the eye and its lids as a similarity,
-// the ears as wholes. Throws InputError, naming the line, if lines meet.
-void move_guides(const Cage& cage, const GuideLines& wanted, HeadForm& shape);
+// the ears as wholes. A line with a share goes only so much of its way. Throws InputError, naming the line,
+// if lines meet.
+void move_guides(const Cage& cage, const GuideLines& wanted, HeadForm& shape, const GuideLines& shares = {});
 
 // The chart of a shape as it is.
 GuideChart measure_chart(const Cage& cage, const HeadForm& shape);

@@ -11,7 +11,8 @@
 
 #include <glm/glm.hpp>
 
-#include "config/spec.hpp"
+#include "config/areas.hpp"
+#include "config/head_spec.hpp"
 #include "core/model.hpp"
 
 namespace mien {

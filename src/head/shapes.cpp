@@ -222,7 +222,7 @@ HeadForm apply_warp(const Cage& cage, const Eye& eye, const Warp& warp) {
 
 void shape_head(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, HeadForm& form) {
   Shape shape = build_shape(shapes, spec, adult, form);
-  move_guides(adult, spec.guides, shape);
+  move_guides(adult, spec.guides, shape, spec.guide_shares);
   form = std::move(shape);
 }
 

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "config/spec.hpp"
+#include "config/head_spec.hpp"
 #include "head/fields.hpp"
 #include "head/guides.hpp"
 #include "head/head.hpp"

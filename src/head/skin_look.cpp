@@ -67,9 +67,12 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
 
 // Lips keep less green and blue than the skin around them; the darker the skin, the less they differ.
 glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
-  if (look.lips) return to_linear(*look.lips);
+  const auto share = static_cast<float>(look.lips ? look.lips_share : 0);
+  if (share == 1) return to_linear(*look.lips);
   const float light = std::clamp(find_luminance(skin) / 0.45f, 0.0f, 1.0f);
-  return skin * glm::mix(glm::vec3(0.92f, 0.62f, 0.66f), glm::vec3(0.76f, 0.44f, 0.47f), light);
+  const glm::vec3 own =
+      skin * glm::mix(glm::vec3(0.92f, 0.62f, 0.66f), glm::vec3(0.76f, 0.44f, 0.47f), light);
+  return share == 0 ? own : glm::mix(own, to_linear(*look.lips), share);
 }
 
 // A place of the skin as if it were peeled off the head: round the head on u, up on v, both in millimetres.

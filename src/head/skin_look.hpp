@@ -1,7 +1,7 @@
 // The look of the skin: which colour and gloss each place of it has.
 #pragma once
 
-#include "config/spec.hpp"
+#include "config/head_spec.hpp"
 #include "head/head.hpp"
 
 namespace mien {

@@ -11,12 +11,15 @@ namespace mien {
 
 namespace {
 
-// 7 for "f0007.pov" and "f0007.png"; nothing for other names.
+// 7 for "f0007.pov", "f0007.png" and "h0007.inc"; nothing for other names.
 std::optional<int> parse_frame_number(const std::string& file_name) {
   int number = 0;
-  if (file_name.size() < 9 || file_name.front() != 'f') return std::nullopt;
+  if (file_name.size() < 9) return std::nullopt;
   const char* end = file_name.data() + file_name.size() - 4;
-  if (std::string_view(end) != ".pov" && std::string_view(end) != ".png") return std::nullopt;
+  const std::string_view ending(end);
+  const bool is_frame = file_name.front() == 'f' && (ending == ".pov" || ending == ".png");
+  const bool is_head = file_name.front() == 'h' && ending == ".inc";
+  if (!is_frame && !is_head) return std::nullopt;
   const auto [stop, error] = std::from_chars(file_name.data() + 1, end, number);
   if (error != std::errc() || stop != end) return std::nullopt;
   return number;
@@ -25,6 +28,7 @@ std::optional<int> parse_frame_number(const std::string& file_name) {
 }  // namespace
 
 std::string name_frame(int frame) { return fmt::format("f{:04}", frame); }
+std::string name_heads(int frame) { return fmt::format("h{:04}.inc", frame); }
 
 std::filesystem::path ClipFiles::scene(int frame) const {
   return folder / "scenes" / (name_frame(frame) + ".pov");

@@ -22,6 +22,9 @@ struct ClipFiles {
 // "f0007", and more digits from frame 10000 on.
 std::string name_frame(int frame);
 
+// "h0007.inc": the parts of heads that change, as they are in frame 7.
+std::string name_heads(int frame);
+
 // What is to be made. Frames count from 1.
 struct FramePlan {
   std::vector<int> frames;  // asked for, ascending

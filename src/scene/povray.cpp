@@ -11,7 +11,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "scene/plate.hpp"
-#include "scene/povray_quality.hpp"
+#include "scene/povray_stage.hpp"
 
 namespace mien {
 
@@ -179,39 +179,33 @@ void append_camera(std::string& text, const CameraView& view) {
 }  // namespace
 
 double find_camera_distance_mm(const CameraView& view) {
-  return kLensDistance_mm * view.frame_height_mm / CameraView{}.frame_height_mm;
+  return kLensDistance_mm * (view.lens_mm / kPortraitLens_mm) * view.frame_height_mm /
+         CameraView{}.frame_height_mm;
+}
+
+std::string build_povray_parts(const Model& model, const std::filesystem::path& templates_folder) {
+  const std::string materials = read_file(templates_folder / "povray/materials.inc");
+  std::string parts;
+  for (const Part& part : model.parts) append_part(parts, part, materials);
+  return parts;
 }
 
 std::string build_povray_include(const Model& model, const RenderSpec& render,
                                  const std::filesystem::path& templates_folder) {
-  const std::filesystem::path folder = templates_folder / "povray";
-  const std::filesystem::path background = folder / fmt::format("background_{}.inc", render.background);
-  if (render.background.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") != std::string::npos ||
-      !std::filesystem::exists(background))
-    throw RunError(
-        fmt::format("unknown background '{}': {} does not exist", render.background, background.string()));
-  const std::string materials = read_file(folder / "materials.inc");
-  std::string parts;
-  for (const Part& part : model.parts) append_part(parts, part, materials);
-
-  const PovrayQuality settings = find_povray_quality(render.quality);
-  const std::filesystem::path frame = folder / "head.inc";
-  return fill_template(read_file(frame),
-                       {{"key_samples", std::to_string(settings.light_samples)},
-                        {"key_depth", std::to_string(settings.key_depth)},
-                        {"materials", materials},
-                        {"lights", read_file(folder / "lights.inc")},
-                        {"background", read_file(background)},
-                        {"parts", parts}},
-                       frame.string());
+  return build_povray_stage(build_povray_parts(model, templates_folder), render, templates_folder);
 }
 
-void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
-                         const CameraView& view) {
+void append_povray_start(std::string& text, const FrameStart& start) {
+  text += "#version 3.7;\n#include \"head.inc\"\n";
+  for (const std::string& include : start.includes) text += fmt::format("#include \"{}\"\n", include);
+  append_povray_lights(text, start.lights);
+  append_povray_background(text, start.backgrounds);
+  append_camera(text, start.view);
+}
+
+void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError("internal: a drawing has not the model's parts");
-  text += "#version 3.7;\n#include \"head.inc\"\n";
-  append_camera(text, view);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const PartShape& shape = drawing.parts[i];
@@ -229,6 +223,12 @@ void append_povray_frame(std::string& text, const Model& model, const Drawing& d
     append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
     text += fmt::format("surface_of_{}() }}\n", part.name);
   }
+}
+
+void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
+                         const CameraView& view) {
+  append_povray_start(text, {{}, {}, {}, view});
+  append_povray_figure(text, model, drawing);
 }
 
 void append_povray_overlay(std::string& text, const Overlay& overlay, const CameraView& view) {

@@ -1,14 +1,16 @@
 // POV-Ray scenes: one include for what never changes in a clip, one small file a frame, one .ini for all.
 // The only place that knows POV-Ray is left-handed: z is negated on the way out.
 //
-// scenes/head.inc    build_povray_include: templates/povray/head.inc with materials, lights, background and
-// parts scenes/f0001.pov   append_povray_frame: the camera, vertices of what deforms, places of what is rigid
+// scenes/head.inc    build_povray_stage: templates/povray/head.inc with materials, lights, background, parts
+// scenes/h0001.inc   build_povray_parts: of a head that changes, for frame 1 and those after it that share it
+// scenes/f0001.pov   append_povray_start, _figure: camera, vertices of what deforms, places of what is rigid
 // scenes/loop.pov    build_povray_loop: the frame that POV-Ray's own animation loop asks for
 // scenes/NAME.ini    build_povray_ini: `povray out/NAME/scenes/NAME.ini` renders them all
 #pragma once
 
 #include <array>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,7 +28,8 @@ struct CameraView {
   glm::vec3 look_at{0, -20, 0};  // mm, the middle of the framed box
   double frame_width_mm = 240;   // the box that distance 1 just fits, whatever the picture's shape
   double frame_height_mm = 300;
-  bool is_orthographic = false;  // without perspective; `distance` only moves the camera then
+  double lens_mm = kPortraitLens_mm;  // how far off it stands to frame that, as film of 24 x 36 has it
+  bool is_orthographic = false;       // without perspective; `distance` only moves the camera then
 };
 
 // Lines and words drawn over a head in a picture without perspective. They lie in space as meshes do: what
@@ -53,16 +56,42 @@ struct Overlay {
 // How far the camera stands from the middle of the framed box at distance 1, mm.
 double find_camera_distance_mm(const CameraView& view);
 
+// Each part's shades, faces and (for rigid parts) vertices, as frames refer to them by the parts' names. A
+// material is the macro NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds
+// words to the object, such as no_shadow. Throws RunError on an unknown material and a part that does not fit
+// together.
+std::string build_povray_parts(const Model& model, const std::filesystem::path& templates_folder);
+
+// Light sets and backgrounds of templates/povray that frames name, besides the studio and the render's own.
+struct StageSets {
+  std::set<std::string> lights, backgrounds;
+};
+
 // The text of scenes/head.inc: materials, lights and background from `templates_folder`/povray, quality
-// settings, each part's shades, faces and (for rigid parts) vertices. A material is the macro
-// NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds words to the object,
-// such as no_shadow. Throws RunError on a broken template, an unknown material or background, and a part that
-// does not fit together.
+// settings, and `parts` of all models that never change in the clip. Throws RunError on a broken template and
+// an unknown background.
+std::string build_povray_stage(const std::string& parts, const RenderSpec& render,
+                               const std::filesystem::path& templates_folder, const StageSets& sets = {});
+
+// The stage with one model's parts.
 std::string build_povray_include(const Model& model, const RenderSpec& render,
                                  const std::filesystem::path& templates_folder);
 
-// Appends the text of one frame's file. The picture's shape is not asked: POV-Ray fits the camera's box to
-// it. Throws RunError if the drawing does not fit the model or holds a number that is not finite.
+// What a frame's file begins with.
+struct FrameStart {
+  std::vector<std::string> includes;         // further files that hold parts, besides head.inc
+  std::vector<LightShare> lights;            // none: the studio
+  std::vector<BackgroundShare> backgrounds;  // none: the render's own
+  CameraView view;
+};
+
+// The picture's shape is not asked: POV-Ray fits the camera's box to it.
+void append_povray_start(std::string& text, const FrameStart& start);
+
+// Appends one drawing. Throws RunError if it does not fit the model or holds a number that is not finite.
+void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing);
+
+// Appends the whole text of a frame's file with one figure whose parts head.inc holds.
 void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
                          const CameraView& view);
 

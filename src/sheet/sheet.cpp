@@ -64,8 +64,6 @@ std::vector<SheetCell*> list_cells(SheetPlan& plan) {
   return cells;
 }
 
-int count_jobs(const Options& options) { return options.jobs > 0 ? options.jobs : count_cores(); }
-
 // What is wrong with a head, such as guide lines that cross, is known when it is built: each is, once, before
 // anything is written.
 void check_heads(const SheetPlan& plan, const Options& options, const fs::path& data) {

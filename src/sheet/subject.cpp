@@ -58,7 +58,7 @@ SheetSubject load_sheet_subject(const std::string& kind, const Options& options,
   SheetSubject subject;
   subject.sources = load_library_sources(data / "configs/expressions");
   if (is_file(options.file) || (kind != "expressions" && !is_of_heads)) {
-    subject.spec = load_request(options, data);
+    subject.spec = load_actor_request(options, data);
     if (is_of_heads)
       subject.expression =
           options.express ? take_expression(subject.spec, *options.express) : find_poster_face(subject.spec);

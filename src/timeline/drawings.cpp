@@ -2,44 +2,55 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <string>
 #include <unordered_map>
 
 #include "core/text.hpp"
+#include "timeline/bytes.hpp"
+#include "timeline/head_track.hpp"
+#include "timeline/stage_track.hpp"
 
 namespace mien {
 
 namespace {
 
-// All numbers of a moment as bytes; 0 and -0 alike.
+// All numbers of a moment as bytes.
 std::string key_of(const Moment& moment) {
   std::string bytes;
-  const auto add = [&](double value) {
-    value += 0.0;  // folds -0
-    char raw[sizeof value];
-    std::memcpy(raw, &value, sizeof value);
-    bytes.append(raw, sizeof value);
-  };
-  for (const double value : moment.pose.values) add(value);
+  for (const double value : moment.pose.values) append_bytes(bytes, value);
   for (const double value : {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg,
                              moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})
-    add(value);
+    append_bytes(bytes, value);
   return hash_hex(bytes);  // 64 bits: two of 100,000 moments fall together by chance once in 10^9 clips
 }
 
 }  // namespace
 
 std::vector<int> find_drawings(const Performance& performance) {
-  const int count = count_frames(performance.clip);
+  const std::vector<const Performance*> alone{&performance};
+  return find_drawings(alone);
+}
+
+std::vector<int> find_drawings(const std::vector<const Performance*>& performances) {
+  const ClipSpec& clip = performances.front()->clip;
+  const int count = count_frames(clip);
   std::vector<int> first(count);
   std::unordered_map<std::string, int> seen;
   // Eyes that no limit holds: two looks that these eyes cannot tell apart may differ on another head.
-  Performance unheld = performance;
-  unheld.idle.eyes.left = unheld.idle.eyes.right = {180, 180, 180, 180};
+  std::vector<Performance> unheld;
+  for (const Performance* performance : performances) {
+    unheld.push_back(*performance);
+    unheld.back().idle.eyes.left = unheld.back().idle.eyes.right = {180, 180, 180, 180};
+  }
   for (int frame = 0; frame < count; ++frame) {
-    const double time_s = find_drawing_time_s(performance.clip, frame);
-    first[frame] = seen.emplace(key_of(sample_performance(unheld, time_s)), frame).first->second;
+    const double time_s = find_drawing_time_s(clip, frame);
+    std::string key = find_stage_key(sample_stage(clip, time_s));
+    for (const Performance& performance : unheld) {
+      key += key_of(sample_performance(performance, time_s));
+      if (const auto& heads = performance.clip.head; !heads.empty())
+        key += find_head_key(sample_head(heads, time_s));
+    }
+    first[frame] = seen.emplace(key, frame).first->second;
   }
   return first;
 }

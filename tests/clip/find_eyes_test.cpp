@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "clip.hpp"
+#include "clip_view.hpp"
 #include "core/conventions.hpp"
 #include "core/data.hpp"
 

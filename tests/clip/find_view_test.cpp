@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "clip.hpp"
+#include "clip_view.hpp"
 #include "core/conventions.hpp"
 #include "places.hpp"
 

@@ -67,6 +67,13 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
   EXPECT_EQ(list_properties(defs.at("pose_key")), sort(kPoseKeyKeys));
   EXPECT_EQ(list_properties(defs.at("camera_key")), sort(kCameraKeys));
   EXPECT_EQ(list_properties(defs.at("turn_key")), sort(kTurnKeys));
+  EXPECT_EQ(list_properties(defs.at("head_key")), sort(kHeadTrackKeys));
+  EXPECT_EQ(list_properties(defs.at("light_key")), sort(kLightKeys));
+  EXPECT_EQ(defs.at("light_key").at("properties").at("set").at("enum").get<Names>(), kLightSets);
+  EXPECT_EQ(list_properties(defs.at("background_key")), sort(kBackgroundKeys));
+  EXPECT_EQ(list_properties(defs.at("wait")), sort(kWaitKeys));
+  EXPECT_EQ(list_properties(defs.at("actor")), sort(kActorKeys));
+  EXPECT_EQ(list_properties(defs.at("actor").at("properties").at("place")), sort(kPlaceKeys));
   EXPECT_EQ(defs.at("ease").at("anyOf")[0].at("enum").get<Names>(), kEasings);
   EXPECT_EQ(defs.at("between").at("enum").get<Names>(), kBetweens);
   EXPECT_EQ(defs.at("rule").at("enum").get<Names>(), kRules);

@@ -1,0 +1,64 @@
+// A head as plain values: what stands under `head:`. load_spec.hpp fills it.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <glm/glm.hpp>
+
+#include "core/error.hpp"
+
+namespace mien {
+
+// Weights by name, each above 0, summing to 1: `age: adult` is {{"adult", 1}}.
+using Mix = std::map<std::string, double>;
+
+struct Look {
+  glm::vec3 skin{0.863f, 0.682f, 0.561f};  // "#dcae8f", srgb 0..1
+  std::optional<glm::vec3> lips;           // empty: made from the skin's colour
+  glm::vec3 iris{0.357f, 0.498f, 0.584f};  // "#5b7f95"
+  glm::vec3 brow{0.227f, 0.165f, 0.125f};  // "#3a2a20"
+  glm::vec3 hair{0.20f, 0.14f, 0.10f};     // "#332419"
+  double lips_share = 1;                   // of the way from that colour to `lips`: less only between keys
+};
+
+// A file that another file names, as found from the folder of the file that names it.
+struct FileReference {
+  std::filesystem::path path;
+  Place place;  // where it is named, for messages
+};
+
+// One local edit: the skin within `radius_mm` of a landmark follows `move_mm`, less and less outward.
+struct SculptStroke {
+  std::string at;  // a landmark ("chin" and other plain names are aliases of codes)
+  glm::dvec3 move_mm{0};
+  double radius_mm = 20;
+};
+
+struct HeadShare;
+
+struct HeadSpec {
+  std::optional<FileReference> mesh;  // the user's own half head, instead of the shipped one
+  std::optional<FileReference> scan;  // a digitised head, wrapped by the shipped one
+  std::vector<HeadShare> mix;         // heads of other files, mixed; weights sum to 1
+  std::vector<SculptStroke> sculpt;   // in the order they were written, after all else
+  std::string hair = "none";          // a cut of templates/head/hair.yaml; none: a bald head
+  Mix age{{"adult", 1.0}};
+  Mix skull{{"average", 1.0}};
+  double character = 0;                        // -1 female .. 0 neither .. 1 male
+  std::map<std::string, double> guides;        // guide line -> fraction of head height above the chin
+  std::map<std::string, double> guide_shares;  // of the way there from the head's own line; none: all of it
+  std::map<std::string, double> features;      // feature -> -1..1
+  std::map<std::string, double> limits;        // limit of an area -> share of the head's own, 0..2
+  Look look;
+};
+
+struct HeadShare {
+  HeadSpec head;
+  double weight = 1;
+};
+
+}  // namespace mien

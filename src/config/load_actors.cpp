@@ -1,0 +1,179 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/load_clip.hpp"
+#include "config/load_spec.hpp"
+#include "config/sections.hpp"
+#include "core/conventions.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxActors = 12;     // each is half a million numbers a frame
+constexpr std::size_t kMaxActorName = 12;  // letters: POV-Ray's words end after 40
+constexpr double kEyes_mm = 80;         // in front of a head's origin: between the grown-up's and the child's
+constexpr double kMostPlace_mm = 5000;  // farther off nobody is seen
+
+void add_mistake_at_key(const YamlEntry& entry, std::string message) {
+  add_mistake(*entry.value.findings, entry.value.document->source, entry.spot, std::move(message));
+}
+
+bool is_actor_name(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxActorName && name[0] >= 'a' && name[0] <= 'z' &&
+         std::ranges::all_of(
+             name, [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; });
+}
+
+void load_place(const YamlValue& value, PlaceSpec& place) {
+  const YamlMapping entries =
+      load_mapping(value, kPlaceKeys, "a mapping such as {at: [-120mm, 0, 0], turn: 25deg}");
+  if (const YamlValue* at = find_value(entries, "at")) load_lengths(*at, kMostPlace_mm, place.at_mm);
+  if (const YamlValue* turn = find_value(entries, "turn"))
+    load_quantity(*turn, build_angle_measure(), -360, 360, place.turn_deg);
+}
+
+// `head: {age: child}` or `head: ann.yaml`.
+HeadSpec load_actor_head(const YamlValue& value, const HeadSource& source) {
+  if (find_node(value).kind != NodeKind::text) return load_head(value, source);
+  HeadSpec head;
+  load_head_file(value, source, head);
+  return head;
+}
+
+// What of a clip is each actor's own.
+Names list_own_keys() {
+  Names keys = kClipKeys;
+  std::erase_if(keys, [](const std::string& key) {
+    return std::ranges::find(kSharedClipKeys, key) != kSharedClipKeys.end();
+  });
+  return keys;
+}
+
+// Keys that stand in the wrong one of the two clips; the rest is left.
+YamlMapping find_clip_entries(const YamlValue* value, const Names& others, const std::string& message) {
+  YamlMapping entries;
+  if (value == nullptr || find_node(*value).kind != NodeKind::mapping) return entries;
+  entries = load_free_mapping(*value, "");
+  for (const YamlEntry& entry : entries)
+    if (std::ranges::find(others, entry.key) != others.end())
+      add_mistake_at_key(entry, fmt::format(fmt::runtime(message), entry.key));
+  return entries;
+}
+
+// What stands in the file for one who plays, before it is understood.
+struct Part {
+  std::string name;  // empty: the file's own clip
+  YamlMapping entries;
+  YamlMapping clip;
+};
+
+std::vector<Part> load_parts(const YamlValue& actors) {
+  std::vector<Part> parts;
+  for (const YamlEntry& actor :
+       load_free_mapping(actors, "actors such as {ann: {head: {age: child}, clip: {...}}}")) {
+    if (!is_actor_name(actor.key))
+      add_mistake_at_key(actor,
+                         fmt::format("'{}' is no actor's name; expected a word of small letters, digits "
+                                     "and '_' that begins with a letter, {} at most",
+                                     show_word(actor.key), kMaxActorName));
+    if (parts.size() == kMaxActors) {
+      add_mistake_at_key(actor, fmt::format("more than {} actors; expected fewer", kMaxActors));
+      break;
+    }
+    Part part{actor.key, load_mapping(actor.value, kActorKeys, "a mapping such as {head: {age: child}}"), {}};
+    part.clip =
+        find_clip_entries(find_value(part.entries, "clip"), kSharedClipKeys,
+                          "'{}' concerns all actors; it belongs in the 'clip' at the top of the file");
+    parts.push_back(std::move(part));
+  }
+  if (find_node(actors).kind == NodeKind::mapping && parts.empty())
+    add_mistake(actors, "'actors' names nobody; expected one at least");
+  return parts;
+}
+
+ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTimes& times,
+                     const ClipSpec& shared, const Names& others) {
+  ActorSpec actor;
+  actor.name = part.name;
+  if (const YamlValue* head = find_value(part.entries, "head"))
+    actor.head = load_actor_head(*head, source.head);
+  if (const YamlValue* place = find_value(part.entries, "place")) load_place(*place, actor.place);
+  actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others});
+  load_head_track(part.clip, *source.head.words, actor.head, times, actor.clip);
+  actor.clip.camera = shared.camera;  // for looks into it: as seen by one who is turned
+  for (CameraKey& key : actor.clip.camera) key.angle_deg -= actor.place.turn_deg;
+  return actor;
+}
+
+// From a place of the stage to how one sees it who stands at `place`.
+glm::dvec3 find_seen(const PlaceSpec& place, const glm::dvec3& at_mm) {
+  const double turn = place.turn_deg * kRadiansPerDegree;
+  const glm::dvec3 p = at_mm - place.at_mm;
+  return {p.x * std::cos(turn) - p.z * std::sin(turn), p.y, p.x * std::sin(turn) + p.z * std::cos(turn)};
+}
+
+// Points to look at are told for the stage; another one's eyes are found where he stands.
+void place_looks(std::vector<ActorSpec>& actors) {
+  for (ActorSpec& actor : actors)
+    for (GazeKey& key : actor.clip.gaze.keys) {
+      if (key.look != LookAt::point) continue;
+      const auto other = std::ranges::find(actors, key.actor, &ActorSpec::name);
+      if (other != actors.end()) {
+        const double turn = other->place.turn_deg * kRadiansPerDegree;
+        key.point_mm = other->place.at_mm + kEyes_mm * glm::dvec3(std::sin(turn), 0, std::cos(turn));
+      }
+      key.point_mm = find_seen(actor.place, key.point_mm);
+    }
+}
+
+// All last as long: `length:`, else until the last key of all.
+void share_length(bool has_length, Spec& spec) {
+  for (const ActorSpec& actor : spec.actors)
+    if (!has_length) spec.clip.length_s = std::max(spec.clip.length_s, actor.clip.length_s);
+  for (ActorSpec& actor : spec.actors) actor.clip.length_s = spec.clip.length_s;
+}
+
+}  // namespace
+
+void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) {
+  const YamlValue* actors = find_value(file, "actors");
+  const YamlValue* clip = find_value(file, "clip");
+  if (actors != nullptr)
+    for (const YamlEntry& entry : file)
+      if (entry.key == "head")
+        add_mistake_at_key(entry, "'head' stands beside 'actors'; expected each actor's head in 'actors'");
+  std::vector<Part> parts{{"",
+                           {},
+                           find_clip_entries(clip, actors != nullptr ? list_own_keys() : Names{},
+                                             "'{}' stands beside 'actors'; expected it in each "
+                                             "actor's own 'clip'")}};
+  if (actors != nullptr)
+    for (Part& part : load_parts(*actors)) parts.push_back(std::move(part));
+
+  int fps = ClipSpec{}.fps;
+  load_fps(parts.front().clip, fps);
+  std::vector<NamedClip> clips;
+  for (const Part& part : parts) clips.push_back({part.name, part.clip});
+  const std::vector<NamedTimes> times = load_named_times(clips, fps);
+
+  if (const YamlValue* head = find_value(file, "head")) spec.head = load_head(*head, source.head);
+  spec.clip = load_clip(clip, *source.book, {nullptr, &times.front()});
+  if (actors == nullptr)
+    load_head_track(parts.front().clip, *source.head.words, spec.head, times.front(), spec.clip);
+  Names names;
+  for (std::size_t i = 1; i < parts.size(); ++i) names.push_back(parts[i].name);
+  load_camera_sights(parts.front().clip, {list_places(*source.head.words), names}, spec.clip);
+  load_light_tracks(parts.front().clip, times.front(), spec.clip);
+  for (std::size_t i = 1; i < parts.size(); ++i) {
+    Names others = names;
+    std::erase(others, parts[i].name);
+    spec.actors.push_back(load_actor(parts[i], source, times[i], spec.clip, others));
+  }
+  place_looks(spec.actors);
+  share_length(find_value(parts.front().clip, "length") != nullptr, spec);
+}
+
+}  // namespace mien

@@ -1,0 +1,154 @@
+#include "config/named_times.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "config/load_clip.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::size_t kMaxName = 40;  // letters; a name is a word, not a sentence
+
+constexpr std::size_t kMaxNodes = 2000;  // they are followed one from another; more are no director's note
+
+// One key or cue with a name or with a time that waits for one.
+struct Node {
+  std::string name;  // "ann.hello"; empty: none
+  std::string actor;
+  std::optional<YamlValue> at;
+  std::optional<double> time_s;
+  bool is_open = false;  // being resolved
+  bool is_done = false;
+};
+
+struct Graph {
+  std::vector<Node> nodes;
+  std::map<std::string, std::size_t> index;  // by name
+  ClipClock clock;
+};
+
+std::string build_full_name(const std::string& actor, const std::string& name) {
+  return actor.empty() ? name : actor + "." + name;
+}
+
+bool is_word(const std::string& name) {
+  return !name.empty() && name.size() <= kMaxName && std::ranges::all_of(name, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+void add_node(const YamlValue& item, const std::string& actor, Graph& graph) {
+  if (find_node(item).kind != NodeKind::mapping) return;
+  const YamlMapping entries = load_free_mapping(item, "");
+  Node node;
+  node.actor = actor;
+  for (const char* key : {"at", "from"})
+    if (const YamlValue* at = find_value(entries, key)) node.at = *at;
+  if (const YamlValue* name = find_value(entries, "name")) {
+    std::string word;
+    if (!load_text(*name, "a name such as hello", word)) return;
+    if (!is_word(word)) return add_unexpected(*name, "a name of letters, digits, '_' and '-'");
+    node.name = build_full_name(actor, word);
+  }
+  const bool waits = node.at && find_node(*node.at).kind == NodeKind::mapping;
+  if (node.name.empty() && !waits) return;
+  if (graph.nodes.size() == kMaxNodes)
+    return add_mistake(
+        item, fmt::format("more than {} keys have names or wait for others; expected fewer", kMaxNodes));
+  if (!node.name.empty() && !graph.index.emplace(node.name, graph.nodes.size()).second)
+    return add_mistake(*find_value(entries, "name"),
+                       fmt::format("the name '{}' stands twice; expected another one", node.name));
+  graph.nodes.push_back(std::move(node));
+}
+
+// The node that `after` names for `actor`: one of its own, or of another.
+std::optional<std::size_t> find_named(const Graph& graph, const std::string& actor, const std::string& name) {
+  for (const std::string& full : {build_full_name(actor, name), name})
+    if (const auto found = graph.index.find(full); found != graph.index.end()) return found->second;
+  return std::nullopt;
+}
+
+void add_unknown_name(const YamlValue& value, const std::string& name, const Graph& graph) {
+  Names names;
+  for (const auto& [full, node] : graph.index) names.push_back(full);
+  if (names.empty())
+    add_mistake(value, fmt::format("unknown name '{}'; expected a key with 'name: {}'", show_word(name),
+                                   is_word(name) ? name : "hello"));
+  else
+    add_mistake(value, describe_unknown("name", name, names));
+}
+
+std::string describe_circle(const Graph& graph, const std::vector<std::size_t>& chain, std::size_t again) {
+  std::string circle;
+  for (auto at = std::ranges::find(chain, again); at != chain.end(); ++at)
+    circle += graph.nodes[*at].name + " waits for ";
+  return circle + graph.nodes[again].name;
+}
+
+// The time of a node; empty if it is wrong. `chain` holds those that wait for it.
+std::optional<double> resolve(Graph& graph, std::size_t number, std::vector<std::size_t>& chain) {
+  Node& node = graph.nodes[number];
+  if (node.is_done || !node.at) return node.time_s;
+  node.is_done = true;
+  if (find_node(*node.at).kind != NodeKind::mapping) {
+    double at_s = 0;
+    if (load_time(*node.at, graph.clock, at_s)) node.time_s = at_s;
+    return node.time_s;
+  }
+  const YamlMapping entries = load_mapping(*node.at, kWaitKeys, "a time");
+  const YamlValue* after = find_required(entries, "after", *node.at, "the name of a key such as ann.hello");
+  std::string name;
+  if (after == nullptr || !load_text(*after, "the name of a key such as ann.hello", name)) return {};
+  const auto other = find_named(graph, node.actor, name);
+  if (!other) {
+    add_unknown_name(*after, name, graph);
+    return {};
+  }
+  node.is_open = true;
+  chain.push_back(number);
+  std::optional<double> time_s;
+  if (graph.nodes[*other].is_open)
+    add_mistake(*after, fmt::format("keys wait for each other in a circle: {}; expected none",
+                                    describe_circle(graph, chain, *other)));
+  else
+    time_s = resolve(graph, *other, chain);
+  chain.pop_back();
+  node.is_open = false;
+  double delay_s = 0;
+  if (const YamlValue* delay = find_value(entries, "delay"))
+    if (!load_quantity(*delay, graph.clock.measure, -graph.clock.end_s, graph.clock.end_s, delay_s))
+      return {};
+  if (time_s) node.time_s = *time_s + delay_s;
+  return node.time_s;
+}
+
+}  // namespace
+
+std::vector<NamedTimes> load_named_times(const std::vector<NamedClip>& clips, int fps) {
+  Graph graph;
+  graph.clock = build_clip_clock(fps);
+  for (const NamedClip& clip : clips)
+    for (const YamlEntry& track : clip.entries)
+      if (find_node(track.value).kind == NodeKind::list)
+        for (const YamlValue& item : load_list(track.value, "")) add_node(item, clip.actor, graph);
+  std::vector<std::size_t> chain;
+  for (std::size_t i = 0; i < graph.nodes.size(); ++i) resolve(graph, i, chain);
+  std::vector<NamedTimes> all;
+  for (const NamedClip& clip : clips) {
+    NamedTimes& times = all.emplace_back();
+    for (const Node& node : graph.nodes) {
+      if (node.name.empty() || !node.time_s) continue;
+      times[node.name] = *node.time_s;
+    }
+    for (const Node& node : graph.nodes)
+      if (node.actor == clip.actor && !node.name.empty() && node.time_s && !clip.actor.empty())
+        times[node.name.substr(clip.actor.size() + 1)] = *node.time_s;
+  }
+  return all;
+}
+
+}  // namespace mien

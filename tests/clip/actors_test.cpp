@@ -1,0 +1,111 @@
+// Several on one stage: whose parts are whose, and the same bytes from any number of threads.
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "clip_scenes.hpp"
+#include "config/config_fixture.hpp"
+#include "frames/place.hpp"
+
+namespace mien {
+namespace {
+
+constexpr const char* kTwo = R"(mien: 1
+actors:
+  ann:
+    head: {age: infant}
+    place: {at: [-120mm, 0, 0], turn: 25deg}
+    clip:
+      head: [{at: 0s}, {at: 0.1s, age: child}]
+  bob:
+    place: {at: [120mm, 30mm, 0], turn: -25deg}
+    clip: {keys: [{at: 0s}, {at: 0.1s, express: smile}]}
+clip: {fps: 30, length: 0.1s}
+)";
+
+Clip plan_two(const std::filesystem::path& folder) {
+  Options options;
+  options.file = folder / "two.yaml";
+  options.output = folder / "out";
+  write_file(options.file, kTwo);
+  return plan_clip(options, kData);
+}
+
+std::string read_scenes(const std::filesystem::path& folder) {
+  std::set<std::filesystem::path> files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder / "out/scenes"))
+    if (entry.path().extension() != ".ini") files.insert(entry.path());  // that one names its folder
+  std::string all;
+  for (const auto& file : files) all += file.filename().string() + "\n" + read_file(file);
+  return all;
+}
+
+TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
+  std::vector<std::string> scenes;
+  std::vector<std::vector<std::string>> keys;
+  for (const int jobs : {1, 4}) {
+    const auto folder = make_test_folder(std::to_string(jobs));
+    const Clip clip = plan_two(folder);
+    Options options;
+    options.jobs = jobs;
+    options.is_quiet = true;
+    keys.push_back(write_scenes(clip, build_cast(clip, kData), options, kData));
+    scenes.push_back(read_scenes(folder));
+  }
+  EXPECT_EQ(keys[0], keys[1]);
+  EXPECT_EQ(std::set(keys[0].begin(), keys[0].end()).size(), 3u)
+      << "a head that changed makes another picture";
+  EXPECT_EQ(scenes[0], scenes[1]);
+}
+
+TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
+  const auto folder = make_test_folder();
+  const Clip clip = plan_two(folder);
+  const Cast cast = build_cast(clip, kData);
+  Options options;
+  options.is_quiet = true;
+  write_scenes(clip, cast, options, kData);
+  const std::string include = read_file(folder / "out/scenes/head.inc"),
+                    heads = read_file(folder / "out/scenes/h0001.inc"),
+                    frame = read_file(folder / "out/scenes/f0001.pov");
+  EXPECT_NE(include.find("#macro surface_of_skin_of_bob()"), std::string::npos);
+  EXPECT_EQ(include.find("_of_ann"), std::string::npos) << "her head changes";
+  EXPECT_NE(heads.find("#macro surface_of_skin_of_ann()"), std::string::npos);
+  EXPECT_EQ(heads.find("_of_bob"), std::string::npos);
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/scenes/h0003.inc"));
+  for (const char* word : {"#include \"h0001.inc\"", "surface_of_skin_of_ann()", "surface_of_skin_of_bob()",
+                           "part_eye_left_of_ann", "part_eye_left_of_bob"})
+    EXPECT_NE(frame.find(word), std::string::npos) << word;
+
+  ASSERT_EQ(cast.figures.size(), 2u);
+  ASSERT_NE(cast.figures[1], nullptr);
+  const Figure& bob = *cast.figures[1];
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(bob, {}, {}, buffers, drawing);
+  place_drawing(find_place(clip.actors[1].place), drawing);
+  const Box skin = find_bounds(drawing.parts.front().positions);
+  EXPECT_NEAR((skin.low.x + skin.high.x) / 2, 120, 40);
+  EXPECT_NEAR(skin.high.y, find_bounds(bob.head.skin.positions).high.y + 30, 1e-3);
+}
+
+TEST(actors, are_all_framed) {
+  const Clip clip = plan_two(make_test_folder());
+  const Cast cast = build_cast(clip, kData);
+  const CameraView view = find_view(cast.framing, {}, {}, clip.spec.render);
+  EXPECT_GT(view.frame_width_mm, 380) << "two heads, 240 mm from middle to middle";
+  Options options;
+  EXPECT_THROW(find_actor(clip, options), InputError);
+  options.actor = "bob";
+  EXPECT_EQ(find_actor(clip, options).name, "bob");
+  options.actor = "bib";
+  try {
+    find_actor(clip, options);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(format_error(error), "--actor: unknown actor 'bib'; did you mean 'bob'?");
+  }
+}
+
+}  // namespace
+}  // namespace mien
