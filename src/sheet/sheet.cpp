@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clip.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"

@@ -24,14 +24,14 @@ constexpr double kFixationSpread = 0.6;  // of the logarithm: many short ones, a
 constexpr double kQuickTurn_degps = 25;  // a head that turns more slowly takes no blink along
 
 // Yaw to the character's left and pitch upward, degrees in the head's own frame.
-struct Aim {
+struct EyeAim {
   double side_deg = 0, up_deg = 0;
 };
 struct EyesAim {
-  Aim left, right;
+  EyeAim left, right;
 };
 
-Aim find_aim(const glm::dvec3& toward) {
+EyeAim find_aim(const glm::dvec3& toward) {
   return {std::atan2(toward.x, toward.z) / kRadiansPerDegree,
           std::atan2(toward.y, std::hypot(toward.x, toward.z)) / kRadiansPerDegree};
 }
@@ -52,7 +52,7 @@ EyesAim find_aim(const GazeKey& key, const EyeRig& rig, const TurnKey& turn, con
   const glm::dmat4 world_from_head = find_turn(rig.pivot_mm, turn, 1);
   const glm::dmat3 head_from_world = glm::transpose(glm::dmat3(world_from_head));  // of a rotation
   if (key.look == LookAt::direction) {
-    const Aim aim = find_aim(head_from_world * find_direction(key.side_deg, key.up_deg));
+    const EyeAim aim = find_aim(head_from_world * find_direction(key.side_deg, key.up_deg));
     return {aim, aim};
   }
   const glm::dvec3 place = key.look == LookAt::camera ? find_camera_mm(rig, camera) : key.point_mm;
@@ -62,11 +62,11 @@ EyesAim find_aim(const GazeKey& key, const EyeRig& rig, const TurnKey& turn, con
   return {aim_from(rig.left_mm), aim_from(rig.left_mm * glm::dvec3(-1, 1, 1))};
 }
 
-double find_amplitude_deg(const Aim& from, const Aim& to) {
+double find_amplitude_deg(const EyeAim& from, const EyeAim& to) {
   return std::hypot(to.side_deg - from.side_deg, to.up_deg - from.up_deg);
 }
 
-Aim mix_aims(const Aim& from, const Aim& to, double share) {
+EyeAim mix_aims(const EyeAim& from, const EyeAim& to, double share) {
   return {std::lerp(from.side_deg, to.side_deg, share), std::lerp(from.up_deg, to.up_deg, share)};
 }
 
@@ -100,13 +100,13 @@ EyesAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const Tu
   return {mix_aims(from.left, to.left, share), mix_aims(from.right, to.right, share)};
 }
 
-Aim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
+EyeAim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
   if (fixations.empty()) return {};
   const auto next = find_next(fixations, time_s);
   const Fixation& now = next == fixations.begin() ? *next : *(next - 1);
-  const Aim from{now.side_deg, now.up_deg};
+  const EyeAim from{now.side_deg, now.up_deg};
   if (next == fixations.begin() || next == fixations.end()) return from;
-  const Aim to{next->side_deg, next->up_deg};
+  const EyeAim to{next->side_deg, next->up_deg};
   return mix_aims(from, to, find_saccade_share(find_amplitude_deg(from, to), now.at_s, next->at_s, time_s));
 }
 
@@ -117,7 +117,7 @@ void add_degrees(double degrees, double plus_deg, double minus_deg, double& valu
   value = std::clamp(sum_deg / (sum_deg > 0 ? plus_deg : minus_deg), -1.0, 1.0);
 }
 
-void add_aim(const Aim& aim, const EyeReach& reach, Side side, Pose& pose) {
+void add_aim(const EyeAim& aim, const EyeReach& reach, Side side, Pose& pose) {
   add_degrees(aim.side_deg, reach.left_deg, reach.right_deg, pose.values[*find_move("eye", side, "side")]);
   add_degrees(aim.up_deg, reach.up_deg, reach.down_deg, pose.values[*find_move("eye", side, "up")]);
 }
@@ -146,8 +146,8 @@ void aim_eyes(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey&
               const CameraKey& camera, Pose& pose) {
   if (gaze.spec.keys.empty() && gaze.fixations.empty()) return;
   EyesAim aim = sample_keys(gaze, rig, time_s, turn, camera);
-  const Aim offset = sample_fixations(gaze.fixations, time_s);
-  for (Aim* eye : {&aim.left, &aim.right}) {
+  const EyeAim offset = sample_fixations(gaze.fixations, time_s);
+  for (EyeAim* eye : {&aim.left, &aim.right}) {
     eye->side_deg += offset.side_deg;
     eye->up_deg += offset.up_deg;
   }
@@ -160,8 +160,8 @@ std::vector<Shift> list_shifts(const GazeSpec& gaze, const std::vector<TurnKey>&
   std::vector<Shift> shifts;
   const CameraKey view = camera.empty() ? CameraKey{} : camera.front();
   for (std::size_t i = 1; i < gaze.keys.size(); ++i) {
-    const Aim from = find_aim(gaze.keys[i - 1], EyeRig{}, TurnKey{}, view).left;
-    const Aim to = find_aim(gaze.keys[i], EyeRig{}, TurnKey{}, view).left;
+    const EyeAim from = find_aim(gaze.keys[i - 1], EyeRig{}, TurnKey{}, view).left;
+    const EyeAim to = find_aim(gaze.keys[i], EyeRig{}, TurnKey{}, view).left;
     const double amplitude_deg = find_amplitude_deg(from, to);
     shifts.push_back({gaze.keys[i].at_s - find_saccade_s(amplitude_deg) / 2, amplitude_deg});
   }

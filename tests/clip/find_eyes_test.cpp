@@ -27,7 +27,10 @@ TEST(find_eyes, meets_the_camera_on_every_head) {
     EXPECT_NEAR(rig.left.up_deg, 25, 1e-9);
     EXPECT_NEAR(rig.right.down_deg, 30, 1e-9);
     for (const double angle_deg : {-60.0, -20.0, 0.0, 35.0}) {
-      const CameraKey camera{0, Easing::linear, angle_deg, 10, 0.8};
+      CameraKey camera;
+      camera.angle_deg = angle_deg;
+      camera.height_deg = 10;
+      camera.distance = 0.8;
       const CameraView view = find_view(figure, camera, {});
       const glm::dvec3 toward = find_toward(angle_deg, 10);
       const glm::dvec3 real =
