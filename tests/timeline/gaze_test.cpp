@@ -114,7 +114,12 @@ TEST(gaze, both_eyes_meet_at_a_point) {
 TEST(gaze, stays_on_the_camera_while_head_and_camera_move) {
   ClipSpec clip = build_clip({{0, LookAt::camera}});
   clip.turn = {{0, Easing::in_out, -15, -6, 5}, {4, Easing::in_out, 18, 8, -4}};
-  clip.camera = {{0, Easing::in_out, -5, 0, 1}, {4, Easing::in_out, 12, 6, 0.8}};
+  clip.camera.resize(2);
+  clip.camera[0].angle_deg = -5;
+  clip.camera[1].at_s = 4;
+  clip.camera[1].angle_deg = 12;
+  clip.camera[1].height_deg = 6;
+  clip.camera[1].distance = 0.8;
   const Performance performance = build_performance(clip);
   for (double time_s = 0; time_s <= 4; time_s += 0.1) {
     const Moment moment = sample_performance(performance, time_s);

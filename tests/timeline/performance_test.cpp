@@ -31,7 +31,15 @@ ClipSpec build_random_clip(std::uint64_t seed) {
       key.pose.values[move] = uniform(kMoves[move].low, kMoves[move].high);
     clip.keys.push_back(key);
     clip.turn.push_back({uniform(0, 5), ease, uniform(-60, 60), uniform(-30, 30), uniform(-30, 30)});
-    clip.camera.push_back({uniform(0, 5), ease, uniform(-180, 180), uniform(-60, 60), uniform(0.3, 3)});
+    clip.camera.push_back({uniform(0, 5),
+                           ease,
+                           uniform(-180, 180),
+                           uniform(-60, 60),
+                           uniform(0.3, 3),
+                           {},
+                           {},
+                           kPortraitLens_mm,
+                           {}});
   }
   clip.length_s = 5;
   return clip;
