@@ -103,7 +103,7 @@ TEST(actors, are_all_framed) {
     find_actor(clip, options);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_EQ(format_error(error), "--actor: unknown actor 'bib'; did you mean 'bob'?");
+    EXPECT_EQ(format_error(error), "error: --actor: unknown actor 'bib'; did you mean 'bob'?");
   }
 }
 
