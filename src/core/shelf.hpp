@@ -1,4 +1,4 @@
-// Costly things that several threads share for a while: each is made once, and few are kept.
+// Costly things that several threads share for a while: each is made once while it is kept, and few are kept.
 #pragma once
 
 #include <cstddef>

@@ -10,11 +10,11 @@
 namespace mien {
 namespace {
 
-TEST(shelf, makes_each_thing_once_and_keeps_few) {
+TEST(shelf, makes_each_thing_once_for_all_threads) {
   constexpr int kJobs = 8;
   constexpr std::size_t kTakers = 20;
-  Shelf<int> shelf(kJobs + 1);
   std::array<std::atomic<int>, 30> made{};
+  Shelf<int> shelf(made.size());  // room for all: a thread that sleeps long finds its thing still there
   for_each_index(made.size() * kTakers, kJobs, [&](std::size_t i, int) {
     const std::size_t index = i / kTakers;
     const auto thing = take_thing<int>(shelf, index, [&] {
@@ -22,10 +22,17 @@ TEST(shelf, makes_each_thing_once_and_keeps_few) {
       return static_cast<int>(index) + 100;
     });
     EXPECT_EQ(*thing, static_cast<int>(index) + 100);
-    const std::lock_guard lock(shelf.mutex);
-    EXPECT_LE(shelf.things.size(), shelf.room);
   });
   for (const std::atomic<int>& count : made) EXPECT_EQ(count, 1);
+}
+
+TEST(shelf, keeps_few_and_lets_the_lowest_go) {
+  Shelf<std::size_t> shelf(3);
+  for (std::size_t index = 0; index < 20; ++index) {
+    EXPECT_EQ(*take_thing<std::size_t>(shelf, index, [&] { return index; }), index);
+    EXPECT_LE(shelf.things.size(), 3u);
+  }
+  EXPECT_EQ(shelf.things.begin()->first, 17u);
 }
 
 TEST(shelf, tells_everybody_what_went_wrong) {
