@@ -36,7 +36,7 @@ struct RunError : std::runtime_error {
 
 // Ctrl-C or a termination signal came; what was finished stays. Exit status 130.
 struct Interrupted : std::runtime_error {
-  Interrupted() : std::runtime_error("interrupted; finished frames are kept, run again to go on") {}
+  Interrupted() : std::runtime_error("interrupted; what was finished is kept, run again to go on") {}
 };
 
 // "file:line:col: error: message", then the source line and a caret when they are known.

@@ -146,19 +146,22 @@ SheetCell draw_corner_limits() {
   return cell;
 }
 
-// One eye: beside two there is no room for words.
-SheetCell draw_eye_limits() {
+// One eye with its lids at rest: beside two there is no room for words.
+SheetCell draw_one_eye() {
   SheetCell cell;
   cell.framing = {{"en_l", "ex_l"}, 1.35};
   for (const Places& lid : {kUpperLid, kLowerLid}) append_lines(lid, {}, cell);
+  return cell;
+}
+
+SheetCell draw_eye_limits() {
+  SheetCell cell = draw_one_eye();
   append_boxes("eye", "side", {"pupil_l"}, cell);
   return cell;
 }
 
 SheetCell draw_lid_limits() {
-  SheetCell cell;
-  cell.framing = {{"en_l", "ex_l"}, 1.35};
-  for (const Places& lid : {kUpperLid, kLowerLid}) append_lines(lid, {}, cell);
+  SheetCell cell = draw_one_eye();
   append_lines(kUpperLid, build_pose("lid", "upper", 1), cell);
   append_lines(kLowerLid, build_pose("lid", "lower", 1), cell);
   cell.marks.push_back(build_level("E1_4", build_pose("lid", "upper", 1), "upper"));

@@ -56,7 +56,7 @@ TEST(resume, goes_on_after_ctrl_c_with_nothing_left_behind) {
                             "while [ ! -e out/tiny/frames/f0003.png ] && kill -0 $id; do sleep 0.1; done\n"
                             "kill -INT $id; wait $id");
   EXPECT_EQ(run.status, 130) << run.err;
-  EXPECT_NE(run.err.find("interrupted; finished frames are kept, run again to go on"), std::string::npos)
+  EXPECT_NE(run.err.find("interrupted; what was finished is kept, run again to go on"), std::string::npos)
       << run.err;
   const Times kept = read_times(folder / "out/tiny/frames");
   EXPECT_GE(kept.size(), 2u);

@@ -88,7 +88,7 @@ TEST(process, ends_children_and_grandchildren_on_a_signal) {
   EXPECT_EQ(find_message<Interrupted>([&] {
               run_process({"sh", "-c", script}, scratch.path);
             }),
-            "interrupted; finished frames are kept, run again to go on");
+            "interrupted; what was finished is kept, run again to go on");
   finger.join();
   EXPECT_TRUE(is_gone(std::stoi(read_file(scratch.path / "id"))));
   EXPECT_THROW(run_process({"true"}, "."), Interrupted);
