@@ -150,7 +150,8 @@ TEST(openscad, title_is_never_code) {
   EXPECT_EQ(source.substr(0, source.find('\n')), "// x cube(99);    cube(98);    [Tab]      modules     \"é");
   bust.title.assign(10000, 'a');
   EXPECT_EQ(build_openscad_bust(bust, kTemplates).find('\n'), 3U + 120);
-  bust.title = std::string(119, 'a') + "é";  // the cut falls into a letter of two bytes
+  bust.title.assign(119, 'a');  // the cut falls into a letter of two bytes
+  bust.title += "é";
   EXPECT_EQ(build_openscad_bust(bust, kTemplates).substr(0, 123), "// " + std::string(119, 'a') + "\n");
 }
 
