@@ -22,9 +22,10 @@ const std::map<std::string, Rooms> kMayUse{
     {"face", {"head", "config", "core"}},
     {"timeline", {"config", "core"}},
     {"frames", {"timeline", "face", "head", "config", "core"}},
+    {"print", {"head", "import", "core"}},
     {"scene", {"config", "core"}},
     {"render", {"config", "core"}},
-    {"pipeline", {"render", "scene", "frames", "timeline", "face", "head", "config", "core"}},
+    {"pipeline", {"render", "scene", "print", "frames", "timeline", "face", "head", "config", "core"}},
     {"command_line", {"pipeline", "config", "core"}},
     {"main", {"command_line", "pipeline", "render", "core"}},
 };

@@ -1,0 +1,145 @@
+// The mouldings of a column's foot, as every handbook of ornament draws them: a hollow (scotia), a round
+// (torus) and the drum.
+#include "print/base.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "core/error.hpp"
+#include "print/flat_cap.hpp"
+
+namespace mien {
+
+namespace {
+
+// A line of the base from top to bottom, at every angle: how far out from the foot's radius to the
+// outline's, and how high as a share of the base. templates/openscad/base.scad has the same numbers.
+struct ProfilePoint {
+  double out = 0, up = 0;
+};
+
+constexpr ProfilePoint kSocle[] = {
+    {0.061, 0.9005}, {0.234, 0.8162}, {0.494, 0.7598}, {0.80, 0.74},  // hollow
+    {0.871, 0.7195}, {0.90, 0.67},    {0.871, 0.6205}, {0.80, 0.60},  // torus
+    {0.97, 0.60},    {1, 0.57},       {1, 0.04},       {0.96, 0},     // drum
+};
+constexpr ProfilePoint kBlock[] = {{0.97, 1}, {1, 0.96}, {1, 0.04}, {0.96, 0}};
+
+// Of the superellipse |x|^n + |y|^n = radius^n: flat within 0.03 mm over the middle 60 % of a side of 30 mm.
+constexpr double kSquareness = 8;
+constexpr double kSpread = 1.12;  // the outline is at least so much wider than the foot, or there is no step
+constexpr int kPocketSides = 48;
+constexpr double kPocketRoof_mm = 0.8;  // two walls of a nozzle's width; thinner, the pocket breaks through
+
+std::span<const ProfilePoint> find_profile(BaseShape shape) {
+  if (shape == BaseShape::plinth) return kBlock;
+  return kSocle;
+}
+
+// The outline's distance from the axis in the direction (c, s).
+double find_outline_mm(const Base& base, double c, double s) {
+  const double n = base.shape == BaseShape::round ? 2 : kSquareness;
+  return base.radius_mm * std::pow(std::pow(std::abs(c), n) + std::pow(std::abs(s), n), -1 / n);
+}
+
+void require_base(const Base& base) {
+  if (!(base.height_mm > 0) && base.shape != BaseShape::none)
+    throw RunError(fmt::format("the base's height of {} mm is not above 0", base.height_mm));
+  if (!(base.radius_mm > 0) && base.shape != BaseShape::none)
+    throw RunError(fmt::format("the base's radius of {} mm is not above 0", base.radius_mm));
+}
+
+// Star-shaped: each step goes the same way round the axis.
+void require_star(const std::vector<glm::vec3>& foot) {
+  int left = 0, right = 0;
+  for (std::size_t i = 0; i < foot.size(); ++i) {
+    const glm::dvec3 a(foot[i]), b(foot[(i + 1) % foot.size()]);
+    (a.x * b.y - a.y * b.x > 0 ? left : right) += 1;
+  }
+  if (foot.size() < 3 || (left > 0 && right > 0))
+    throw RunError("internal: the figure's foot does not go round its axis");
+}
+
+Loop append_ring(Mesh& mesh, const std::vector<glm::vec3>& ring) {
+  Loop loop;
+  for (const glm::vec3& p : ring) {
+    loop.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+    mesh.positions.push_back(p);
+  }
+  return loop;
+}
+
+// A blind hole from below; returns its loop in the underside.
+Loop append_pocket(Mesh& mesh, const Base& base) {
+  // Round it, not in it, so that a magnet of this diameter goes in.
+  const double radius = base.magnet_diameter_mm / 2 / std::cos(std::numbers::pi / kPocketSides);
+  std::vector<glm::vec3> low;
+  for (int i = 0; i < kPocketSides; ++i) {
+    const double turn = 2 * std::numbers::pi * (i + 0.5) / kPocketSides;
+    low.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0);
+  }
+  std::vector<glm::vec3> high = low;
+  for (glm::vec3& p : high) p.z = float(base.magnet_depth_mm);
+  const Loop rim = append_ring(mesh, low), top = append_ring(mesh, high);
+  const Loop back_rim(rim.rbegin(), rim.rend()), back_top(top.rbegin(), top.rend());
+  append_band(mesh, back_rim, back_top);
+  append_fan_cap(mesh, back_top, {0, 0, float(base.magnet_depth_mm)});
+  return rim;
+}
+
+void require_pocket(const Base& base, const std::vector<glm::vec3>& underside) {
+  double narrowest = 1e9;
+  for (const glm::vec3& p : underside) narrowest = std::min(narrowest, std::hypot(double(p.x), double(p.y)));
+  if (base.magnet_diameter_mm / 2 + kPocketRoof_mm > narrowest ||
+      base.magnet_depth_mm + kPocketRoof_mm > base.height_mm)
+    throw RunError(fmt::format("the magnet's pocket of {} x {} mm does not fit the base",
+                               base.magnet_diameter_mm, base.magnet_depth_mm));
+}
+
+}  // namespace
+
+std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std::vector<glm::vec3>& foot) {
+  require_base(base);
+  require_star(foot);
+  std::vector<std::vector<glm::vec3>> rings;
+  if (base.shape == BaseShape::none) {
+    if (base.height_mm <= 0) return rings;
+    std::vector<glm::vec3>& ring = rings.emplace_back(foot);
+    for (glm::vec3& p : ring) p.z = 0;
+    return rings;
+  }
+  for (const auto& [out, up] : find_profile(base.shape)) {
+    std::vector<glm::vec3>& ring = rings.emplace_back();
+    for (const glm::vec3& p : foot) {
+      const double x = p.x, y = p.y, from = std::hypot(x, y), c = x / from, s = y / from;
+      const double to = std::max(find_outline_mm(base, c, s), kSpread * from);
+      const double radius = from + out * (to - from);
+      ring.emplace_back(radius * c, radius * s, base.height_mm * up);
+    }
+  }
+  return rings;
+}
+
+void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains) {
+  std::vector<glm::vec3> foot;
+  for (const std::uint32_t v : foot_loop) foot.push_back(body.positions[v]);
+  Loop last = foot_loop;
+  for (const std::vector<glm::vec3>& points : list_base_rings(base, foot)) {
+    const Loop ring = append_ring(body, points);
+    append_band(body, last, ring);
+    last = ring;
+    foot = points;
+  }
+  std::vector<Loop> holes = drains;
+  if (base.magnet_diameter_mm > 0 && base.magnet_depth_mm > 0) {
+    require_pocket(base, foot);
+    holes.push_back(append_pocket(body, base));
+  }
+  append_flat_cap(body, last, holes);
+}
+
+}  // namespace mien

@@ -1,0 +1,43 @@
+// What a figure stands on: rings from its foot down to the bed, a label, a pocket for a magnet, holes to
+// drain. Print coordinates: mm, z up, the bed at z = 0, the front toward -y, the character's left at +x.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/holes.hpp"
+#include "core/mesh.hpp"
+
+namespace mien {
+
+enum class BaseShape {
+  none,    // the foot goes straight down
+  round,   // a moulded socle: hollow, torus, drum
+  square,  // the same mouldings round a square with soft corners
+  plinth,  // an upright block with a plain front
+};
+
+struct Base {
+  BaseShape shape = BaseShape::round;
+  double height_mm = 8;
+  double radius_mm = 15;          // half the side of a square or plinth
+  std::string label{};            // raised on the front; needs a shape
+  double label_size_mm = 0;       // height of the letters; 0: as large as the front allows
+  double label_raise_mm = 0.8;    // smaller, and it is lost between two layers
+  double magnet_diameter_mm = 0;  // of a pocket in the underside; 0: none
+  double magnet_depth_mm = 0;
+};
+
+// The rings of the base below `foot`, from the top one to the outer edge of the underside (z = 0), each with
+// a point for each of the foot's, in its order and at its angle. `foot` is horizontal, at z =
+// base.height_mm, and star-shaped as seen from the z axis. Without a shape there is one ring straight below
+// the foot, or none if that stands on the bed already. templates/openscad/base.scad has the same formula; a
+// ring's point is the foot's moved outward by a share of the way to the outline.
+std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std::vector<glm::vec3>& foot);
+
+// Joins the base to `body`, which is open along `foot_loop` (as find_boundary_loops gives it) and along
+// `drains`, loops in the plane z = 0; closed afterwards. Normals are dropped. Throws RunError "the base's
+// height of 0 mm is not above 0", "the magnet's pocket of 20 mm does not fit the base" and the like.
+void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains);
+
+}  // namespace mien
