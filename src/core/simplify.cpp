@@ -52,8 +52,10 @@ struct Simplifier {
   std::vector<std::vector<std::uint32_t>> around;  // the triangles of a vertex, dead ones among them
   std::vector<Quadric> quadrics;
   std::vector<std::uint32_t> version;
+  std::vector<bool> is_open;  // a vertex on an open edge, which stays
   std::priority_queue<Collapse> queue;
   double tolerance_mm = 0;
+  double short_mm = 0;  // above 0: shorter edges are merged, and nothing else is asked
 };
 
 glm::dvec3 find_area_vector(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -72,15 +74,20 @@ void push_collapse(Simplifier& s, std::uint32_t v, std::uint32_t w) {
   constexpr double kPull = 1e-3;   // toward the middle: decides where the planes leave the place open
   constexpr double kShort = 1e-6;  // of the squared length: among equals the shortest edge goes first
   const std::uint32_t keep = std::min(v, w), drop = std::max(v, w);
+  if (s.is_open[keep] && s.is_open[drop]) return;
+  const glm::dvec3 along = s.positions[keep] - s.positions[drop];
+  const double square = glm::dot(along, along);
+  if (s.short_mm > 0 && square > s.short_mm * s.short_mm) return;
   Quadric sum = s.quadrics[keep];
   sum.add(s.quadrics[drop]);
   const glm::dvec3 middle = 0.5 * (s.positions[keep] + s.positions[drop]);
-  const glm::dvec3 place = glm::inverse(sum.a + glm::dmat3(kPull)) * (sum.b + kPull * middle);
-  const double error = sum.measure(place);
+  glm::dvec3 place =
+      s.short_mm > 0 ? middle : glm::inverse(sum.a + glm::dmat3(kPull)) * (sum.b + kPull * middle);
+  if (s.is_open[keep]) place = s.positions[keep];
+  if (s.is_open[drop]) place = s.positions[drop];
+  const double error = s.short_mm > 0 ? 0 : sum.measure(place);
   if (error > s.tolerance_mm * s.tolerance_mm) return;
-  const glm::dvec3 along = s.positions[keep] - s.positions[drop];
-  s.queue.push(
-      {error + kShort * glm::dot(along, along), keep, drop, s.version[keep], s.version[drop], place});
+  s.queue.push({error + kShort * square, keep, drop, s.version[keep], s.version[drop], place});
 }
 
 // Whether the triangles of `moved` that `other` has no part in keep their side and a sound shape at the new
@@ -107,6 +114,33 @@ bool keeps_shape(const Simplifier& s, std::uint32_t moved, std::uint32_t other, 
   return true;
 }
 
+// The same for merging short edges: needles have no side of their own, they must keep their neighbours'.
+bool keeps_side(const Simplifier& s, std::uint32_t moved, std::uint32_t other, const glm::dvec3& place) {
+  constexpr double kTurn = 0.5, kNeedle = 0.1;  // of twice the area over the longest side squared
+  glm::dvec3 mean{0};
+  for (const std::uint32_t t : s.around[moved]) {
+    const auto& [a, b, c] = s.triangles[t];
+    if (s.is_alive[t]) mean += find_area_vector(s.positions[a], s.positions[b], s.positions[c]);
+  }
+  for (const std::uint32_t t : s.around[moved]) {
+    const Triangle& corners = s.triangles[t];
+    if (!s.is_alive[t] || std::find(corners.begin(), corners.end(), other) != corners.end()) continue;
+    std::array<glm::dvec3, 3> now, then;
+    for (int i = 0; i < 3; ++i) {
+      now[i] = s.positions[corners[i]];
+      then[i] = corners[i] == moved ? place : now[i];
+    }
+    const glm::dvec3 before = find_area_vector(now[0], now[1], now[2]);
+    const glm::dvec3 after = find_area_vector(then[0], then[1], then[2]);
+    double longest = 0;
+    for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::length(now[i] - now[(i + 1) % 3]));
+    const bool is_needle = glm::length(before) < kNeedle * longest * longest;
+    const glm::dvec3& side = is_needle ? mean : before;
+    if (glm::dot(side, after) <= kTurn * glm::length(side) * glm::length(after)) return false;
+  }
+  return true;
+}
+
 // Two ends of an edge may become one only if exactly two vertices neighbour both (the link condition).
 bool keeps_surface(const Simplifier& s, const Collapse& c) {
   const std::set<std::uint32_t> keep = list_neighbours(s, c.keep), drop = list_neighbours(s, c.drop);
@@ -119,6 +153,7 @@ bool keeps_surface(const Simplifier& s, const Collapse& c) {
 void collapse(Simplifier& s, const Collapse& c) {
   s.positions[c.keep] = c.place;
   s.quadrics[c.keep].add(s.quadrics[c.drop]);
+  s.is_open[c.keep] = s.is_open[c.keep] || s.is_open[c.drop];
   for (const std::uint32_t t : s.around[c.drop]) {
     if (!s.is_alive[t]) continue;
     Triangle& corners = s.triangles[t];
@@ -136,15 +171,31 @@ void collapse(Simplifier& s, const Collapse& c) {
   for (const std::uint32_t v : list_neighbours(s, c.keep)) push_collapse(s, c.keep, v);
 }
 
-Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm) {
+// The vertices on edges that are not used once in each direction.
+std::vector<bool> find_open_vertices(const Mesh& mesh) {
+  std::vector<std::array<std::uint32_t, 2>> edges;
+  edges.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    for (int i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
+  std::sort(edges.begin(), edges.end());
+  std::vector<bool> is_open(mesh.positions.size(), false);
+  for (const auto& [from, to] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::array{to, from}))
+      is_open[from] = is_open[to] = true;
+  return is_open;
+}
+
+Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_mm) {
   Simplifier s;
   s.tolerance_mm = tolerance_mm;
+  s.short_mm = short_mm;
   s.positions.assign(mesh.positions.begin(), mesh.positions.end());
   s.triangles = mesh.triangles;
   s.is_alive.assign(mesh.triangles.size(), true);
   s.around.resize(mesh.positions.size());
   s.quadrics.resize(mesh.positions.size());
   s.version.resize(mesh.positions.size());
+  s.is_open = find_open_vertices(mesh);
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
     const auto& [a, b, c] = s.triangles[t];
     const glm::dvec3 area = find_area_vector(s.positions[a], s.positions[b], s.positions[c]);
@@ -180,18 +231,29 @@ Mesh build_mesh(const Simplifier& s) {
   return mesh;
 }
 
-}  // namespace
-
-void simplify_mesh(Mesh& mesh, double tolerance_mm) {
-  Simplifier s = build_simplifier(mesh, tolerance_mm);
+void run_collapses(Simplifier& s) {
+  const auto keeps = s.short_mm > 0 ? keeps_side : keeps_shape;
   while (!s.queue.empty()) {
     const Collapse next = s.queue.top();
     s.queue.pop();
     if (s.version[next.keep] != next.keep_version || s.version[next.drop] != next.drop_version) continue;
-    if (keeps_surface(s, next) && keeps_shape(s, next.keep, next.drop, next.place) &&
-        keeps_shape(s, next.drop, next.keep, next.place))
+    if (keeps_surface(s, next) && keeps(s, next.keep, next.drop, next.place) &&
+        keeps(s, next.drop, next.keep, next.place))
       collapse(s, next);
   }
+}
+
+}  // namespace
+
+void simplify_mesh(Mesh& mesh, double tolerance_mm) {
+  Simplifier s = build_simplifier(mesh, tolerance_mm, 0);
+  run_collapses(s);
+  mesh = build_mesh(s);
+}
+
+void merge_short_edges(Mesh& mesh, double least_mm) {
+  Simplifier s = build_simplifier(mesh, 0, least_mm);
+  run_collapses(s);
   mesh = build_mesh(s);
 }
 
