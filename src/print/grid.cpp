@@ -25,37 +25,6 @@ bool is_left_of(const std::vector<glm::vec3>& positions, std::uint32_t a, std::u
   return is_left != is_turned;
 }
 
-struct Crossing {
-  double z = 0;
-  int turn = 0;  // +1: into the solid, going up
-};
-
-// For each column of nodes where it goes in and out of the solid.
-std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid& grid) {
-  std::vector<std::vector<Crossing>> columns(static_cast<std::size_t>(grid.count.x) * grid.count.y);
-  for (const auto& [a, b, c] : solid.triangles) {
-    const glm::dvec3 p(solid.positions[a]), q(solid.positions[b]), r(solid.positions[c]);
-    const glm::dvec3 low = (glm::min(p, glm::min(q, r)) - grid.origin) / grid.cell_mm;
-    const glm::dvec3 high = (glm::max(p, glm::max(q, r)) - grid.origin) / grid.cell_mm;
-    for (int j = int(std::ceil(low.y)); j <= int(std::floor(high.y)); ++j)
-      for (int i = int(std::ceil(low.x)); i <= int(std::floor(high.x)); ++i) {
-        const double x = grid.origin.x + grid.cell_mm * i, y = grid.origin.y + grid.cell_mm * j;
-        const bool left = is_left_of(solid.positions, a, b, x, y);
-        if (is_left_of(solid.positions, b, c, x, y) != left ||
-            is_left_of(solid.positions, c, a, x, y) != left)
-          continue;
-        const glm::dvec3 n = glm::cross(q - p, r - p);
-        if (n.z == 0) continue;
-        const double z = p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / n.z;
-        columns[static_cast<std::size_t>(j) * grid.count.x + i].push_back({z, left ? -1 : 1});
-      }
-  }
-  for (std::vector<Crossing>& column : columns)
-    std::sort(column.begin(), column.end(),
-              [](const Crossing& a, const Crossing& b) { return a.z != b.z ? a.z < b.z : a.turn < b.turn; });
-  return columns;
-}
-
 // The corners of a cube by bits: 1 is x, 2 is y, 4 is z. Each path from 0 to 7 is a tetrahedron; the odd
 // ones are turned round, so that all have the same sense.
 constexpr std::array<std::array<int, 4>, 6> kTetrahedra{
@@ -127,15 +96,42 @@ glm::dvec3 find_zero(const std::array<glm::dvec3, 2>& edge, double cell_mm,
 
 }  // namespace
 
-Grid build_depth_grid(const Mesh& solid, const SurfaceTree& tree, double cell_mm, double reach_mm) {
+Grid place_grid(const Box& box, double cell_mm) {
   Grid grid;
   grid.cell_mm = cell_mm;
-  const Box box = find_bounds(solid.positions);
-  // Off the planes where meshes like to have their vertices.
-  grid.origin =
-      glm::dvec3(double(box.low.x) - 1.381966 * cell_mm, double(box.low.y) - 1.2360680 * cell_mm, 0);
+  grid.origin = glm::dvec3(double(box.low.x) - 1.381966 * cell_mm, double(box.low.y) - 1.236068 * cell_mm, 0);
   const glm::dvec3 size = (glm::dvec3(box.high) - grid.origin) / cell_mm;
   grid.count = glm::ivec3(int(size.x) + 3, int(size.y) + 3, int(size.z) + 3);
+  return grid;
+}
+
+std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid& grid) {
+  std::vector<std::vector<Crossing>> columns(static_cast<std::size_t>(grid.count.x) * grid.count.y);
+  for (const auto& [a, b, c] : solid.triangles) {
+    const glm::dvec3 p(solid.positions[a]), q(solid.positions[b]), r(solid.positions[c]);
+    const glm::dvec3 low = (glm::min(p, glm::min(q, r)) - grid.origin) / grid.cell_mm;
+    const glm::dvec3 high = (glm::max(p, glm::max(q, r)) - grid.origin) / grid.cell_mm;
+    for (int j = int(std::ceil(low.y)); j <= int(std::floor(high.y)); ++j)
+      for (int i = int(std::ceil(low.x)); i <= int(std::floor(high.x)); ++i) {
+        const double x = grid.origin.x + grid.cell_mm * i, y = grid.origin.y + grid.cell_mm * j;
+        const bool left = is_left_of(solid.positions, a, b, x, y);
+        if (is_left_of(solid.positions, b, c, x, y) != left ||
+            is_left_of(solid.positions, c, a, x, y) != left)
+          continue;
+        const glm::dvec3 n = glm::cross(q - p, r - p);
+        if (n.z == 0) continue;
+        const double z = p.z - (n.x * (x - p.x) + n.y * (y - p.y)) / n.z;
+        columns[static_cast<std::size_t>(j) * grid.count.x + i].push_back({z, left ? -1 : 1});
+      }
+  }
+  for (std::vector<Crossing>& column : columns)
+    std::sort(column.begin(), column.end(),
+              [](const Crossing& a, const Crossing& b) { return a.z != b.z ? a.z < b.z : a.turn < b.turn; });
+  return columns;
+}
+
+Grid build_depth_grid(const Mesh& solid, const SurfaceTree& tree, double cell_mm, double reach_mm) {
+  Grid grid = place_grid(find_bounds(solid.positions), cell_mm);
   grid.values.assign(static_cast<std::size_t>(grid.count.x) * grid.count.y * grid.count.z, float(-cell_mm));
   const auto columns = list_crossings(solid, grid);
   for_each_index(static_cast<std::size_t>(grid.count.y), count_cores(), [&](std::size_t row, int) {

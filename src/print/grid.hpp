@@ -23,9 +23,21 @@ struct Grid {
   glm::dvec3 place(int i, int j, int k) const { return origin + cell_mm * glm::dvec3(i, j, k); }
 };
 
+// A grid around `box`, which stands on z = 0, without values: nodes with k = 0 are at z = 0; a cell at least
+// is free around all other sides, and the nodes are off the planes where meshes like to have their vertices.
+Grid place_grid(const Box& box, double cell_mm);
+
+// Where a column of nodes goes through the solid's surface.
+struct Crossing {
+  double z = 0;
+  int turn = 0;  // +1: in, going up; -1: out
+};
+
+// For each column (x fastest) its crossings, ascending. Edges and vertices are met exactly once.
+std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid& grid);
+
 // How deep each node lies in the solid, in mm: exact up to `reach_mm`, which stands for all that is deeper;
-// -cell_mm for all outside. Nodes with k = 0 are at z = 0, where the solid stands; a cell at least is free
-// around all other sides. The same for any number of threads.
+// -cell_mm for all outside. The same for any number of threads.
 Grid build_depth_grid(const Mesh& solid, const SurfaceTree& tree, double cell_mm, double reach_mm);
 
 // The surface around all nodes of values above 0, seen from them: triangles run counter-clockwise as seen
