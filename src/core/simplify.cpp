@@ -52,7 +52,7 @@ struct Simplifier {
   std::vector<std::vector<std::uint32_t>> around;  // the triangles of a vertex, dead ones among them
   std::vector<Quadric> quadrics;
   std::vector<std::uint32_t> version;
-  std::vector<bool> is_open;  // a vertex on an open edge, which stays
+  std::vector<bool> is_fixed;  // a vertex that stays, such as those on open edges
   std::priority_queue<Collapse> queue;
   double tolerance_mm = 0;
   double short_mm = 0;  // above 0: shorter edges are merged, and nothing else is asked
@@ -74,7 +74,7 @@ void push_collapse(Simplifier& s, std::uint32_t v, std::uint32_t w) {
   constexpr double kPull = 1e-3;   // toward the middle: decides where the planes leave the place open
   constexpr double kShort = 1e-6;  // of the squared length: among equals the shortest edge goes first
   const std::uint32_t keep = std::min(v, w), drop = std::max(v, w);
-  if (s.is_open[keep] && s.is_open[drop]) return;
+  if (s.is_fixed[keep] && s.is_fixed[drop]) return;
   const glm::dvec3 along = s.positions[keep] - s.positions[drop];
   const double square = glm::dot(along, along);
   if (s.short_mm > 0 && square > s.short_mm * s.short_mm) return;
@@ -83,8 +83,8 @@ void push_collapse(Simplifier& s, std::uint32_t v, std::uint32_t w) {
   const glm::dvec3 middle = 0.5 * (s.positions[keep] + s.positions[drop]);
   glm::dvec3 place =
       s.short_mm > 0 ? middle : glm::inverse(sum.a + glm::dmat3(kPull)) * (sum.b + kPull * middle);
-  if (s.is_open[keep]) place = s.positions[keep];
-  if (s.is_open[drop]) place = s.positions[drop];
+  if (s.is_fixed[keep]) place = s.positions[keep];
+  if (s.is_fixed[drop]) place = s.positions[drop];
   const double error = s.short_mm > 0 ? 0 : sum.measure(place);
   if (error > s.tolerance_mm * s.tolerance_mm) return;
   s.queue.push({error + kShort * square, keep, drop, s.version[keep], s.version[drop], place});
@@ -153,7 +153,7 @@ bool keeps_surface(const Simplifier& s, const Collapse& c) {
 void collapse(Simplifier& s, const Collapse& c) {
   s.positions[c.keep] = c.place;
   s.quadrics[c.keep].add(s.quadrics[c.drop]);
-  s.is_open[c.keep] = s.is_open[c.keep] || s.is_open[c.drop];
+  s.is_fixed[c.keep] = s.is_fixed[c.keep] || s.is_fixed[c.drop];
   for (const std::uint32_t t : s.around[c.drop]) {
     if (!s.is_alive[t]) continue;
     Triangle& corners = s.triangles[t];
@@ -185,7 +185,8 @@ std::vector<bool> find_open_vertices(const Mesh& mesh) {
   return is_open;
 }
 
-Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_mm) {
+Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_mm,
+                            const std::vector<bool>& is_fixed) {
   Simplifier s;
   s.tolerance_mm = tolerance_mm;
   s.short_mm = short_mm;
@@ -195,7 +196,8 @@ Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_
   s.around.resize(mesh.positions.size());
   s.quadrics.resize(mesh.positions.size());
   s.version.resize(mesh.positions.size());
-  s.is_open = find_open_vertices(mesh);
+  s.is_fixed = find_open_vertices(mesh);
+  for (std::size_t v = 0; v < is_fixed.size(); ++v) s.is_fixed[v] = s.is_fixed[v] || is_fixed[v];
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
     const auto& [a, b, c] = s.triangles[t];
     const glm::dvec3 area = find_area_vector(s.positions[a], s.positions[b], s.positions[c]);
@@ -245,14 +247,14 @@ void run_collapses(Simplifier& s) {
 
 }  // namespace
 
-void simplify_mesh(Mesh& mesh, double tolerance_mm) {
-  Simplifier s = build_simplifier(mesh, tolerance_mm, 0);
+void simplify_mesh(Mesh& mesh, double tolerance_mm, const std::vector<bool>& is_fixed) {
+  Simplifier s = build_simplifier(mesh, tolerance_mm, 0, is_fixed);
   run_collapses(s);
   mesh = build_mesh(s);
 }
 
-void merge_short_edges(Mesh& mesh, double least_mm) {
-  Simplifier s = build_simplifier(mesh, 0, least_mm);
+void merge_short_edges(Mesh& mesh, double least_mm, const std::vector<bool>& is_fixed) {
+  Simplifier s = build_simplifier(mesh, 0, least_mm, is_fixed);
   run_collapses(s);
   mesh = build_mesh(s);
 }

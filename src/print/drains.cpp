@@ -14,6 +14,8 @@ namespace mien {
 
 namespace {
 
+constexpr double kInto = 0.3;  // of a cell, into the cavity: past the node that is in it already
+
 // Nodes of the largest connected hollow.
 std::vector<bool> find_largest(const Grid& depth, double wall_mm) {
   std::vector<std::uint32_t> piece(depth.values.size(), 0);
@@ -41,17 +43,6 @@ std::vector<bool> find_largest(const Grid& depth, double wall_mm) {
   return is_in;
 }
 
-// The body's surface without its underside: what a drain must keep away from.
-SurfaceTree build_sides(const Mesh& body) {
-  constexpr float kBed_mm = 1e-3f;
-  Mesh sides;
-  sides.positions = body.positions;
-  for (const Triangle& t : body.triangles)
-    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return body.positions[v].z > kBed_mm; }))
-      sides.triangles.push_back(t);
-  return build_solid_tree(sides);
-}
-
 struct Planner {
   const Grid& depth;
   std::vector<bool> is_hollow;
@@ -68,7 +59,7 @@ struct Planner {
   // Whether a drain leaves the wall to the sides its thickness.
   bool is_clear(const glm::dvec2& at, double floor_mm) const {
     constexpr int kWays = 8;
-    for (const double z : {0.01, floor_mm / 2, floor_mm})
+    for (const double z : {0.01, floor_mm / 2, floor_mm + kInto * depth.cell_mm})
       for (int i = 0; i < kWays; ++i) {
         const double turn = 2 * std::numbers::pi * i / kWays;
         const glm::dvec3 axis(at, z), way(std::cos(turn), std::sin(turn), 0);
@@ -108,6 +99,16 @@ std::vector<Drain> list_places(const Planner& planner) {
 
 }  // namespace
 
+SurfaceTree build_sides(const Mesh& body) {
+  constexpr float kBed_mm = 1e-3f;
+  Mesh sides;
+  sides.positions = body.positions;
+  for (const Triangle& t : body.triangles)
+    if (std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return body.positions[v].z > kBed_mm; }))
+      sides.triangles.push_back(t);
+  return build_solid_tree(sides);
+}
+
 std::vector<Drain> plan_drains(const Mesh& body, const Grid& depth, const Hollow& hollow) {
   std::vector<Drain> drains;
   if (hollow.drains <= 0) return drains;
@@ -115,7 +116,8 @@ std::vector<Drain> plan_drains(const Mesh& body, const Grid& depth, const Hollow
                         hollow.drain_diameter_mm / 2 + depth.cell_mm, hollow.wall_mm};
   const std::vector<Drain> places = list_places(planner);
   if (places.empty())
-    throw RunError(fmt::format("there is no room for a drain of {} mm", hollow.drain_diameter_mm));
+    throw RunError(fmt::format("a wall of {} mm leaves no room for a drain of {} mm", hollow.wall_mm,
+                               hollow.drain_diameter_mm));
   const double level = places.front().top_mm + 1.01 * depth.cell_mm;
   glm::dvec2 middle(0);
   for (const Drain& place : places) middle += place.at / double(places.size());
@@ -140,7 +142,7 @@ std::vector<Drain> plan_drains(const Mesh& body, const Grid& depth, const Hollow
     if (!drains.empty() && rate(best) < apart) break;
     drains.push_back(best);
   }
-  for (Drain& drain : drains) drain.top_mm += 1.5 * depth.cell_mm;
+  for (Drain& drain : drains) drain.top_mm += kInto * depth.cell_mm;
   return drains;
 }
 

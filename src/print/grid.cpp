@@ -105,8 +105,8 @@ Grid place_grid(const Box& box, double cell_mm) {
   return grid;
 }
 
-std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid& grid) {
-  std::vector<std::vector<Crossing>> columns(static_cast<std::size_t>(grid.count.x) * grid.count.y);
+std::vector<std::vector<ColumnCrossing>> list_crossings(const Mesh& solid, const Grid& grid) {
+  std::vector<std::vector<ColumnCrossing>> columns(static_cast<std::size_t>(grid.count.x) * grid.count.y);
   for (const auto& [a, b, c] : solid.triangles) {
     const glm::dvec3 p(solid.positions[a]), q(solid.positions[b]), r(solid.positions[c]);
     const glm::dvec3 low = (glm::min(p, glm::min(q, r)) - grid.origin) / grid.cell_mm;
@@ -124,9 +124,10 @@ std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid&
         columns[static_cast<std::size_t>(j) * grid.count.x + i].push_back({z, left ? -1 : 1});
       }
   }
-  for (std::vector<Crossing>& column : columns)
-    std::sort(column.begin(), column.end(),
-              [](const Crossing& a, const Crossing& b) { return a.z != b.z ? a.z < b.z : a.turn < b.turn; });
+  for (std::vector<ColumnCrossing>& column : columns)
+    std::sort(column.begin(), column.end(), [](const ColumnCrossing& a, const ColumnCrossing& b) {
+      return a.z != b.z ? a.z < b.z : a.turn < b.turn;
+    });
   return columns;
 }
 
@@ -137,7 +138,7 @@ Grid build_depth_grid(const Mesh& solid, const SurfaceTree& tree, double cell_mm
   for_each_index(static_cast<std::size_t>(grid.count.y), count_cores(), [&](std::size_t row, int) {
     const int j = static_cast<int>(row);
     for (int i = 0; i < grid.count.x; ++i) {
-      const std::vector<Crossing>& column = columns[row * grid.count.x + i];
+      const std::vector<ColumnCrossing>& column = columns[row * grid.count.x + i];
       std::size_t next = 0;
       int turns = 0;
       for (int k = 0; k < grid.count.z && next < column.size(); ++k) {

@@ -28,13 +28,13 @@ struct Grid {
 Grid place_grid(const Box& box, double cell_mm);
 
 // Where a column of nodes goes through the solid's surface.
-struct Crossing {
+struct ColumnCrossing {
   double z = 0;
   int turn = 0;  // +1: in, going up; -1: out
 };
 
 // For each column (x fastest) its crossings, ascending. Edges and vertices are met exactly once.
-std::vector<std::vector<Crossing>> list_crossings(const Mesh& solid, const Grid& grid);
+std::vector<std::vector<ColumnCrossing>> list_crossings(const Mesh& solid, const Grid& grid);
 
 // How deep each node lies in the solid, in mm: exact up to `reach_mm`, which stands for all that is deeper;
 // -cell_mm for all outside. The same for any number of threads.

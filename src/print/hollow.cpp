@@ -19,13 +19,16 @@ namespace mien {
 namespace {
 
 constexpr double kLeastCell_mm = 1;
+constexpr double kFinestCell_mm = 0.7;
 constexpr double kCells = 60;         // in the height; fewer lose the nose, more take longer than a second
 constexpr double kReserve = 0.04;     // of the cell: chords across a hollow curve come nearer to the outside
 constexpr double kShort = 0.5;        // of the cell: shorter edges belong to needles
 constexpr double kTolerance = 0.2;    // of the cell, for fewer triangles
 constexpr double kLeastWall = 0.975;  // of the wall asked: what comes nearer is pushed back
-constexpr int kPushes = 6;            // two are enough for nearly all heads
-constexpr int kSpeck_cells = 30;      // a cavity of fewer cells is not worth its hole
+constexpr double kKnot = 1.5;         // of the cell, around a place where it would go through itself
+constexpr int kAttempts = 6;
+constexpr int kPushes = 6;        // two are enough for nearly all heads
+constexpr int kSpeck_cells = 30;  // a cavity of fewer cells is not worth its hole
 
 // How far inside the nearest drain, in mm; below 0 outside.
 double find_drain_value(const std::vector<Drain>& drains, double radius, const glm::dvec3& p) {
@@ -38,17 +41,18 @@ double find_drain_value(const std::vector<Drain>& drains, double radius, const g
 // Where the wall is the drain's own: the tube and the rim around it, which is as coarse as the grid.
 bool is_at_drain(const std::vector<Drain>& drains, double reach, const glm::dvec3& p) {
   return std::any_of(drains.begin(), drains.end(), [&](const Drain& drain) {
-    return glm::distance(glm::dvec2(p), drain.at) < reach && p.z < drain.top_mm;
+    return glm::distance(glm::dvec2(p), drain.at) < reach && p.z < drain.top_mm + reach / 3;
   });
 }
 
-double find_cell_mm(const Mesh& body) {
-  return std::max(kLeastCell_mm, find_bounds(body.positions).high.z / kCells);
+double find_cell_mm(const Mesh& body, const Hollow& hollow) {
+  const double coarsest = std::max(kLeastCell_mm, find_bounds(body.positions).high.z / kCells);
+  return std::clamp(hollow.wall_mm, kFinestCell_mm, coarsest);  // a cell wider than the wall would miss it
 }
 
 // Around a drain the wall ends; so far from its axis.
 double find_rim_mm(const Mesh& body, const Hollow& hollow) {
-  return hollow.drain_diameter_mm / 2 + 2 * find_cell_mm(body);
+  return hollow.drain_diameter_mm / 2 + 2 * find_cell_mm(body, hollow);
 }
 
 // Calls `visit` with places of the triangle a millimetre apart at most, corners and edges among them.
@@ -64,45 +68,90 @@ void visit_samples(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c
     }
 }
 
-// Moves vertices inward where the surface between them comes nearer to the outside than it may.
-void push_inward(Mesh& wall, const SurfaceTree& tree, const std::vector<Drain>& drains, double rim_mm,
-                 double least_mm) {
-  const std::size_t count = wall.triangles.size();
-  std::vector<glm::dvec3> push_of(count);  // the deepest lack of each triangle
-  for_each_index(count, count_cores(), [&](std::size_t t, int) {
+// What the wall must keep away from. Around the drains that is not the underside, which they go through.
+struct Outside {
+  const SurfaceTree& all;
+  const SurfaceTree& sides;
+  std::vector<Drain> drains;
+  double rim_mm = 0;
+
+  NearestPlace find(const glm::dvec3& p, double reach) const {
+    return find_nearest(is_at_drain(drains, rim_mm, p) ? sides : all, p, reach);
+  }
+};
+
+// For each triangle how much it lacks to `least_mm` where it is nearest to the outside, as the way inward.
+std::vector<glm::dvec3> list_lacks(const Mesh& wall, const Outside& outside, double least_mm) {
+  std::vector<glm::dvec3> lacks(wall.triangles.size(), glm::dvec3(0));
+  for_each_index(lacks.size(), count_cores(), [&](std::size_t t, int) {
     const auto& [a, b, c] = wall.triangles[t];
-    const glm::dvec3 p(wall.positions[a]), q(wall.positions[b]), r(wall.positions[c]);
     double deepest = 0;
-    push_of[t] = glm::dvec3(0);
-    visit_samples(p, q, r, [&](const glm::dvec3& at) {
-      if (is_at_drain(drains, rim_mm, at)) return;
-      const NearestPlace near = find_nearest(tree, at, least_mm);
-      const double lack = least_mm - near.distance;
-      if (lack <= deepest || near.distance <= 0) return;
-      deepest = lack;
-      push_of[t] = (at - near.point) / near.distance * lack;
+    visit_samples(wall.positions[a], wall.positions[b], wall.positions[c], [&](const glm::dvec3& at) {
+      const NearestPlace near = outside.find(at, least_mm);
+      if (least_mm - near.distance <= deepest || near.distance <= 0) return;
+      deepest = least_mm - near.distance;
+      lacks[t] = (at - near.point) / near.distance * deepest;
     });
   });
-  std::vector<glm::dvec3> move(wall.positions.size(), glm::dvec3(0));
-  for (std::size_t t = 0; t < count; ++t)
-    for (const std::uint32_t v : wall.triangles[t])
-      if (glm::dot(push_of[t], push_of[t]) > glm::dot(move[v], move[v])) move[v] = push_of[t];
-  for (std::size_t v = 0; v < wall.positions.size(); ++v)
-    if (!is_at_drain(drains, rim_mm, wall.positions[v])) wall.positions[v] += glm::vec3(move[v]);
+  return lacks;
 }
 
-// Whether the wall keeps its distance at all samples.
-bool is_thick_enough(const Mesh& wall, const SurfaceTree& tree, const std::vector<Drain>& drains,
-                     double rim_mm, double least_mm) {
-  std::vector<char> is_thin(wall.triangles.size(), 0);
-  for_each_index(wall.triangles.size(), count_cores(), [&](std::size_t t, int) {
-    const auto& [a, b, c] = wall.triangles[t];
-    visit_samples(wall.positions[a], wall.positions[b], wall.positions[c], [&](const glm::dvec3& at) {
-      if (!is_at_drain(drains, rim_mm, at) && find_nearest(tree, at, least_mm).distance < least_mm)
-        is_thin[t] = 1;
-    });
+// Moves vertices inward where the surface between them comes nearer to the outside than it may; false if it
+// does so nowhere. Those that `is_fixed` marks and those on the bed stay.
+bool push_inward(Mesh& wall, const Outside& outside, double least_mm, double wish_mm,
+                 const std::vector<bool>& is_fixed) {
+  constexpr double kShare = 0.4;  // of the way to the cavity's other side, which may come as well
+  const std::vector<glm::dvec3> lacks = list_lacks(wall, outside, least_mm);
+  if (std::all_of(lacks.begin(), lacks.end(), [](const glm::dvec3& lack) { return lack == glm::dvec3(0); }))
+    return false;
+  std::vector<glm::dvec3> move(wall.positions.size(), glm::dvec3(0));
+  for (std::size_t t = 0; t < lacks.size(); ++t)
+    for (const std::uint32_t v : wall.triangles[t])
+      if (glm::dot(lacks[t], lacks[t]) > glm::dot(move[v], move[v])) move[v] = lacks[t];
+  const SurfaceTree inside = build_solid_tree(wall);
+  for (std::size_t v = 0; v < wall.positions.size(); ++v) {
+    const double lack = glm::length(move[v]);
+    if (lack == 0 || is_fixed[v] || wall.positions[v].z <= 0) continue;
+    const glm::dvec3 way = move[v] / lack;
+    const double free = find_hit(inside, wall.positions[v], way, 1e-4, 1e3).distance;
+    wall.positions[v] += glm::vec3(way * std::min(lack + wish_mm - least_mm, kShare * free));
+  }
+  return true;
+}
+
+// Where an edge goes through a triangle that it does not belong to.
+std::vector<glm::dvec3> list_crossed_places(const Mesh& mesh) {
+  const SurfaceTree tree = build_solid_tree(mesh);
+  std::vector<std::vector<glm::dvec3>> found(mesh.triangles.size());
+  for_each_index(mesh.triangles.size(), count_cores(), [&](std::size_t t, int) {
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
+      if (a > b) continue;  // its other triangle looks
+      const glm::dvec3 from(mesh.positions[a]), way = glm::dvec3(mesh.positions[b]) - from;
+      const double length = glm::length(way);
+      for (double start = 0; start < length;) {
+        const RayHit hit = find_hit(tree, from, way / length, start, length);
+        if (hit.distance >= length) break;
+        const Triangle& met = tree.triangles[hit.triangle];
+        if (std::none_of(met.begin(), met.end(), [&](std::uint32_t v) { return v == a || v == b; }))
+          found[t].push_back(from + hit.distance / length * way);
+        start = hit.distance;
+      }
+    }
   });
-  return std::find(is_thin.begin(), is_thin.end(), 1) == is_thin.end();
+  std::vector<glm::dvec3> places;
+  for (const auto& of_triangle : found) places.insert(places.end(), of_triangle.begin(), of_triangle.end());
+  return places;
+}
+
+// The vertices within `reach_mm` of any of the places.
+std::vector<bool> find_close(const Mesh& mesh, const std::vector<glm::dvec3>& places, double reach_mm) {
+  std::vector<bool> is_close(mesh.positions.size(), false);
+  for (std::size_t v = 0; v < is_close.size(); ++v)
+    is_close[v] = std::any_of(places.begin(), places.end(), [&](const glm::dvec3& place) {
+      return glm::distance(glm::dvec3(mesh.positions[v]), place) < reach_mm;
+    });
+  return is_close;
 }
 
 // The pieces that drain, or the largest one of a cavity that has no holes.
@@ -128,7 +177,8 @@ Mesh keep_cavities(const Mesh& surface, bool is_drained, double speck_mm3) {
 Cavity build_cavity(const Mesh& body, const Hollow& hollow) {
   if (!(hollow.wall_mm > 0)) throw RunError(fmt::format("a wall of {} mm is not above 0", hollow.wall_mm));
   const SurfaceTree tree = build_solid_tree(body);
-  const double cell = find_cell_mm(body), iso = hollow.wall_mm + kReserve * cell, reach = iso + 2 * cell;
+  const double cell = find_cell_mm(body, hollow), iso = hollow.wall_mm + kReserve * cell,
+               reach = iso + 2 * cell;
   Grid grid = build_depth_grid(body, tree, cell, reach);
   const auto hollow_nodes =
       std::count_if(grid.values.begin(), grid.values.end(), [&](float depth) { return depth > iso; });
@@ -150,26 +200,37 @@ Cavity build_cavity(const Mesh& body, const Hollow& hollow) {
     const double at_drain = find_drain_value(joined, radius, p);
     return std::max(at_drain, std::min(find_nearest(tree, p, reach).distance, reach) - iso);
   });
-  cavity.wall = keep_cavities(surface, !joined.empty(), kSpeck_cells * cell * cell * cell);
-  merge_short_edges(cavity.wall, kShort * cell);
-  simplify_mesh(cavity.wall, kTolerance * cell);
-  const double rim = find_rim_mm(body, hollow), least = kLeastWall * hollow.wall_mm;
-  for (int push = 0; push < kPushes && !is_thick_enough(cavity.wall, tree, joined, rim, least); ++push)
-    push_inward(cavity.wall, tree, joined, rim, least + 0.005 * hollow.wall_mm);
+  const Mesh fine = keep_cavities(surface, !joined.empty(), kSpeck_cells * cell * cell * cell);
+  const SurfaceTree sides = build_sides(body);
+  const Outside outside{tree, sides, joined, find_rim_mm(body, hollow)};
+  const double least = kLeastWall * hollow.wall_mm;
+  std::vector<glm::dvec3> knots;  // where fewer triangles go through each other: all of them stay there
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    cavity.wall = fine;
+    merge_short_edges(cavity.wall, kShort * cell, find_close(cavity.wall, knots, kKnot * cell));
+    simplify_mesh(cavity.wall, kTolerance * cell, find_close(cavity.wall, knots, kKnot * cell));
+    const bool is_stubborn = attempt > kAttempts / 2;  // then it was the pushing
+    const std::vector<bool> is_fixed =
+        find_close(cavity.wall, is_stubborn ? knots : std::vector<glm::dvec3>(), kKnot * cell);
+    for (int push = 0; push < kPushes; ++push)
+      if (!push_inward(cavity.wall, outside, least, least + 0.005 * hollow.wall_mm, is_fixed)) break;
+    const std::vector<glm::dvec3> crossed = list_crossed_places(cavity.wall);
+    if (crossed.empty()) break;
+    knots.insert(knots.end(), crossed.begin(), crossed.end());
+  }
   if (!joined.empty()) cavity.holes = find_boundary_loops(cavity.wall.triangles);
   return cavity;
 }
 
 double measure_wall_mm(const Mesh& body, const Cavity& cavity, const Hollow& hollow) {
-  const SurfaceTree tree = build_solid_tree(body);
-  const double rim = find_rim_mm(body, hollow);
-  const std::vector<Drain> joined = hollow.is_open ? cavity.drains : std::vector<Drain>();
+  const SurfaceTree tree = build_solid_tree(body), sides = build_sides(body);
+  const Outside outside{tree, sides, hollow.is_open ? cavity.drains : std::vector<Drain>(),
+                        find_rim_mm(body, hollow)};
   double least = 1e9;
   for (const auto& [a, b, c] : cavity.wall.triangles)
     visit_samples(cavity.wall.positions[a], cavity.wall.positions[b], cavity.wall.positions[c],
                   [&](const glm::dvec3& at) {
-                    if (!is_at_drain(joined, rim, at))
-                      least = std::min(least, find_nearest(tree, at, 2 * hollow.wall_mm).distance);
+                    least = std::min(least, outside.find(at, 2 * hollow.wall_mm).distance);
                   });
   return least;
 }

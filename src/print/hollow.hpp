@@ -28,10 +28,10 @@ struct Cavity {
 };
 
 // The inner wall of `body`, which is closed and stands on z = 0. The wall is wall_mm thick within a twentieth
-// everywhere but right around the drains; ears and the like, too narrow to have a cavity that drains, stay
-// solid. Drains are at the cavity's lowest places, as far apart as can be. Throws RunError "a wall of 30 mm
-// leaves nothing to hollow" and "there is no room for a drain of 9 mm". The same bytes for any number of
-// threads.
+// everywhere but within two cells of the drains; ears and the like, too narrow to have a cavity that drains,
+// stay solid. Drains are at the cavity's lowest places, as far apart as can be. Throws RunError "a wall of 30
+// mm leaves nothing to hollow" and "a wall of 2 mm leaves no room for a drain of 9 mm". The same bytes for
+// any number of threads.
 Cavity build_cavity(const Mesh& body, const Hollow& hollow);
 
 // The least distance between the cavity's wall and the surface of `body`, on a sample a millimetre; around

@@ -27,7 +27,7 @@ std::vector<Run> list_runs(const Mesh& solid, const Grid& grid) {
   for (int j = 0; j < grid.count.y; ++j)
     for (int i = 0; i < grid.count.x; ++i) {
       int turns = 0;
-      for (const Crossing& crossing : columns[static_cast<std::size_t>(j) * grid.count.x + i]) {
+      for (const ColumnCrossing& crossing : columns[static_cast<std::size_t>(j) * grid.count.x + i]) {
         if (turns == 0 && crossing.turn > 0) runs.push_back({i, j, crossing.z, crossing.z});
         turns += crossing.turn;
         if (turns == 0 && crossing.turn < 0) runs.back().high = crossing.z;

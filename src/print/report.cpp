@@ -116,9 +116,12 @@ void update_warnings(PrintReport& report) {
   if (report.least_wall_mm < kFinest_mm)
     say.push_back(fmt::format("Its wall is down to {} mm; below {} mm it may break.",
                               format_number(report.least_wall_mm, 2), format_number(kFinest_mm, 1)));
-  for (const Island& island : report.islands)
-    say.push_back(fmt::format("A part of it begins in the air at {} and needs a support.",
-                              format_place(island.lowest)));
+  if (report.islands.size() == 1)
+    say.push_back(fmt::format("A part of it begins in the air, at {}, and needs a support.",
+                              format_place(report.islands[0].lowest)));
+  else if (report.islands.size() > 1)
+    say.push_back(fmt::format("{} parts of it begin in the air and need supports, the lowest at {}.",
+                              report.islands.size(), format_place(report.islands[0].lowest)));
   const double surface = report.size_mm.x * report.size_mm.y + report.size_mm.x * report.size_mm.z +
                          report.size_mm.y * report.size_mm.z;
   if (report.overhang_mm2 > kMuchOverhang * surface)

@@ -137,7 +137,7 @@ TEST(hollow, says_what_cannot_be) {
   };
   EXPECT_EQ(complaint({35}), "a wall of 35 mm leaves nothing to hollow");
   EXPECT_EQ(complaint({0}), "a wall of 0 mm is not above 0");
-  EXPECT_EQ(complaint({2, 2, 38}), "there is no room for a drain of 38 mm");
+  EXPECT_EQ(complaint({2, 2, 38}), "a wall of 2 mm leaves no room for a drain of 38 mm");
 }
 
 TEST(hollow, is_always_the_same) {
