@@ -11,6 +11,7 @@
 
 #include "core/error.hpp"
 #include "print/flat_cap.hpp"
+#include "print/label_panel.hpp"
 
 namespace mien {
 
@@ -32,6 +33,10 @@ constexpr ProfilePoint kBlock[] = {{0.97, 1}, {1, 0.96}, {1, 0.04}, {0.96, 0}};
 // Of the superellipse |x|^n + |y|^n = radius^n: flat within 0.03 mm over the middle 60 % of a side of 30 mm.
 constexpr double kSquareness = 8;
 constexpr double kSpread = 1.12;  // the outline is at least so much wider than the foot, or there is no step
+// The upright front, by the number of its lower ring from the bottom; the label's place.
+constexpr std::size_t kFront = 2;
+constexpr double kLeastLetter_mm = 3;  // smaller ones run together under the thinnest pen
+constexpr double kMostLetter_mm = 8;   // unless larger ones are asked for
 constexpr int kPocketSides = 48;
 constexpr double kPocketRoof_mm = 0.8;  // two walls of a nozzle's width; thinner, the pocket breaks through
 
@@ -124,15 +129,35 @@ std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std:
   return rings;
 }
 
-void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains) {
+Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Letters& letters) {
+  if (base.shape == BaseShape::none || base.label.empty()) return {};
+  if (letters.glyphs.empty()) throw RunError("internal: a label without letters");
+  std::vector<std::vector<glm::vec3>> rings = list_base_rings(base, foot);
+  const double area = foot[0].x * foot[1].y - foot[0].y * foot[1].x;
+  for (std::vector<glm::vec3>& ring : rings)
+    if (area < 0) std::reverse(ring.begin(), ring.end());
+  const LabelRoom room = find_label_room(rings[rings.size() - kFront - 1], rings[rings.size() - kFront]);
+  const double asked = base.label_size_mm > 0 ? base.label_size_mm : kMostLetter_mm;
+  return set_label(letters, base.label, std::min(asked, room.height_mm), std::min(asked, kLeastLetter_mm),
+                   room.width_mm);
+}
+
+void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains,
+                 const Letters& letters) {
   std::vector<glm::vec3> foot;
   for (const std::uint32_t v : foot_loop) foot.push_back(body.positions[v]);
+  const Label label = fit_label(base, foot, letters);
+  const auto rings = list_base_rings(base, foot);
   Loop last = foot_loop;
-  for (const std::vector<glm::vec3>& points : list_base_rings(base, foot)) {
-    const Loop ring = append_ring(body, points);
-    append_band(body, last, ring);
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    const Loop ring = append_ring(body, rings[i]);
+    if (!label.strokes.empty() && i + kFront == rings.size())
+      append_label_band(body, {last.rbegin(), last.rend()}, {ring.rbegin(), ring.rend()}, label,
+                        base.label_raise_mm);
+    else
+      append_band(body, last, ring);
     last = ring;
-    foot = points;
+    foot = rings[i];
   }
   std::vector<Loop> holes = drains;
   if (base.magnet_diameter_mm > 0 && base.magnet_depth_mm > 0) {

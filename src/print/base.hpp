@@ -7,6 +7,7 @@
 
 #include "core/holes.hpp"
 #include "core/mesh.hpp"
+#include "print/glyphs.hpp"
 
 namespace mien {
 
@@ -35,9 +36,16 @@ struct Base {
 // ring's point is the foot's moved outward by a share of the way to the outline.
 std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std::vector<glm::vec3>& foot);
 
+// The base's label as it fits the front of a base on this foot: letters as large as asked or, at 0, as the
+// front allows; smaller if it is too narrow, and cut (Label::is_cut says so) if they became too small to
+// read. Without strokes if there is no label, no front, or no room at all.
+Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Letters& letters);
+
 // Joins the base to `body`, which is open along `foot_loop` (as find_boundary_loops gives it) and along
-// `drains`, loops in the plane z = 0; closed afterwards. Normals are dropped. Throws RunError "the base's
-// height of 0 mm is not above 0", "the magnet's pocket of 20 mm does not fit the base" and the like.
-void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains);
+// `drains`, loops in the plane z = 0; closed afterwards. The label is what fit_label makes of it. Normals are
+// dropped. Throws RunError "the base's height of 0 mm is not above 0", "the magnet's pocket of 20 mm does not
+// fit the base" and the like.
+void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains,
+                 const Letters& letters = {});
 
 }  // namespace mien
