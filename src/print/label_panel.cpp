@@ -12,9 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr double kSector = 0.82;    // the sine of the widest angle from the front: further round nobody reads
-constexpr double kStep_mm = 0.2;    // of the relief's grid; four points across the thinnest pen
-constexpr double kMostSteps = 400;  // of a very long label
+constexpr double kSector = 0.8;         // of half the breadth: further round nobody reads, and squares turn
+constexpr double kStep_mm = 0.2;        // of the relief's grid; four points across the thinnest pen
+constexpr double kMostSteps = 400;      // of a very long label
 constexpr double kMargin_mm = 0.15;     // of plain wall around the letters
 constexpr double kSlope_mm = 0.25;      // that the letters' sides take: steep, yet no step of the grid
 constexpr double kTolerance_mm = 0.02;  // of the relief with fewer triangles
@@ -34,10 +34,9 @@ Front find_front(const std::vector<glm::vec3>& ring) {
   for (std::size_t i = 0; i < n; ++i)
     if (at(i).x <= 0 && at(i + 1).x > 0 && at(i).y < 0) first = i;
   if (first == n) throw RunError("internal: the base has no front");
-  const auto is_seen = [&](std::size_t i) {
-    const glm::dvec2 p = at(i);
-    return p.y < 0 && std::abs(p.x) <= kSector * glm::length(p);
-  };
+  double broadest = 0;
+  for (const glm::vec3& p : ring) broadest = std::max(broadest, std::abs(double(p.x)));
+  const auto is_seen = [&](std::size_t i) { return at(i).y < 0 && std::abs(at(i).x) <= kSector * broadest; };
   std::size_t begin = first + n, end = first + n + 1;
   while (begin > first && is_seen(begin - 1)) --begin;
   while (end < begin + n - 1 && is_seen(end + 1)) ++end;

@@ -142,14 +142,16 @@ std::vector<double> echo_openscad(const std::string& source) {
 TEST(base, openscad_makes_the_same_rings) {
   const Mesh mesh = build_ball_on_neck(14, 7, 9, 6, 24, 0.8f);
   const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
+  const std::filesystem::path scad = std::filesystem::path(source_folder()) / "templates/openscad/base.scad";
+  const std::string functions = fill_template(
+      read_file(scad), {{"letters", build_openscad_letters(load_letters(source_folder()))}}, "base");
   std::string points;
   for (const glm::vec3& p : foot)
     points +=
         fmt::format("[{}, {}, {}],", format_number(p.x, 6), format_number(p.y, 6), format_number(p.z, 6));
   for (int shape = 0; shape < 4; ++shape) {
-    const std::vector<double> numbers =
-        echo_openscad(read_file(std::filesystem::path(source_folder()) / "templates/openscad/base.scad") +
-                      fmt::format("echo(base_rings([{}], \"{}\", 9, 16));\n", points, kNames[shape]));
+    const std::vector<double> numbers = echo_openscad(
+        functions + fmt::format("echo(base_rings([{}], \"{}\", 9, 16));\n", points, kNames[shape]));
     std::vector<double> ours;
     for (const auto& ring : list_base_rings({kShapes[shape], 9, 16}, foot))
       for (const glm::vec3& p : ring) ours.insert(ours.end(), {p.x, p.y, p.z});

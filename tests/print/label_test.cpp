@@ -11,6 +11,7 @@
 #include "places.hpp"
 #include "print/base.hpp"
 #include "print/shapes.hpp"
+#include "scene/stl.hpp"
 
 namespace mien {
 namespace {
@@ -105,6 +106,32 @@ TEST(label, a_base_too_low_has_none) {
   EXPECT_TRUE(label.strokes.empty());
   append_base(mesh, foot, base, {}, letters());
   EXPECT_EQ(count_open_edges(mesh.triangles), 0u);
+}
+
+// The label's own solid, of OpenSCAD's making.
+TEST(label, openscad_makes_it_of_the_same_letters) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_label";
+  const std::string scad = read_file(std::filesystem::path(source_folder()) / "templates/openscad/base.scad");
+  for (const char* shape : {"round", "square", "plinth"})
+    for (const char* text : {"Laugh no. 1", "a\\\"];cube(50);[\\n\xF0\x9F\x98\x80",
+                             "XXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXX"}) {
+      write_file(folder / "label.scad",
+                 fill_template(scad, {{"letters", build_openscad_letters(letters())}}, "base") +
+                     fmt::format("base_label(\"{}\", 0, 0.8, \"{}\", 8, 15);\n", text, shape));
+      const std::string command = fmt::format(
+          "cd '{}' && openscad --hardwarnings -o label.stl label.scad >log 2>&1 && ! grep -E 'WARNING|ERROR' "
+          "log",
+          folder.string());
+      ASSERT_EQ(std::system(command.c_str()), 0) << read_file(folder / "log");
+      const Box box = find_bounds(read_stl(folder / "label.stl").positions);
+      EXPECT_LT(box.low.y, -15.7) << shape << text;
+      EXPECT_GT(box.low.y, -16.0) << shape << text;
+      EXPECT_NEAR(box.low.x, -box.high.x, 1.2) << shape << text;
+      EXPECT_GT(box.high.x, 9) << shape << text;
+      EXPECT_LT(box.high.x, 14) << shape << text;
+      EXPECT_GT(box.low.z, 0.3) << shape << text;
+      EXPECT_LT(box.high.z, shape == std::string("plinth") ? 7.7 : 4.6) << shape << text;
+    }
 }
 
 TEST(label, without_letters_is_our_own_mistake) {
