@@ -110,26 +110,27 @@ std::string build_ply(const Model& model, const Drawing& drawing, const std::str
   return bytes + faces;
 }
 
-std::string build_stl(const Model& model, const Drawing& drawing, const std::string& title) {
-  check_drawing(model, drawing);
-  std::string triangles;
-  std::uint32_t count = 0;
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    const Mesh mesh = place_part(model.parts[i], drawing.parts[i]);
-    for (const auto& [a, b, c] : mesh.triangles) {
-      const glm::vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
-      const glm::vec3 across = glm::cross(q - p, r - p);
-      const float length = glm::length(across);
-      append_vector(triangles, length > 0 ? across / length : glm::vec3(0));
-      for (const glm::vec3& corner : {p, q, r}) append_vector(triangles, corner);
-      triangles += std::string(2, '\0');
-    }
-    count += static_cast<std::uint32_t>(mesh.triangles.size());
-  }
+std::string build_binary_stl(const Mesh& mesh, const std::string& title) {
   std::string bytes = "mien, millimetres: " + clean_title(title);
   bytes.resize(kStlHeader, ' ');
-  append_le32(bytes, count);
-  return bytes + triangles;
+  append_le32(bytes, static_cast<std::uint32_t>(mesh.triangles.size()));
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::vec3 &p = mesh.positions[a], &q = mesh.positions[b], &r = mesh.positions[c];
+    const glm::vec3 across = glm::cross(q - p, r - p);
+    const float length = glm::length(across);
+    append_vector(bytes, length > 0 ? across / length : glm::vec3(0));
+    for (const glm::vec3& corner : {p, q, r}) append_vector(bytes, corner);
+    bytes += std::string(2, '\0');
+  }
+  return bytes;
+}
+
+std::string build_stl(const Model& model, const Drawing& drawing, const std::string& title) {
+  check_drawing(model, drawing);
+  Mesh all;
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    append_mesh(all, place_part(model.parts[i], drawing.parts[i]));
+  return build_binary_stl(all, title);
 }
 
 bool is_mesh_ending(const std::string& ending) {

@@ -22,6 +22,9 @@ std::string build_ply(const Model& model, const Drawing& drawing, const std::str
 // STL, binary: all parts one after the other, with a normal a triangle.
 std::string build_stl(const Model& model, const Drawing& drawing, const std::string& title);
 
+// One mesh as binary STL.
+std::string build_binary_stl(const Mesh& mesh, const std::string& title);
+
 // The part's vertices as they stand in the drawing, with the normals it has or, if it has none, its
 // surface's.
 Mesh place_part(const Part& part, const PartShape& shape);
