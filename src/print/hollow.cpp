@@ -119,31 +119,6 @@ bool push_inward(Mesh& wall, const Outside& outside, double least_mm, double wis
   return true;
 }
 
-// Where an edge goes through a triangle that it does not belong to.
-std::vector<glm::dvec3> list_crossed_places(const Mesh& mesh) {
-  const SurfaceTree tree = build_solid_tree(mesh);
-  std::vector<std::vector<glm::dvec3>> found(mesh.triangles.size());
-  for_each_index(mesh.triangles.size(), count_cores(), [&](std::size_t t, int) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
-      if (a > b) continue;  // its other triangle looks
-      const glm::dvec3 from(mesh.positions[a]), way = glm::dvec3(mesh.positions[b]) - from;
-      const double length = glm::length(way);
-      for (double start = 0; start < length;) {
-        const RayHit hit = find_hit(tree, from, way / length, start, length);
-        if (hit.distance >= length) break;
-        const Triangle& met = tree.triangles[hit.triangle];
-        if (std::none_of(met.begin(), met.end(), [&](std::uint32_t v) { return v == a || v == b; }))
-          found[t].push_back(from + hit.distance / length * way);
-        start = hit.distance;
-      }
-    }
-  });
-  std::vector<glm::dvec3> places;
-  for (const auto& of_triangle : found) places.insert(places.end(), of_triangle.begin(), of_triangle.end());
-  return places;
-}
-
 // The vertices within `reach_mm` of any of the places.
 std::vector<bool> find_close(const Mesh& mesh, const std::vector<glm::dvec3>& places, double reach_mm) {
   std::vector<bool> is_close(mesh.positions.size(), false);

@@ -144,6 +144,23 @@ void keep_sides(const Body& body, const std::vector<glm::dvec3>& normals, std::v
   }
 }
 
+// Takes back what would lead the surface through itself, in a wider and wider circle.
+void keep_apart(const Body& body, const std::vector<glm::dvec3>& normals, double least_mm,
+                std::vector<double>& amount) {
+  constexpr int kCircles = 6;
+  for (int circle = 1; circle <= kCircles; ++circle) {
+    Mesh moved = body.mesh;
+    for (std::size_t v = 0; v < amount.size(); ++v) moved.positions[v] += glm::vec3(amount[v] * normals[v]);
+    const std::vector<glm::dvec3> crossed = list_crossed_places(moved);
+    if (crossed.empty()) return;
+    for (std::size_t v = 0; v < amount.size(); ++v)
+      if (amount[v] > 0 && std::any_of(crossed.begin(), crossed.end(), [&](const glm::dvec3& place) {
+            return glm::distance(glm::dvec3(moved.positions[v]), place) < circle * least_mm / 2;
+          }))
+        amount[v] = 0;
+  }
+}
+
 }  // namespace
 
 std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
@@ -156,6 +173,7 @@ std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
     if (std::all_of(wishes.begin(), wishes.end(), [](const Wish& wish) { return wish.need_mm <= 0; })) break;
     std::vector<double> amount = spread(body, wishes);
     keep_sides(body, normals, amount);
+    keep_apart(body, normals, least_mm, amount);
     for (std::size_t v = 0; v < moves.size(); ++v) {
       moves[v] += glm::vec3(amount[v] * normals[v]);
       body.mesh.positions[v] = mesh.positions[v] + moves[v];
