@@ -88,6 +88,16 @@ glm::vec2 unroll(const glm::vec3& p) {
   return {round * angle - kPush * (radius - round), p.y + pole * (kRound_mm - round) + kSlant * p.x};
 }
 
+// Where each vertex lies on the adult. Pores and patches belong to a place of the skin and not of the room:
+// on a head that grows they must not crawl.
+std::vector<glm::vec3> find_places_on_adult(const NeutralHead& head) {
+  std::vector<glm::vec4> packed;
+  pack_points(head.adult_points, packed);
+  std::vector<glm::vec3> places;
+  deform_surface(*head.surface, packed, places);
+  return places;
+}
+
 }  // namespace
 
 Part build_skin_part(const NeutralHead& head, const Look& look) {
@@ -99,8 +109,9 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const glm::vec3 lips = find_lip_colour(skin, look);
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
+  const std::vector<glm::vec3> places = find_places_on_adult(head);
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
-    glm::vec3 place = head.skin.positions[i];
+    glm::vec3 place = places[i];
     part.grain.push_back(unroll(place));
     place.x = std::abs(place.x);
     const float patches = 0.6f * sample_noise(place, 9) + 0.4f * sample_noise(place, 4);

@@ -8,8 +8,9 @@ namespace mien {
 
 // The skin as a part that a writer draws: name and material "skin", the neutral mesh, and a shade a vertex.
 // Lips, lids, cheeks, sockets, nostrils and mouth are masks on named rings and spots of the cage; hollows are
-// darkened once, on the neutral head (head/occlusion). All colours are made of `look.skin`, from very light
-// to very dark, and lips of `look.lips` where it is given. Mirror images get the same shade. About 0.1 s.
+// darkened once, on the neutral head (head/occlusion). Pores and patches are the same on every head. All
+// colours are made of `look.skin`, from very light to very dark, and lips of `look.lips` where it is given.
+// Mirror images get the same shade. About 0.1 s.
 Part build_skin_part(const NeutralHead& head, const Look& look);
 
 }  // namespace mien

@@ -82,6 +82,15 @@ TEST(skin_look, lays_the_grain_flat_without_tearing_it) {
     }
 }
 
+TEST(skin_look, keeps_each_pore_at_its_place_of_the_skin_whatever_the_head) {
+  const Part grown = build_skin_part(average_head(), Look{});
+  HeadSpec young;
+  young.age = {{"child", 0.5}, {"infant", 0.5}};
+  const Part skin = build_skin_part(build_neutral_head(young, source_folder()), Look{});
+  EXPECT_EQ(skin.grain, grown.grain);
+  EXPECT_NE(skin.rest.positions, grown.rest.positions);
+}
+
 TEST(skin_masks, stay_between_nothing_and_all) {
   for (const std::vector<float>& mask : paint_skin_masks(average_head()))
     for (const float value : mask) {
