@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clip.hpp"
-#include "clip_view.hpp"
+#include "clip_scenes.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "explain.hpp"
@@ -59,19 +59,17 @@ void tell_chart(const Performance& performance) {
 
 void check_file(const Options& options) {
   const fs::path data = find_data_folder();
-  Clip clip = plan_clip(options, data);
-  std::vector<Figure> figures;
-  for (Actor& actor : clip.actors) {
-    // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
-    // built.
-    for (const HeadKey& key : actor.performance.clip.head) build_neutral_head(key.head, data);
-    figures.push_back(build_figure(actor.head, data));
-    actor.performance.idle.eyes = find_eyes(figures.back(), clip.spec.render);
-  }
-  tell_held(options, clip.spec);
-  if (options.is_quiet) return;
+  const Clip clip = plan_clip(options, data);
+  // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
+  // built.
+  const Cast cast = build_cast(clip, data);
+  std::vector<std::shared_ptr<const Figure>> figures = cast.figures;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    tell_advice(options, clip.actors[i].performance, figures[i], data);
+    if (!figures[i]) figures[i] = std::make_shared<const Figure>(build_figure(clip.actors[i].head, data));
+  const std::vector<Performance> performances = list_performances(clip, cast, data);
+  tell_held(options, clip.spec, performances);
+  if (options.is_quiet) return;
+  for (std::size_t i = 0; i < figures.size(); ++i) tell_advice(options, performances[i], *figures[i], data);
   const RenderSpec& render = clip.spec.render;
   if (options.is_json) {
     nlohmann::json summary{{"file", options.file.string()},
@@ -88,9 +86,9 @@ void check_file(const Options& options) {
   fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
              clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
              render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
-  for (const Actor& actor : clip.actors) {
-    if (!actor.name.empty()) fmt::print("\n{}:", actor.name);
-    tell_chart(actor.performance);
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    if (!clip.actors[i].name.empty()) fmt::print("\n{}:", clip.actors[i].name);
+    tell_chart(performances[i]);
   }
 }
 

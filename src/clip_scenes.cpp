@@ -10,6 +10,7 @@
 #include "core/shelf.hpp"
 #include "core/text.hpp"
 #include "frames/place.hpp"
+#include "head/form.hpp"
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "timeline/head_track.hpp"
@@ -154,11 +155,33 @@ std::string write_shared_files(const Clip& clip, const Cast& cast, const fs::pat
   return key_of_settings(include, render);
 }
 
+// Throws InputError unless every head that the actor has between its keys can be built.
+void check_heads(const Clip& clip, const Actor& actor, const fs::path& data) {
+  if (!is_growing(actor)) return;
+  constexpr int kMostChecks =
+      240;  // a form takes milliseconds; a day of growth needs no more than a minute's
+  const HeadStock stock = load_head_stock(data);
+  const int frames = clip.frame_count, step = 1 + frames / kMostChecks;
+  std::set<std::string> seen;
+  for (int frame = 0; frame < frames; frame += step) {
+    const double time_s = find_drawing_time_s(clip.spec.clip, frame);
+    const HeadSpec head = find_head(actor, time_s);
+    if (!seen.insert(find_head_key(head)).second) continue;
+    try {
+      build_form(stock, head);
+    } catch (const InputError& error) {
+      throw InputError(fmt::format("{}: the head{} at {:.4g}s: {}", clip.spec.file.string(),
+                                   actor.name.empty() ? "" : " of " + actor.name, time_s, error.what()));
+    }
+  }
+}
+
 }  // namespace
 
 Cast build_cast(const Clip& clip, const fs::path& data_folder) {
   Cast cast;
   for (const Actor& actor : clip.actors) {
+    check_heads(clip, actor, data_folder);
     std::vector<HeadSpec> heads;  // that it is seen to have
     for (const HeadKey& key : actor.performance.clip.head) heads.push_back(key.head);
     if (!is_growing(actor)) heads.push_back(actor.head);
@@ -176,6 +199,10 @@ Cast build_cast(const Clip& clip, const fs::path& data_folder) {
     cast.figures.push_back(is_growing(actor) ? nullptr : figures.front());
   }
   return cast;
+}
+
+std::vector<Performance> list_performances(const Clip& clip, const Cast& cast, const fs::path& data_folder) {
+  return build_heads(clip, cast, 0, data_folder).performances;
 }
 
 std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Options& options,

@@ -20,8 +20,13 @@ struct Cast {
 };
 
 // Builds every head that does not change, and of the others those at their keys: their sizes make the
-// framing, and their mistakes are told before anything is written. Throws InputError.
+// framing. Their mistakes, and those of the heads between the keys, are told before anything is written.
+// Throws InputError.
 Cast build_cast(const Clip& clip, const std::filesystem::path& data_folder);
+
+// What everybody does, with the eyes of the heads that they have (at the beginning, if they change).
+std::vector<Performance> list_performances(const Clip& clip, const Cast& cast,
+                                           const std::filesystem::path& data_folder);
 
 // Writes head.inc with all parts that never change, a file of parts for each head of those who change, a
 // scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns for each

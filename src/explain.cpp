@@ -228,11 +228,13 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
 
 }  // namespace
 
-void tell_held(const Options& options, const Spec& spec) {
+void tell_held(const Options& options, const Spec& spec, const std::vector<Performance>& performances) {
   if (options.is_quiet) return;
   std::vector<Held> ledger = list_held(spec);
-  const std::vector<Held> in_time = list_held_in_time(build_performance(spec.clip));
-  ledger.insert(ledger.end(), in_time.begin(), in_time.end());
+  for (const Performance& performance : performances) {
+    const std::vector<Held> in_time = list_held_in_time(performance);
+    ledger.insert(ledger.end(), in_time.begin(), in_time.end());
+  }
   sort_ledger(ledger);
   for (const HeldNote& note : build_notes(ledger))
     fmt::print("{}\n", options.is_json ? build_json(note).dump() : format_note(note));

@@ -147,9 +147,10 @@ void write_half(const Options& options, const HeadSpec& head, const fs::path& da
 void render_clip(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = plan_clip(options, data);
-  tell_held(options, clip.spec);
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
-  const std::vector<std::string> keys = write_scenes(clip, build_cast(clip, data), options, data);
+  const Cast cast = build_cast(clip, data);
+  tell_held(options, clip.spec, list_performances(clip, cast, data));
+  const std::vector<std::string> keys = write_scenes(clip, cast, options, data);
   render_pictures(clip, keys, options);
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
   write_clip(clip, options);

@@ -19,6 +19,7 @@
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
 #include "scene/strip.hpp"
+#include "sheet/plans.hpp"
 #include "timeline/chart.hpp"
 #include "timeline/exposure.hpp"
 
@@ -172,7 +173,9 @@ fs::path write_exposure(const Options& options) {
 
 }  // namespace
 
-bool is_clip_sheet(const std::string& kind) { return kind == "strip" || kind == "exposure"; }
+bool is_clip_sheet(const std::string& kind) {
+  return std::ranges::find(kClipSheets, kind) != kClipSheets.end();
+}
 
 std::filesystem::path write_clip_sheet(const std::string& kind, const Options& options) {
   return kind == "strip" ? write_strip(options) : write_exposure(options);

@@ -94,6 +94,19 @@ std::string describe_fault(const mu::Parser::exception_type& error, const Inputs
   }
 }
 
+// Where the fault is; of what is missing muParser says no place, or the beginning.
+int find_fault(const std::string& text, const mu::Parser::exception_type& error) {
+  const int end = static_cast<int>(text.size());
+  if (error.GetCode() == mu::ecUNEXPECTED_EOF || error.GetCode() == mu::ecEMPTY_EXPRESSION) return end;
+  if (error.GetCode() != mu::ecMISSING_PARENS) return error.GetPos();
+  std::vector<int> open;
+  for (int i = 0; i < end; ++i) {
+    if (text[static_cast<std::size_t>(i)] == '(') open.push_back(i);
+    if (text[static_cast<std::size_t>(i)] == ')' && !open.empty()) open.pop_back();
+  }
+  return open.empty() ? end : open.back();
+}
+
 }  // namespace
 
 struct Formula {
@@ -101,6 +114,7 @@ struct Formula {
   Inputs inputs;
   std::vector<bool> is_used;  // input by input: by the formula, or by an input that it uses
   double start_s = 0;
+  double more = 0;                                    // that its number is greater by
   mutable std::mutex mutex;                           // of `idle`
   mutable std::vector<std::unique_ptr<Reader>> idle;  // readers that no thread uses now
 };
@@ -175,7 +189,7 @@ FormulaPointer build_formula(const std::string& text, const Inputs& inputs, doub
       for (std::size_t i = 0; i < inputs.size(); ++i)
         if (inputs[i].name == name) formula->is_used[i] = true;
   } catch (const mu::Parser::exception_type& error) {
-    const int at = error.GetPos();
+    const int at = find_fault(text, error);
     const std::size_t token = error.GetToken().size();
     // muParser points behind some of its words.
     std::size_t byte = at < 0 ? 0 : std::min<std::size_t>(static_cast<std::size_t>(at), text.size());
@@ -201,7 +215,17 @@ double evaluate(const Formula& formula, double time_s) {
     const Input& input = formula.inputs[i];
     values[i] = input.formula ? evaluate_with(*input.formula, time_s, values) : input.value;
   }
-  return evaluate_with(formula, time_s, values);
+  return evaluate_with(formula, time_s, values) + formula.more;
+}
+
+FormulaPointer shift_formula(const Formula& formula, double more) {
+  auto shifted = std::make_shared<Formula>();
+  shifted->text = formula.text;
+  shifted->inputs = formula.inputs;
+  shifted->is_used = formula.is_used;
+  shifted->start_s = formula.start_s;
+  shifted->more = formula.more + more;
+  return shifted;
 }
 
 double find_start_s(const Formula& formula) { return formula.start_s; }

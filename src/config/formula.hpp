@@ -38,6 +38,9 @@ double evaluate(const Formula& formula, double time_s);
 // The same, with 0, at rest, where it has none.
 double evaluate_held(const Formula& formula, double time_s);
 
+// The same formula whose number is greater by `more`.
+FormulaPointer shift_formula(const Formula& formula, double more);
+
 // When its `t` is 0.
 double find_start_s(const Formula& formula);
 

@@ -8,6 +8,8 @@
 
 #include <glm/glm.hpp>
 
+#include "core/error.hpp"
+
 namespace mien {
 
 struct BlinkSpec {
@@ -37,6 +39,7 @@ struct GazeKey {
   double up_deg = 0;       // + up
   glm::dvec3 point_mm{0};  // as conventions.hpp has space, seen from where the character stands
   std::string actor = {};  // whose eyes `point_mm` is; empty: nobody's
+  Place place = {};        // in the file
 };
 
 struct GazeSpec {

@@ -24,6 +24,15 @@ constexpr std::array kStops{
     Stop{"eye", "side", 1, "an eye turns no further"}, Stop{"eye", "side", -1, "an eye turns no further"},
 };
 
+// kStops by move, downward and upward: whoever holds a pose asks for each of its moves.
+constexpr auto kStopReasons = [] {
+  std::array<std::array<std::string_view, 2>, kMoveCount> reasons{};
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    for (const Stop& stop : kStops)
+      if (stop.area == kMoves[i].area && stop.move == kMoves[i].move) reasons[i][stop.sign > 0] = stop.reason;
+  return reasons;
+}();
+
 auto key_of(const Held& held) {
   return std::tie(held.place.file, held.place.line, held.place.column, held.move, held.asked, held.held,
                   held.by);
@@ -54,12 +63,7 @@ void append_held(const ClipSpec& clip, std::vector<Held>& ledger) {
 
 bool Held::operator==(const Held& other) const { return key_of(*this) == key_of(other); }
 
-std::string_view find_stop(std::size_t move, double sign) {
-  for (const Stop& stop : kStops)
-    if (stop.area == kMoves[move].area && stop.move == kMoves[move].move && stop.sign == sign)
-      return stop.reason;
-  return {};
-}
+std::string_view find_stop(std::size_t move, double sign) { return kStopReasons[move][sign > 0]; }
 
 void sort_ledger(std::vector<Held>& ledger) {
   std::ranges::sort(ledger, [](const Held& a, const Held& b) { return key_of(a) < key_of(b); });

@@ -104,7 +104,10 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
   actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others});
   load_head_track(part.clip, *source.head.words, actor.head, times, actor.clip);
   actor.clip.camera = shared.camera;  // for looks into it: as seen by one who is turned
-  for (CameraKey& key : actor.clip.camera) key.angle_deg -= actor.place.turn_deg;
+  for (CameraKey& key : actor.clip.camera) {
+    key.angle_deg -= actor.place.turn_deg;
+    if (key.live[0]) key.live[0] = shift_formula(*key.live[0], -actor.place.turn_deg);
+  }
   return actor;
 }
 

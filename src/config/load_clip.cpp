@@ -180,6 +180,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   reader.book = std::make_shared<const ExpressionBook>(book);
   reader.library = &library;
   reader.formulas.found = &library.formulas;
+  reader.formulas.fps = clip.fps;
   if (value != nullptr)
     reader.files.push_back(std::filesystem::weakly_canonical(value->document->source.file));
   load_draw(entries, reader.clock, clip);

@@ -49,7 +49,8 @@ struct ClipLibrary {
   std::map<std::string, std::shared_ptr<const ClipSpec>> played;  // by the script's name and its parameters
   std::set<std::string> played_names;
   std::deque<std::pair<FormulaPointer, YamlValue>> formulas;
-  std::deque<YamlDocument> documents;  // of `include`: values point into them
+  std::deque<YamlDocument> documents;             // of `include`: values point into them
+  std::map<std::filesystem::path, Names> inputs;  // of files included before
   int include_count = 0;
 };
 

@@ -57,6 +57,17 @@ std::shared_ptr<const ExpressionBook> build_other_book(const YamlMapping& entrie
   return book;
 }
 
+// A file that is included again brings its inputs again, which count from its own beginning.
+void load_own_inputs(const YamlValue& value, const fs::path& path, ClipReader& reader) {
+  Inputs& inputs = reader.formulas.inputs;
+  Names& own = reader.library->inputs[path];
+  std::erase_if(inputs, [&](const Input& input) { return std::ranges::find(own, input.name) != own.end(); });
+  const std::size_t before = inputs.size();
+  load_inputs(value, {}, reader.formulas);
+  own.clear();
+  for (std::size_t i = before; i < inputs.size(); ++i) own.push_back(inputs[i].name);
+}
+
 void load_other(const YamlValue& value, const Include& include, const YamlMapping& file, ClipReader& outer,
                 const fs::path& path, ClipSpec& into) {
   YamlMapping entries = load_mapping(value, kClipKeys, "a mapping such as {fps: 24, keys: [...]}");
@@ -74,7 +85,7 @@ void load_other(const YamlValue& value, const Include& include, const YamlMappin
     return entry.key != "include" && std::ranges::find(include.take, entry.key) == include.take.end();
   });
   load_includes(entries, reader, into);
-  if (const YamlValue* inputs = find_value(entries, "inputs")) load_inputs(*inputs, {}, reader.formulas);
+  if (const YamlValue* inputs = find_value(entries, "inputs")) load_own_inputs(*inputs, path, reader);
   load_scripts(entries, reader);
   load_layers(entries, reader, into);
   outer.formulas.inputs = reader.formulas.inputs;

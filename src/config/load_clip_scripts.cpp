@@ -18,6 +18,7 @@ std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::s
   reader.book = text.book;
   reader.formulas.inputs = text.inputs;
   reader.formulas.start_s = 0;
+  reader.formulas.fps = 0;
   reader.scripts.push_back(name);
   const YamlMapping entries =
       load_mapping(text.body, kScriptKeys, "a script such as {length: 1s, keys: [...]}");

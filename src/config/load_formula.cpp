@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
 namespace mien {
 
@@ -25,6 +26,15 @@ void add_fault(const YamlValue& value, const std::string& message, std::size_t b
   if (find_node(value).kind == NodeKind::broken) return;
   add_mistake(*value.findings, value.document->source, find_spot(value, byte),
               fmt::format("in the formula of {}: {}", describe_subject(value), message));
+}
+
+// " (frame 25)"; nothing between two frames.
+std::string name_frame(double time_s, int fps) {
+  constexpr double kSame = 1e-6;  // of a frame
+  const double frame = time_s * fps;
+  return fps > 0 && std::abs(frame - std::round(frame)) < kSame
+             ? fmt::format(" (frame {})", std::lround(frame) + 1)
+             : "";
 }
 
 }  // namespace
@@ -56,8 +66,8 @@ void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
   const auto found = std::ranges::find(*reader.found, formula, [](const auto& pair) { return pair.first; });
   if (found != reader.found->end())
     add_fault(found->second,
-              fmt::format("it has no value at t = {:.7g}; expected a number at every time",
-                          *time_s - find_start_s(*formula)),
+              fmt::format("it has no value at t = {:.7g}{}; expected a number at every time",
+                          *time_s - find_start_s(*formula), name_frame(*time_s, reader.fps)),
               0);
 }
 

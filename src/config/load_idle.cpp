@@ -101,6 +101,7 @@ std::vector<GazeKey> load_gaze_keys(const YamlValue& value, const ClipClock& clo
   for (const YamlValue& item : load_list(value, "a list of keys such as [{at: 1s, look: left}]")) {
     const YamlMapping entries = load_mapping(item, kGazeKeyKeys, "a key such as {at: 1s, look: left}");
     GazeKey key;
+    key.place = find_place(item.document->source, item.spot);
     load_key_time(entries, item, clock, before_s, key.at_s);
     if (const YamlValue* look =
             find_required(entries, "look", item, "ahead, camera, left, right, up, down, angles or a point"))
@@ -115,7 +116,8 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
     std::string name;
     if (!load_name(value, "gaze", kGazeWords, name)) return;
     if (name == "wander") gaze.wander = 1;
-    if (name == "camera") gaze.keys = {{0, LookAt::camera}};
+    if (name == "camera")
+      gaze.keys = {{.look = LookAt::camera, .place = find_place(value.document->source, value.spot)}};
     return;
   }
   if (find_node(value).kind == NodeKind::list) {
@@ -126,7 +128,10 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
       load_mapping(value, kGazeKeys, "wander, camera, a list of keys or a mapping such as {wander: 0.5}");
   const YamlValue *keys = find_value(entries, "keys"), *look = find_value(entries, "look");
   if (keys != nullptr) gaze.keys = load_gaze_keys(*keys, clock);
-  if (look != nullptr && keys == nullptr) load_look(*look, clock, gaze.keys.emplace_back());
+  if (look != nullptr && keys == nullptr) {
+    load_look(*look, clock, gaze.keys.emplace_back());
+    gaze.keys.back().place = find_place(look->document->source, look->spot);
+  }
   if (look != nullptr && keys != nullptr)
     add_mistake(*look, "'clip.gaze' has 'keys' and 'look'; expected one of them");
   load_share(entries, "wander", gaze.wander);

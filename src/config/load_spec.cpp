@@ -109,19 +109,35 @@ void check_version(const YamlValue& root, const YamlMapping& entries) {
                                       show_word(node.text), kLanguageVersion));
 }
 
-Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
-  Findings findings;
-  ExpressionBook book = build_book(load_expression_libraries(data_folder / "configs/expressions"));
-  const std::size_t library_count = book.expressions.size();
-  const HeadWords words = load_head_words(data_folder, findings);
+struct Language {
+  ExpressionBook libraries;
+  HeadWords words;
+};
 
+LanguagePointer load_language(const std::filesystem::path& data_folder) {
+  Findings findings;
+  auto language = std::make_shared<Language>();
+  language->libraries = build_book(load_expression_libraries(data_folder / "configs/expressions"));
+  language->words = load_head_words(data_folder, findings);
+  throw_mistakes(std::move(findings));
+  return language;
+}
+
+Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
+  return load_spec(file, *load_language(data_folder));
+}
+
+Spec load_spec(const std::filesystem::path& file, const Language& language) {
+  Findings findings;
+  ExpressionBook book = language.libraries;
+  const std::size_t library_count = book.expressions.size();
   Spec spec;
   spec.file = file;
   spec.name = build_name(file);
   if (const auto document = load_document(file, findings)) {
     const YamlValue root = find_root(*document, findings);
     const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
-    if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, words, book, spec);
+    if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
   }
   throw_mistakes(std::move(findings));
 

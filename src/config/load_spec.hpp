@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,14 @@ inline constexpr int kMinSide_px = 16;
 // every mistake of the file at its place (unknown keys with the nearest known one, wrong types, values out of
 // range, duplicate keys, unknown names), RunError if the data folder is broken.
 Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder);
+
+// What the data folder gives to every file: the libraries' expressions and the words of heads.
+struct Language;
+using LanguagePointer = std::shared_ptr<const Language>;
+LanguagePointer load_language(const std::filesystem::path& data_folder);
+
+// The same for many files: the language is read once.
+Spec load_spec(const std::filesystem::path& file, const Language& language);
 
 // The expression called `name` ("smile" in the file, then in its library; "tezuka/smile" in that one). Throws
 // InputError "unknown expression 'smlie'; did you mean 'smile'?".

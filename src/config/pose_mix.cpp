@@ -4,14 +4,25 @@
 
 namespace mien {
 
+namespace {
+
+// Whether `exaggerate` lifts a move's limit, downward and upward.
+const auto kIsLifted = [] {
+  std::array<std::array<bool, 2>, kMoveCount> lifted{};
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    lifted[i] = {find_stop(i, -1).empty(), find_stop(i, 1).empty()};
+  return lifted;
+}();
+
+}  // namespace
+
 Pose mix_poses(const std::vector<PoseShare>& shares) {
   Pose mixed;
   for (std::size_t i = 0; i < kMoveCount; ++i) {
-    const bool is_lid = kMoves[i].area == "lid" && kMoves[i].move == "upper";
     double sum = 0, lowest = 0;
     for (const PoseShare& share : shares) {
       const double value = share.weight * share.pose.values[i];
-      if (is_lid && value < 0)
+      if (kIsUpperLid[i] && value < 0)
         lowest = std::min(lowest, value);
       else
         sum += value;
@@ -27,7 +38,7 @@ HeldPose hold_pose(const PoseAsk& ask) {
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     const double value = ask.areas.values[i].value_or(ask.pose.values[i] * ask.strength);
     const double asked = value * ask.exaggerate;
-    const bool is_lifted = find_stop(i, asked < 0 ? -1 : 1).empty();
+    const bool is_lifted = kIsLifted[i][asked < 0 ? 0 : 1];
     const double reach = is_lifted ? built.reach : 1;
     const double held = std::clamp(asked, kMoves[i].low * reach, kMoves[i].high * reach);
     built.pose.values[i] = held;

@@ -1,6 +1,7 @@
 // Poses as sums of other poses, held within their limits.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,13 @@
 #include "config/ledger.hpp"
 
 namespace mien {
+
+// Of upper lids. Two poses that both shut one do not shut it twice.
+inline constexpr std::array<bool, kMoveCount> kIsUpperLid = [] {
+  std::array<bool, kMoveCount> lids{};
+  for (const Side side : {Side::left, Side::right}) lids[*find_move("lid", side, "upper")] = true;
+  return lids;
+}();
 
 struct PoseShare {
   double weight = 1;

@@ -35,11 +35,18 @@ const SheetKind* find_kind(const std::string& name) {
   return kind == kKinds.end() ? nullptr : &*kind;
 }
 
+std::vector<std::string> list_kinds() {
+  std::vector<std::string> names;
+  for (const SheetKind& kind : kKinds) names.emplace_back(kind.name);
+  names.insert(names.end(), kClipSheets.begin(), kClipSheets.end());
+  return names;
+}
+
 // "views, details or ages".
-std::string list_kinds() {
+std::string join_kinds(const std::vector<std::string>& names) {
   std::string words;
-  for (std::size_t i = 0; i < kKinds.size(); ++i)
-    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == kKinds.size() ? " or " : ", ", kKinds[i].name);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    words += fmt::format("{}{}", i == 0 ? "" : i + 1 == names.size() ? " or " : ", ", names[i]);
   return words;
 }
 
@@ -52,10 +59,9 @@ std::string build_caption(std::string word) {
 
 void check_sheet_kind(const std::string& kind) {
   if (find_kind(kind)) return;
-  std::vector<std::string> names;
-  for (const SheetKind& known : kKinds) names.emplace_back(known.name);
+  const std::vector<std::string> names = list_kinds();
   const std::string near = find_nearest(kind, names);
-  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, list_kinds())
+  throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, join_kinds(names))
                                 : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
 }
 

@@ -94,6 +94,9 @@ std::string build_caption(std::string word);
 SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
                            const std::filesystem::path& data_folder);
 
+// Kinds that are made elsewhere (sheet_strip.hpp): suggested like the others.
+inline constexpr std::array<std::string_view, 2> kClipSheets{"strip", "exposure"};
+
 // Throws InputError as build_sheet_plan does for a word that is no kind.
 void check_sheet_kind(const std::string& kind);
 

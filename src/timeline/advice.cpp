@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "config/quantity.hpp"
 
@@ -19,18 +20,32 @@ struct Shown {
   double time_s = 0;  // of its drawing
   Pose pose;
 };
+using Frames = std::vector<Shown>;  // by time
 
 bool is_quick_by_nature(const MoveInfo& info) { return info.area == "lid" || info.area == "eye"; }
 
 // Without what blinks, looks and drifts, which is not what keys ask for.
-std::vector<Shown> sample_frames(Performance performance) {
+Frames sample_frames(Performance performance) {
   performance.idle = {};
-  std::vector<Shown> frames;
+  Frames frames;
   for (int frame = 0; frame < count_frames(performance.clip); ++frame) {
     const double time_s = find_drawing_time_s(performance.clip, frame);
     frames.push_back({time_s, sample_performance(performance, time_s).pose});
   }
   return frames;
+}
+
+// What keys come to where no cue covers them.
+Frames sample_keys(const Performance& performance) {
+  ClipSpec clip = performance.clip;
+  clip.cues.clear();
+  return sample_frames(build_performance(clip));
+}
+
+// The frames from a time to another one.
+std::span<const Shown> find_frames(const Frames& frames, double from_s, double to_s) {
+  const auto first = std::ranges::lower_bound(frames, from_s, {}, &Shown::time_s);
+  return {first, std::ranges::upper_bound(first, frames.end(), to_s, {}, &Shown::time_s)};
 }
 
 std::string show_time(const ClipSpec& clip, double time_s) {
@@ -68,15 +83,16 @@ double find_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, st
   return std::sqrt(squares);
 }
 
-void judge_speed(const ClipSpec& clip, std::size_t key, const std::vector<Shown>& frames,
-                 const MoveReach& reach, std::vector<Diagnostic>& advice) {
+void judge_speed(const ClipSpec& clip, std::size_t key, const Frames& frames, const MoveReach& reach,
+                 std::vector<Diagnostic>& advice) {
   if (key == 0) return;
   const PoseKey &from = clip.keys[key - 1], &to = clip.keys[key];
   double worst_mm = kFastest_mm, worst_s = 0;
   std::string_view area;
-  for (std::size_t f = 1; f < frames.size(); ++f) {
-    const Shown &before = frames[f - 1], &now = frames[f];
-    if (now.time_s <= before.time_s || now.time_s < from.at_s + kSameTime_s) continue;
+  const auto on_way = std::ranges::lower_bound(frames, from.at_s + kSameTime_s, {}, &Shown::time_s);
+  for (auto f = std::max(on_way, frames.begin() + 1); f < frames.end(); ++f) {
+    const Shown &before = *(f - 1), &now = *f;
+    if (now.time_s <= before.time_s) continue;
     if (before.time_s > to.at_s - kSameTime_s) break;
     const double held_frames = (now.time_s - before.time_s) * clip.fps;
     for (std::size_t i = 0; i < kMoveCount; ++i) {
@@ -104,8 +120,7 @@ double find_distance(const Pose& a, const Pose& b) {
   return most;
 }
 
-void judge_apex(const ClipSpec& clip, std::size_t i, const std::vector<Shown>& frames,
-                std::vector<Diagnostic>& advice) {
+void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::vector<Diagnostic>& advice) {
   const std::vector<PoseKey>& keys = clip.keys;
   const PoseKey& key = keys[i];
   const double end_s = frames.back().time_s;
@@ -120,13 +135,13 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const std::vector<Shown>& f
   const double whole = find_distance(keys[i - 1].pose, key.pose);
   if (whole < kLeastChange) return;
   const double until_s = i + 1 < keys.size() ? keys[i + 1].at_s : end_s;
-  double nearest = whole, before_s = 0, after_s = end_s;
-  for (const Shown& shown : frames) {
-    if (shown.time_s > keys[i - 1].at_s - kSameTime_s && shown.time_s < until_s + kSameTime_s)
-      nearest = std::min(nearest, find_distance(shown.pose, key.pose));
-    if (shown.time_s < key.at_s) before_s = shown.time_s;
-    if (shown.time_s > key.at_s) after_s = std::min(after_s, shown.time_s);
-  }
+  double nearest = whole;
+  for (const Shown& shown : find_frames(frames, keys[i - 1].at_s - kSameTime_s, until_s + kSameTime_s))
+    nearest = std::min(nearest, find_distance(shown.pose, key.pose));
+  const auto next = std::ranges::upper_bound(frames, key.at_s, {}, &Shown::time_s);
+  const auto here = std::ranges::lower_bound(frames, key.at_s, {}, &Shown::time_s);
+  const double after_s = next == frames.end() ? end_s : next->time_s;
+  const double before_s = here == frames.begin() ? 0 : (here - 1)->time_s;
   const double share = 1 - nearest / whole;
   if (share >= kReached) return;
   add_advice(
@@ -139,13 +154,13 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const std::vector<Shown>& f
 }  // namespace
 
 std::vector<Diagnostic> advise_clip(const Performance& performance, const MoveReach& reach) {
-  const std::vector<Shown> frames = sample_frames(performance);
+  const Frames frames = sample_frames(performance), keys_alone = sample_keys(performance);
   const ClipSpec& clip = performance.clip;
   std::vector<Diagnostic> advice;
   for (std::size_t i = 0; i < clip.keys.size(); ++i) {
     judge_hold(clip, i, advice);
     judge_speed(clip, i, frames, reach, advice);
-    judge_apex(clip, i, frames, advice);
+    judge_apex(clip, i, keys_alone, advice);
   }
   return advice;
 }

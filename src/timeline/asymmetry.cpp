@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/pose_mix.hpp"
 #include "timeline/seeded.hpp"
 
 namespace mien {
@@ -26,6 +27,8 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
     lean.delay_s = sample_uniform(random, kLeastDelay_s, kMostDelay_s);
     lean.weak = sample_uniform(random) < kLeftIsStronger ? Side::right : Side::left;
     lean.weakness = spec.amount * sample_uniform(random, 0.5, 1);
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].area == area) lean.moves[kMoves[i].side == Side::left ? 0 : 1].set(i);
     asymmetry.areas.push_back(lean);
   }
   return asymmetry;
@@ -40,15 +43,16 @@ double find_side_time_s(const std::vector<double>& keys_s, double time_s, double
   return from_s + way_s * std::clamp(gone_s / moving_s, 0.0, 1.0);
 }
 
-Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const std::function<Pose(double)>& sample) {
-  Pose pose = sample(time_s);
+Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample) {
+  Pose pose = sample(time_s, std::bitset<kMoveCount>().set());
   for (const AreaLean& lean : asymmetry.areas) {
     for (const Side side : {Side::left, Side::right}) {
       const double side_s = find_side_time_s(asymmetry.keys_s, time_s, lean.delay_s, side == lean.late);
-      const Pose other = side_s == time_s ? pose : sample(side_s);
+      const std::bitset<kMoveCount>& moves = lean.moves[side == Side::left ? 0 : 1];
+      const Pose other = side_s == time_s ? pose : sample(side_s, moves);
       for (std::size_t i = 0; i < kMoveCount; ++i) {
-        if (kMoves[i].area != lean.area || kMoves[i].side != side) continue;
-        const bool is_shutting = kMoves[i].area == "lid" && kMoves[i].move == "upper" && other.values[i] < 0;
+        if (!moves[i]) continue;
+        const bool is_shutting = kIsUpperLid[i] && other.values[i] < 0;
         const double weakness = side == lean.weak && !is_shutting ? lean.weakness : 0;
         pose.values[i] = other.values[i] * (1 - weakness);
       }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <bitset>
 #include <functional>
 #include <string_view>
 #include <vector>
@@ -17,6 +18,7 @@ struct AreaLean {
   double delay_s = 0;       // 0.02..0.06 between the two
   Side weak = Side::right;  // this side's values are less
   double weakness = 0;      // by this share, at most the `amount` asked for and half of it at least
+  std::array<std::bitset<kMoveCount>, 2> moves{};  // the left side's and the right one's
 };
 
 struct Asymmetry {
@@ -33,6 +35,8 @@ double find_side_time_s(const std::vector<double>& keys_s, double time_s, double
 
 // The pose of a face that leans. `sample` is the symmetric one's at a time. Key poses keep their times
 // exactly; their weak sides are weaker, since that is what was asked for. A shut lid stays shut.
-Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const std::function<Pose(double)>& sample);
+// `sample` may leave moves at rest that it is not asked for.
+using PoseSampler = std::function<Pose(double time_s, const std::bitset<kMoveCount>& only)>;
+Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample);
 
 }  // namespace mien

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/pose_mix.hpp"
 #include "timeline/easing.hpp"
 #include "timeline/layers.hpp"
 
@@ -88,8 +89,6 @@ double find_envelope(const Cue& cue, Ticks after, Ticks widest, Ticks time) {
   return come * (1 - gone);
 }
 
-bool is_upper_lid(std::size_t move) { return kMoves[move].area == "lid" && kMoves[move].move == "upper"; }
-
 void lay(Rule rule, std::size_t move, double weight, const FaceState& shown, FaceState& face) {
   double &value = face.values[move], &reach = face.reach[move];
   const double asked = shown.values[move], part = weight * asked;
@@ -102,7 +101,7 @@ void lay(Rule rule, std::size_t move, double weight, const FaceState& shown, Fac
   if (rule == Rule::max)
     // The furthest of each way, so that nothing jumps when one way becomes the further one.
     value = std::max({value, part, 0.0}) + std::min({value, part, 0.0});
-  else if (is_upper_lid(move) && value < 0 && part < 0)
+  else if (kIsUpperLid[move] && value < 0 && part < 0)
     value = std::min(value, part);  // two that close do not close twice (pose_mix.hpp)
   else
     value += part;
@@ -127,12 +126,16 @@ struct Shares {
   }
 };
 
-void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, FaceState& face, Shares& shares) {
+void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, const Moves& only, FaceState& face,
+               Shares& shares) {
+  const Moves moves = cue.spec.owns & only;
+  const bool turns = cue.script != nullptr && only.all();
+  if (moves.none() && !turns) return;
   const FaceState shown = show(cue, time);
-  for (std::size_t i = 0; i < shown.turn_deg.size(); ++i)
+  for (std::size_t i = 0; turns && i < shown.turn_deg.size(); ++i)
     face.turn_deg[i] += find_envelope(cue, 0, 0, time) * shown.turn_deg[i];
   for (std::size_t move = 0; move < kMoveCount; ++move) {
-    if (!cue.spec.owns[move]) continue;
+    if (!moves[move]) continue;
     const double weight = find_weight(stack, cue, move, time);
     if (weight == 0) continue;
     if (cue.spec.rule == Rule::share)
@@ -142,21 +145,19 @@ void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, FaceState& fac
   }
 }
 
-// The cues of one layer that are there at a time, from the earliest on.
-void apply_layer(const CueStack& stack, std::size_t begin, std::size_t end, Ticks time, FaceState& face) {
-  const auto& cues = stack.cues;
-  const auto here = std::span(cues).subspan(begin, end - begin);
-  const auto after = std::ranges::upper_bound(here, time, {}, &Cue::from);
-  const std::size_t last = begin + static_cast<std::size_t>(after - here.begin());
-  std::size_t first = last;
-  while (first > begin && stack.latest_end[first - 1] > time) --first;
-  for (const bool is_shared : {true, false}) {
-    Shares shares;
-    for (std::size_t i = first; i < last; ++i)
-      if ((cues[i].spec.rule == Rule::share) == is_shared && time < cues[i].gone)
-        apply_cue(stack, cues[i], time, face, shares);
-    if (is_shared) shares.lay(face);
-  }
+// The cues of one layer that are there at a time: first those that share, then the others upon them.
+void apply_layer(const CueStack& stack, std::size_t layer, Ticks time, const Moves& only, FaceState& face) {
+  const std::span<const Cue> cues = find_cues(stack, layer, time);
+  Shares shares;
+  bool is_shared = false;
+  for (const Cue& cue : cues)
+    if (cue.spec.rule == Rule::share && time < cue.gone) {
+      apply_cue(stack, cue, time, only, face, shares);
+      is_shared = true;
+    }
+  if (is_shared) shares.lay(face);
+  for (const Cue& cue : cues)
+    if (cue.spec.rule != Rule::share && time < cue.gone) apply_cue(stack, cue, time, only, face, shares);
 }
 
 }  // namespace
@@ -206,8 +207,24 @@ CueStack build_cue_stack(const ClipSpec& clip) {
 }
 
 void apply_cues(const CueStack& stack, Ticks time, FaceState& face) {
-  for (std::size_t i = 0; i + 1 < stack.layer_begins.size(); ++i)
-    apply_layer(stack, stack.layer_begins[i], stack.layer_begins[i + 1], time, face);
+  apply_cues(stack, time, Moves().set(), face);
+}
+
+void apply_cues(const CueStack& stack, Ticks time, const Moves& only, FaceState& face) {
+  for (std::size_t layer = 0; layer < count_layers(stack); ++layer)
+    apply_layer(stack, layer, time, only, face);
+}
+
+std::size_t count_layers(const CueStack& stack) { return stack.layer_begins.size() - 1; }
+
+std::span<const Cue> find_cues(const CueStack& stack, std::size_t layer, Ticks time) {
+  const std::size_t begin = stack.layer_begins[layer], end = stack.layer_begins[layer + 1];
+  const auto here = std::span(stack.cues).subspan(begin, end - begin);
+  const auto after = std::ranges::upper_bound(here, time, {}, &Cue::from);
+  const auto last = static_cast<std::size_t>(after - here.begin());
+  std::size_t first = last;
+  while (first > 0 && stack.latest_end[begin + first - 1] > time) --first;
+  return here.subspan(first, last - first);
 }
 
 double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {

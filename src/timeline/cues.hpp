@@ -47,8 +47,16 @@ struct FaceState {
   std::array<double, 3> turn_deg{};  // of scripts, on top of the head's own
 };
 
-// Lays the cues upon the face.
+using Moves = std::bitset<kMoveCount>;
+
+// Lays the cues upon the face. With `only` some of the moves: the others and the head's turn are left as they
+// are.
 void apply_cues(const CueStack& stack, Ticks time, FaceState& face);
+void apply_cues(const CueStack& stack, Ticks time, const Moves& only, FaceState& face);
+
+// A layer's cues among which all are that are there at a time: most of a long clip's are left out.
+std::size_t count_layers(const CueStack& stack);
+std::span<const Cue> find_cues(const CueStack& stack, std::size_t layer, Ticks time);
 
 // How much of a cue there is at a time, for a move: 0..1.
 double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time);

@@ -16,6 +16,11 @@ namespace {
 constexpr double kTurn_deg = 2.5, kNod_deg = 1.8, kTilt_deg = 1.8;
 constexpr double kBrowsUp = 0.12, kBrowsTurn = 0.06, kCornersUp = 0.05;  // shares of the limit
 
+using BothSides = std::array<std::size_t, 2>;
+consteval BothSides find_both(std::string_view area, std::string_view move) {
+  return {*find_move(area, Side::left, move), *find_move(area, Side::right, move)};
+}
+
 Sway build_sway(std::uint64_t seed, std::uint64_t use) {
   std::mt19937_64 random = build_random(seed, use);
   Sway sway;
@@ -59,15 +64,14 @@ void add_drift(const Drift& drift, double time_s, Pose& pose, TurnKey& turn) {
   add_within(-kMaxNod_deg, kMaxNod_deg, swayed(drift.nod, kNod_deg), turn.nod_deg);
   add_within(-kMaxTilt_deg, kMaxTilt_deg, swayed(drift.tilt, kTilt_deg), turn.tilt_deg);
   // Both sides alike: what sets them apart is `asymmetry`.
-  const auto add = [&](std::string_view area, std::string_view move, double more) {
-    for (const Side side : {Side::left, Side::right}) {
-      const std::size_t i = *find_move(area, side, move);
-      add_within(kMoves[i].low, kMoves[i].high, more, pose.values[i]);
-    }
+  const auto add = [&](const BothSides& moves, double more) {
+    for (const std::size_t i : moves) add_within(kMoves[i].low, kMoves[i].high, more, pose.values[i]);
   };
-  add("brow", "up", swayed(drift.brows_up, kBrowsUp));
-  add("brow", "turn", swayed(drift.brows_turn, kBrowsTurn));
-  add("corner", "up", swayed(drift.corners_up, kCornersUp));
+  constexpr BothSides kUp = find_both("brow", "up"), kTurn = find_both("brow", "turn");
+  constexpr BothSides kCorners = find_both("corner", "up");
+  add(kUp, swayed(drift.brows_up, kBrowsUp));
+  add(kTurn, swayed(drift.brows_turn, kBrowsTurn));
+  add(kCorners, swayed(drift.corners_up, kCornersUp));
 }
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 // to choose the next one (face-facts 3.4).
 #include "timeline/gaze.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -84,20 +85,27 @@ auto find_next(const std::vector<Timed>& list, double time_s) {
                           [](double time, const Timed& timed) { return time < timed.at_s; });
 }
 
-EyesAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
+// Where the keys want the eyes at a time, and the key at whose place they rest; none on the way to another.
+struct KeysAim {
+  EyesAim aim;
+  const GazeKey* key = nullptr;
+};
+
+KeysAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
                     const CameraKey& camera) {
   const std::vector<GazeKey>& keys = gaze.spec.keys;
   if (keys.empty()) return {};
   const auto next = find_next(keys, time_s);
   const GazeKey& now = next == keys.begin() ? *next : *(next - 1);
   const EyesAim from = find_aim(now, rig, turn, camera);
-  if (next == keys.begin() || next == keys.end()) return from;
+  if (next == keys.begin() || next == keys.end()) return {from, &now};
   const EyesAim to = find_aim(*next, rig, turn, camera);
   // One time for both eyes, though one of them may have further to go.
   const double amplitude_deg =
       std::max(find_amplitude_deg(from.left, to.left), find_amplitude_deg(from.right, to.right));
   const double share = find_saccade_share(amplitude_deg, now.at_s, next->at_s, time_s);
-  return {mix_aims(from.left, to.left, share), mix_aims(from.right, to.right, share)};
+  return {{mix_aims(from.left, to.left, share), mix_aims(from.right, to.right, share)},
+          share == 0 ? &now : nullptr};
 }
 
 EyeAim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
@@ -110,16 +118,44 @@ EyeAim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
   return mix_aims(from, to, find_saccade_share(find_amplitude_deg(from, to), now.at_s, next->at_s, time_s));
 }
 
-// `value` of a limit's way, which may be another one upward than downward, moved by `degrees`.
-void add_degrees(double degrees, double plus_deg, double minus_deg, double& value) {
-  if (plus_deg <= 0 || minus_deg <= 0) return;  // an eye that cannot turn
+// `value` of a limit's way, which may be another one upward than downward, moved by `degrees`; not held.
+double add_degrees(double degrees, double plus_deg, double minus_deg, double value) {
+  if (plus_deg <= 0 || minus_deg <= 0) return value;  // an eye that cannot turn
   const double sum_deg = degrees + value * (value > 0 ? plus_deg : minus_deg);
-  value = std::clamp(sum_deg / (sum_deg > 0 ? plus_deg : minus_deg), -1.0, 1.0);
+  return sum_deg / (sum_deg > 0 ? plus_deg : minus_deg);
 }
 
-void add_aim(const EyeAim& aim, const EyeReach& reach, Side side, Pose& pose) {
-  add_degrees(aim.side_deg, reach.left_deg, reach.right_deg, pose.values[*find_move("eye", side, "side")]);
-  add_degrees(aim.up_deg, reach.up_deg, reach.down_deg, pose.values[*find_move("eye", side, "up")]);
+template <Side side>
+void add_aim(const EyeAim& aim, const EyeReach& reach, Pose& pose) {
+  constexpr std::size_t kSide = *find_move("eye", side, "side"), kUp = *find_move("eye", side, "up");
+  pose.values[kSide] = add_degrees(aim.side_deg, reach.left_deg, reach.right_deg, pose.values[kSide]);
+  pose.values[kUp] = add_degrees(aim.up_deg, reach.up_deg, reach.down_deg, pose.values[kUp]);
+}
+
+// In values that no limit holds.
+void add_aims(const EyesAim& aim, const EyeRig& rig, Pose& pose) {
+  add_aim<Side::left>(aim.left, rig.left, pose);
+  add_aim<Side::right>(aim.right, rig.right, pose);
+}
+
+constexpr std::array<std::size_t, 4> kEyes{
+    *find_move("eye", Side::left, "side"), *find_move("eye", Side::left, "up"),
+    *find_move("eye", Side::right, "side"), *find_move("eye", Side::right, "up")};
+
+// As an author would say it.
+std::string describe(const GazeKey& key) {
+  if (!key.actor.empty()) return "look at " + key.actor;
+  switch (key.look) {
+    case LookAt::ahead:
+      return "look ahead";
+    case LookAt::camera:
+      return "look at the camera";
+    case LookAt::direction:
+      return fmt::format("look {:.4g}deg aside, {:.4g}deg up", key.side_deg, key.up_deg);
+    case LookAt::point:
+      return "look at a point";
+  }
+  return "look";
 }
 
 }  // namespace
@@ -145,14 +181,30 @@ Gaze build_gaze(const GazeSpec& spec, double length_s) {
 void aim_eyes(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
               const CameraKey& camera, Pose& pose) {
   if (gaze.spec.keys.empty() && gaze.fixations.empty()) return;
-  EyesAim aim = sample_keys(gaze, rig, time_s, turn, camera);
+  EyesAim aim = sample_keys(gaze, rig, time_s, turn, camera).aim;
   const EyeAim offset = sample_fixations(gaze.fixations, time_s);
   for (EyeAim* eye : {&aim.left, &aim.right}) {
     eye->side_deg += offset.side_deg;
     eye->up_deg += offset.up_deg;
   }
-  add_aim(aim.left, rig.left, Side::left, pose);
-  add_aim(aim.right, rig.right, Side::right, pose);
+  add_aims(aim, rig, pose);
+  for (const std::size_t move : kEyes) pose.values[move] = std::clamp(pose.values[move], -1.0, 1.0);
+}
+
+std::vector<Held> list_held_looks(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
+                                  const CameraKey& camera, const Pose& pose) {
+  std::vector<Held> held;
+  const KeysAim look = sample_keys(gaze, rig, time_s, turn, camera);
+  if (look.key == nullptr) return held;
+  Pose asked = pose;
+  add_aims(look.aim, rig, asked);
+  for (const std::size_t move : kEyes) {
+    const double value = asked.values[move], most = std::clamp(value, -1.0, 1.0);
+    constexpr double kSlack = 0.005;  // of the reach: a fifth of a degree, which nobody can see
+    if (std::abs(value - most) > kSlack)
+      held.push_back({move, value, most, look.key->place, describe(*look.key)});
+  }
+  return held;
 }
 
 std::vector<Shift> list_shifts(const GazeSpec& gaze, const std::vector<TurnKey>& turn,

@@ -47,6 +47,11 @@ Gaze build_gaze(const GazeSpec& spec, double length_s);
 void aim_eyes(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
               const CameraKey& camera, Pose& pose);
 
+// What the keys of a gaze ask of the eyes past their reach, in fractions of it: the eyes rest at a key's
+// place and would have to turn further. None on the way between two keys, and none of `wander`.
+std::vector<Held> list_held_looks(const Gaze& gaze, const EyeRig& rig, double time_s, const TurnKey& turn,
+                                  const CameraKey& camera, const Pose& pose);
+
 // A move so large that the lids may hide it.
 struct Shift {
   double at_s = 0;  // its middle

@@ -20,4 +20,7 @@ KeyTrack build_table(const TimeTable& table);
 // cues'.
 FaceState sample_layers(const Layers& layers, Ticks time);
 
+// The same, of which only some moves are asked for: the others and the head's turn mean nothing.
+FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only);
+
 }  // namespace mien

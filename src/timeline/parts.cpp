@@ -69,12 +69,13 @@ void add_frame(const Performance& performance, double time_s, Most& most) {
   add_live(key, time_s, most);
   std::array<const PoseKey*, kMoveCount> askers;
   askers.fill(&key);
-  for (const Cue& cue : layers.cues.cues) {
-    if (time < cue.from || time >= cue.end) continue;
-    add_live(cue.spec.what, time_s, most);
-    for (std::size_t move = 0; move < kMoveCount; ++move)
-      if (cue.spec.owns[move]) askers[move] = &cue.spec.what;
-  }
+  for (std::size_t layer = 0; layer < count_layers(layers.cues); ++layer)
+    for (const Cue& cue : find_cues(layers.cues, layer, time)) {
+      if (time < cue.from || time >= cue.end) continue;
+      add_live(cue.spec.what, time_s, most);
+      for (std::size_t move = 0; move < kMoveCount; ++move)
+        if (cue.spec.owns[move]) askers[move] = &cue.spec.what;
+    }
   const FaceState face = sample_layers(layers, time);
   for (std::size_t move = 0; move < kMoveCount; ++move) {
     const double asked = face.values[move], held = hold_value(move, asked, face.reach[move]);
@@ -82,6 +83,14 @@ void add_frame(const Performance& performance, double time_s, Most& most) {
     if (std::abs(asked - held) > kSlack)
       most.add({move, asked, held, askers[move]->place, askers[move]->label}, time_s);
   }
+}
+
+// `without` is the performance without its gaze.
+void add_looks(const Performance& performance, const Performance& without, double time_s, Most& most) {
+  const Moment now = sample_performance(without, time_s);
+  for (const Held& held :
+       list_held_looks(performance.idle.gaze, performance.idle.eyes, time_s, now.turn, now.camera, now.pose))
+    most.add(held, time_s);
 }
 
 }  // namespace
@@ -111,8 +120,13 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
 std::vector<Held> list_held_in_time(const Performance& performance) {
   Most most;
   const ClipSpec& clip = performance.clip;
-  for (int frame = 0; frame < count_frames(clip); ++frame)
-    add_frame(performance, find_seconds(find_frame_ticks(frame, clip.fps)), most);
+  Performance without = performance;
+  without.idle.gaze = {};
+  for (int frame = 0; frame < count_frames(clip); ++frame) {
+    const double time_s = find_seconds(find_frame_ticks(frame, clip.fps));
+    add_frame(performance, time_s, most);
+    if (!clip.gaze.keys.empty()) add_looks(performance, without, time_s, most);
+  }
   return most.list();
 }
 

@@ -61,9 +61,12 @@ Performance build_performance(const ClipSpec& clip) {
 
 Moment sample_performance(const Performance& performance, double time_s) {
   const Layers& layers = *performance.layers;
-  const auto sample_pose = [&](double at_s) { return hold_pose(sample_layers(layers, find_ticks(at_s))); };
-  Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose),
-                build_turn(sample_layers(layers, find_ticks(time_s)), time_s), sample_camera(layers, time_s)};
+  const FaceState now = sample_layers(layers, find_ticks(time_s));
+  const auto sample_pose = [&](double at_s, const Moves& only) {
+    return hold_pose(at_s == time_s ? now : sample_layers(layers, find_ticks(at_s), only));
+  };
+  Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose), build_turn(now, time_s),
+                sample_camera(layers, time_s)};
   add_idle(performance.idle, time_s, moment.camera, moment.pose, moment.turn);
   return moment;
 }

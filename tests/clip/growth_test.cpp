@@ -37,6 +37,29 @@ head:
   }
 }
 
+TEST(growth, a_head_that_cannot_be_between_two_good_ones_is_told_before_anything_is_written) {
+  Clip clip;
+  clip.spec = load_text("mien: 1\nclip: {length: 1s}\n");
+  clip.frame_count = count_frames(clip.spec.clip);
+  clip.performance = build_performance(clip.spec.clip);
+  // Each line alone is where its own age has room for it; halfway they have crossed.
+  HeadKey old, young;
+  old.head = load_text("mien: 1\nhead: {age: adult, guides: {eye_line: 0.55}}\n").head;
+  young.head = load_text("mien: 1\nhead: {age: infant, guides: {brow_line: 0.42}}\n").head;
+  young.at_s = 1;
+  Actor actor{"", old.head, {}, clip.performance};
+  actor.performance.clip.head = {old, young};
+  clip.actors = {actor};
+  try {
+    build_cast(clip, kData);
+    ADD_FAILURE() << "all were built";
+  } catch (const InputError& error) {
+    const std::string message = error.what();
+    EXPECT_NE(message.find("test.yaml: the head at 0."), std::string::npos) << message;
+    EXPECT_NE(message.find("guide line 'brow_line' meets the one below it"), std::string::npos) << message;
+  }
+}
+
 double find_jump_mm(const HeadForm& a, const HeadForm& b) {
   double most = glm::distance(a.eye.centre, b.eye.centre);
   for (std::size_t i = 0; i < a.points.size(); ++i)

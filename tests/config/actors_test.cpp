@@ -1,5 +1,6 @@
 // Several who play together, and how they wait for each other.
 #include "config/config_fixture.hpp"
+#include "timeline/performance.hpp"
 
 namespace mien {
 namespace {
@@ -81,6 +82,21 @@ clip:
   EXPECT_DOUBLE_EQ(spec.clip.turn[0].at_s, 1.5);
   EXPECT_TRUE(spec.actors.empty());
   EXPECT_EQ(list_actors(spec).size(), 1u);
+}
+
+TEST(actors, see_the_camera_from_where_they_stand_though_its_angle_is_a_formula) {
+  const auto load = [](const std::string& angle) {
+    return load_text(
+        "mien: 1\nactors:\n  ann: {place: {turn: 25deg}}\nclip: {length: 2s, camera: [{at: 0s, angle: " +
+        angle + "}]}\n");
+  };
+  const Spec spec = load("\"10 + 5*t\"");
+  for (const double time_s : {0.0, 1.0, 2.0}) {
+    const double shown = sample_performance(build_performance(spec.clip), time_s).camera.angle_deg;
+    EXPECT_EQ(shown, 10 + 5 * time_s);
+    EXPECT_EQ(sample_performance(build_performance(spec.actors[0].clip), time_s).camera.angle_deg,
+              shown - 25);
+  }
 }
 
 }  // namespace

@@ -147,6 +147,36 @@ TEST(clip, plays_scripts_with_parameters) {
   EXPECT_EQ(clip.cues[0].owns.count(), 2u);
 }
 
+TEST(clip, a_file_with_inputs_may_be_included_again) {
+  const auto folder = make_test_folder();
+  write_file(folder / "wave.yaml", R"(mien: 1
+clip:
+  inputs: {size: 0.5, swell: "size*t"}
+  cues: [{from: 0s, areas: {brows: {up: "swell"}}, attack: 0s, hold: 1s, release: 0s}]
+)");
+  write_file(folder / "a.yaml", R"(mien: 1
+clip:
+  include: [wave.yaml, {file: wave.yaml, at: 3s}]
+  inputs: {twice: "2*size"}
+  laws: [{area: chin, move: down, value: "twice/4"}]
+)");
+  EXPECT_EQ(find_mistakes(folder / "a.yaml"), "");
+  const ClipSpec clip = load_spec(folder / "a.yaml", *find_language()).clip;
+  ASSERT_EQ(clip.cues.size(), 3u);
+  const std::size_t brow = *find_move("brow", Side::left, "up");
+  EXPECT_EQ(evaluate_pose(*clip.cues[0].what.live, 0.5).pose.values[brow], 0.25);
+  EXPECT_EQ(evaluate_pose(*clip.cues[1].what.live, 3.5).pose.values[brow], 0.25) << "it counts from 3 s";
+  EXPECT_EQ(evaluate_pose(*clip.cues[2].what.live, 0).pose.values[*find_move("chin", Side::none, "down")],
+            0.25);
+  // Two files that name the same number are two opinions.
+  write_file(folder / "other.yaml", "mien: 1\nclip: {inputs: {size: 1}}\n");
+  write_file(folder / "b.yaml", "mien: 1\nclip: {include: [wave.yaml, other.yaml]}\n");
+  EXPECT_EQ(find_mistakes(folder / "b.yaml"),
+            "other.yaml:2:17: error: 'size' is an input already; expected another name\n"
+            "  clip: {inputs: {size: 1}}\n"
+            "                  ^");
+}
+
 TEST(clip, includes_other_files) {
   const auto folder = make_test_folder("_files");
   write_file(folder / "other.yaml", R"Y(mien: 1

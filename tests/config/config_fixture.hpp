@@ -15,6 +15,12 @@ namespace mien {
 
 inline const std::filesystem::path kData = source_folder();
 
+// The libraries and words of `data`; ours are read once for all tests.
+inline LanguagePointer find_language(const std::filesystem::path& data = kData) {
+  static const LanguagePointer ours = load_language(kData);
+  return data == kData ? ours : load_language(data);
+}
+
 // An empty folder of the running test's own.
 inline std::filesystem::path make_test_folder(const std::string& ending = "") {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();
@@ -28,7 +34,7 @@ inline std::filesystem::path make_test_folder(const std::string& ending = "") {
 inline Spec load_text(const std::string& text, const std::filesystem::path& data = kData) {
   const auto file = make_test_folder() / "test.yaml";
   write_file(file, text);
-  return load_spec(file, data);
+  return load_spec(file, *find_language(data));
 }
 
 // All of an error's lines, with files by their bare names.
@@ -46,7 +52,7 @@ inline std::string format_error(const InputError& error) {
 inline std::string find_mistakes(const std::filesystem::path& file,
                                  const std::filesystem::path& data = kData) {
   try {
-    load_spec(file, data);
+    load_spec(file, *find_language(data));
   } catch (const InputError& error) {
     return format_error(error);
   }

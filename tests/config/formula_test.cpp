@@ -48,6 +48,16 @@ TEST(formula, uses_inputs_and_what_they_use) {
   EXPECT_EQ(value_of("a40", 0, many), std::pow(2.0, 40));
 }
 
+TEST(formula, is_greater_by_what_it_is_shifted) {
+  FormulaFault fault;
+  const FormulaPointer mood = build_formula("2*t", {}, 0, fault);
+  const FormulaPointer formula = build_formula("mood + 1", {{"mood", 0, mood}}, 1, fault);
+  const FormulaPointer shifted = shift_formula(*shift_formula(*formula, 10), -40);
+  for (const double time_s : {0.0, 1.5, 7.0})
+    EXPECT_EQ(evaluate(*shifted, time_s), evaluate(*formula, time_s) - 30);
+  EXPECT_EQ(find_start_s(*shifted), 1);
+}
+
 TEST(formula, has_no_value_where_it_has_none) {
   EXPECT_FALSE(std::isfinite(value_of("1/t", 0)));
   EXPECT_FALSE(std::isfinite(value_of("sqrt(t)", -1)));
@@ -60,6 +70,12 @@ TEST(formula, tells_what_is_wrong_and_where) {
   EXPECT_EQ(fault_of("1 + moood", {{"mood", 1, {}}}), "4: unknown word 'moood'; did you mean 'mood'?");
   EXPECT_EQ(fault_of("t = 3"), "2: a single '='; expected '==' to compare");
   EXPECT_EQ(fault_of("1, 2"), "0: it comes to 2 numbers; expected one");
+  EXPECT_EQ(fault_of("2*"), "2: it ends too early");
+  EXPECT_EQ(fault_of("1 + "), "4: it ends too early");
+  EXPECT_EQ(fault_of(""), "0: it ends too early");
+  EXPECT_EQ(fault_of("2*(t + sin(t)"), "2: a '(' is not closed");
+  EXPECT_EQ(fault_of("sin((t) + 1"), "3: a '(' is not closed");
+  EXPECT_EQ(fault_of("t + 1)"), "5: ')' is not expected here");
   EXPECT_EQ(fault_of("t \x01"), "2: a letter that no formula has");
   EXPECT_EQ(fault_of(std::string(2000, '(')), "0: it is longer than 1000 bytes");
   for (const char* text :

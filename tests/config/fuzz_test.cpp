@@ -53,7 +53,7 @@ TEST(fuzz, gives_a_spec_or_mistakes_with_a_place) {
     const std::string text = damage(texts[static_cast<std::size_t>(round) % texts.size()], random);
     write_file(file, text);
     try {
-      const Spec spec = load_spec(file, kData);
+      const Spec spec = load_spec(file, *find_language());
       EXPECT_GE(count_frames(spec.clip), 1);
       ++good;
     } catch (const InputError& error) {

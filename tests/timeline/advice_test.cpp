@@ -91,6 +91,19 @@ TEST(advice, warns_of_faces_that_are_never_drawn_in_full) {
       "1.167s\n");
 }
 
+TEST(advice, does_not_ask_for_a_face_that_a_cue_covers) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1), build_key(1, "gasp", 0.5, 2),
+                              build_key(2, "gasp", 0.5, 3), build_key(3, "rest", 0, 4)});
+  CueSpec cue;
+  cue.from_s = 0.2;
+  cue.full_s = 0.6;
+  cue.ebb_s = 2.2;
+  cue.end_s = 2.8;
+  cue.owns.set();
+  clip.cues = {cue};
+  EXPECT_EQ(advise(clip), "");
+}
+
 TEST(advice, warns_of_keys_after_the_end) {
   ClipSpec clip =
       build_clip({build_key(0, "rest", 0, 1), build_key(1, "gasp", 1, 2), build_key(3, "rest", 0, 3)});

@@ -56,5 +56,45 @@ TEST(parts, sums_and_formulas_are_told_where_they_ask_for_most) {
             "a.yaml:4:10: note: lips.upper asked for 1.2 (neutral at 0.4583s); held at its limit, 1");
 }
 
+TEST(parts, a_look_past_the_eyes_reach_is_told_with_its_key) {
+  const std::vector<std::string> expected{
+      "a.yaml:5:7: note: eyes.side asked for 1.5 (look 45deg aside, 0deg up at 1s); held at 1: an eye turns "
+      "no further",
+      "a.yaml:6:7: note: eyes.up asked for -1.333 (look 0deg aside, -40deg up at 2s); held at -1: an eye "
+      "turns "
+      "no further"};
+  const std::string gaze =
+      "  gaze:\n"
+      "    - {at: 0s, look: left}\n"
+      "    - {at: 1s, look: {side: 45deg}}\n"
+      "    - {at: 2s, look: {up: -40deg}}\n"
+      "    - {at: 3s, look: ahead}\n";
+  EXPECT_EQ(list_notes(gaze), expected);
+  // A head that turns toward it lets the eyes reach it.
+  EXPECT_EQ(list_notes(gaze + "  turn: [{at: 0.9s}, {at: 1s, turn: 20deg}, {at: 1.9s}, {at: 2s, nod: 12deg, "
+                              "turn: 0deg}]\n")
+                .size(),
+            0u);
+}
+
+TEST(parts, a_look_adds_up_with_what_the_face_says_of_the_eyes) {
+  const auto notes = list_notes(
+      "  keys: [{at: 0s, areas: {eyes: {side: 0.5}}}]\n"
+      "  length: 1s\n"
+      "  gaze: [{at: 0s, look: left}]\n");
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_EQ(
+      notes[0],
+      "a.yaml:5:10: note: eyes.side asked for 1.167 (look 20deg aside, 0deg up at 0s); held at 1: an eye "
+      "turns no further");
+}
+
+TEST(parts, small_looks_about_a_place_are_no_affair_of_the_ledger) {
+  EXPECT_EQ(list_notes("  length: 20s\n"
+                       "  gaze: {look: {side: 29deg}, wander: 1}\n")
+                .size(),
+            0u);
+}
+
 }  // namespace
 }  // namespace mien

@@ -92,8 +92,8 @@ ClipSpec build_random_clip(std::uint64_t seed) {
 }
 
 TEST(timeline_fuzz, has_only_numbers_within_their_limits_and_no_jumps) {
-  constexpr double kStep_s = 0.004;
-  for (std::uint64_t seed = 0; seed < 25; ++seed) {
+  constexpr double kStep_s = 0.002;
+  for (std::uint64_t seed = 0; seed < 60; ++seed) {
     const Performance performance = build_performance(build_random_clip(seed));
     Moment before = sample_performance(performance, 0);
     for (double time_s = 0; time_s < kLength_s + 1; time_s += kStep_s) {
@@ -102,8 +102,8 @@ TEST(timeline_fuzz, has_only_numbers_within_their_limits_and_no_jumps) {
         ASSERT_TRUE(std::isfinite(now.pose.values[i])) << seed << " " << time_s;
         ASSERT_GE(now.pose.values[i], kMoves[i].low);
         ASSERT_LE(now.pose.values[i], kMoves[i].high);
-        // Two limits' way in a fifth of a second, at twice an ease's middle speed.
-        ASSERT_LT(std::abs(now.pose.values[i] - before.pose.values[i]), 0.2)
+        // Two limits' way in a fifth of a second, at twice an ease's middle speed, is a third of that.
+        ASSERT_LT(std::abs(now.pose.values[i] - before.pose.values[i]), 0.1)
             << "seed " << seed << " at " << time_s << " " << kMoves[i].area << "." << kMoves[i].move;
       }
       ASSERT_TRUE(std::isfinite(now.turn.nod_deg));
