@@ -100,10 +100,10 @@ void update_warnings(PrintReport& report) {
     say.push_back(fmt::format("It is not a solid: its surface has {}.",
                               count_things(report.open_edges, "open edge", "open edges")));
   else if (report.volume_mm3 <= 0)
-    say.push_back("It is inside out.");
+    say.emplace_back("It is inside out.");
   if (report.parts > 1) say.push_back(fmt::format("It falls into {} parts.", report.parts));
   if (report.bed_mm2 <= 0)
-    say.push_back("Nothing of it lies on the bed.");
+    say.emplace_back("Nothing of it lies on the bed.");
   else if (report.bed_mm2 < kLeastStand * report.size_mm.x * report.size_mm.y)
     say.push_back(fmt::format("It stands on {} mm2 only and may topple.", format_number(report.bed_mm2, 0)));
   if (report.sealed_cavities > 0)
