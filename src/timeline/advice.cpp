@@ -25,13 +25,11 @@ using Frames = std::vector<Shown>;  // by time
 bool is_quick_by_nature(const MoveInfo& info) { return info.area == "lid" || info.area == "eye"; }
 
 // Without what blinks, looks and drifts, which is not what keys ask for.
-Frames sample_frames(Performance performance) {
+Frames sample_asked(Performance performance) {
   performance.idle = {};
   Frames frames;
-  for (int frame = 0; frame < count_frames(performance.clip); ++frame) {
-    const double time_s = find_drawing_time_s(performance.clip, frame);
-    frames.push_back({time_s, sample_performance(performance, time_s).pose});
-  }
+  for (const Moment& moment : sample_frames(performance))
+    frames.push_back({find_drawing_time_s(performance.clip, static_cast<int>(frames.size())), moment.pose});
   return frames;
 }
 
@@ -39,7 +37,7 @@ Frames sample_frames(Performance performance) {
 Frames sample_keys(const Performance& performance) {
   ClipSpec clip = performance.clip;
   clip.cues.clear();
-  return sample_frames(build_performance(clip));
+  return sample_asked(build_performance(clip));
 }
 
 // The frames from a time to another one.
@@ -154,7 +152,8 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::
 }  // namespace
 
 std::vector<Diagnostic> advise_clip(const Performance& performance, const MoveReach& reach) {
-  const Frames frames = sample_frames(performance), keys_alone = sample_keys(performance);
+  const Frames frames = sample_asked(performance);
+  const Frames keys_alone = performance.clip.cues.empty() ? frames : sample_keys(performance);
   const ClipSpec& clip = performance.clip;
   std::vector<Diagnostic> advice;
   for (std::size_t i = 0; i < clip.keys.size(); ++i) {

@@ -25,14 +25,6 @@ constexpr std::string_view kLetters = ".:-=+*#%@";
 // Sides this near, as of eyes that meet at a point, look the same in so few steps.
 constexpr double kSameSide = 1.0 / 8;
 
-std::vector<Moment> sample_frames(const Performance& performance) {
-  std::vector<Moment> moments;
-  const int count = count_frames(performance.clip);
-  for (int frame = 0; frame < count; ++frame)
-    moments.push_back(sample_performance(performance, find_drawing_time_s(performance.clip, frame)));
-  return moments;
-}
-
 ChartRow build_area_row(const std::vector<Moment>& moments, const AreaKey& key) {
   ChartRow row{std::string(key.key), {}, {}};
   for (std::size_t i = 0; i < kMoveCount; ++i) {

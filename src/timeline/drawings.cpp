@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "core/parallel.hpp"
 #include "core/text.hpp"
 #include "timeline/bytes.hpp"
 #include "timeline/head_track.hpp"
@@ -42,16 +43,18 @@ std::vector<int> find_drawings(const std::vector<const Performance*>& performanc
     unheld.push_back(*performance);
     unheld.back().idle.eyes.left = unheld.back().idle.eyes.right = {180, 180, 180, 180};
   }
-  for (int frame = 0; frame < count; ++frame) {
-    const double time_s = find_drawing_time_s(clip, frame);
-    std::string key = find_stage_key(sample_stage(clip, time_s));
+  std::vector<std::string> keys(static_cast<std::size_t>(count));
+  for_each_index(keys.size(), count_cores(), [&](std::size_t frame, int) {
+    const double time_s = find_drawing_time_s(clip, static_cast<int>(frame));
+    std::string& key = keys[frame] = find_stage_key(sample_stage(clip, time_s));
     for (const Performance& performance : unheld) {
       key += key_of(sample_performance(performance, time_s));
       if (const auto& heads = performance.clip.head; !heads.empty())
         key += find_head_key(sample_head(heads, time_s));
     }
-    first[frame] = seen.emplace(key, frame).first->second;
-  }
+  });
+  for (int frame = 0; frame < count; ++frame)
+    first[frame] = seen.emplace(keys[static_cast<std::size_t>(frame)], frame).first->second;
   return first;
 }
 

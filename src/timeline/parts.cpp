@@ -122,6 +122,7 @@ std::vector<Held> list_held_in_time(const Performance& performance) {
   const ClipSpec& clip = performance.clip;
   Performance without = performance;
   without.idle.gaze = {};
+  without.idle.asymmetry = {};  // of brows, lids and corners: no affair of the eyes
   for (int frame = 0; frame < count_frames(clip); ++frame) {
     const double time_s = find_seconds(find_frame_ticks(frame, clip.fps));
     add_frame(performance, time_s, most);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/parallel.hpp"
+
 namespace mien {
 namespace {
 
@@ -69,6 +71,15 @@ Moment sample_performance(const Performance& performance, double time_s) {
                 sample_camera(layers, time_s)};
   add_idle(performance.idle, time_s, moment.camera, moment.pose, moment.turn);
   return moment;
+}
+
+std::vector<Moment> sample_frames(const Performance& performance) {
+  std::vector<Moment> moments(static_cast<std::size_t>(count_frames(performance.clip)));
+  for_each_index(moments.size(), count_cores(), [&](std::size_t frame, int) {
+    moments[frame] =
+        sample_performance(performance, find_drawing_time_s(performance.clip, static_cast<int>(frame)));
+  });
+  return moments;
 }
 
 double find_drawing_time_s(const ClipSpec& clip, int frame) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "config/clip_spec.hpp"
 #include "timeline/idle.hpp"
@@ -29,6 +30,9 @@ Performance build_performance(const ClipSpec& clip);
 // (cues and what `idle` adds apart), the first key's before it and the last key's after it; nothing is past
 // its limits, times the reach of those who ask. A pure function: any number of threads may ask.
 Moment sample_performance(const Performance& performance, double time_s);
+
+// What each frame of the clip shows, in order.
+std::vector<Moment> sample_frames(const Performance& performance);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.
 double find_drawing_time_s(const ClipSpec& clip, int frame);
