@@ -6,6 +6,7 @@
 #include <map>
 #include <tuple>
 
+#include "core/parallel.hpp"
 #include "timeline/easing.hpp"
 
 namespace mien {
@@ -38,8 +39,10 @@ class Most {
     held.by = fmt::format("{}{}at {:.4g}s", held.by, held.by.empty() ? "" : " ", time_s);
     const auto key =
         std::tuple(held.place.file, held.place.line, held.place.column, held.move, held.asked < 0);
-    const auto [known, is_new] = found_.try_emplace(key, held);
-    if (!is_new && std::abs(held.asked) > std::abs(known->second.asked) + kNoise) known->second = held;
+    add(key, held);
+  }
+  void add(const Most& later) {
+    for (const auto& [key, held] : later.found_) add(key, held);
   }
   std::vector<Held> list() const {
     std::vector<Held> ledger;
@@ -49,8 +52,14 @@ class Most {
   }
 
  private:
+  using Key = std::tuple<std::string, int, int, std::size_t, bool>;
   static constexpr double kNoise = 1e-9;  // of sums that are the same
-  std::map<std::tuple<std::string, int, int, std::size_t, bool>, Held> found_;
+  std::map<Key, Held> found_;
+
+  void add(const Key& key, const Held& held) {
+    const auto [known, is_new] = found_.try_emplace(key, held);
+    if (!is_new && std::abs(held.asked) > std::abs(known->second.asked) + kNoise) known->second = held;
+  }
 };
 
 void add_live(const PoseKey& key, double time_s, Most& most) {
@@ -118,16 +127,22 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
 }
 
 std::vector<Held> list_held_in_time(const Performance& performance) {
-  Most most;
   const ClipSpec& clip = performance.clip;
   Performance without = performance;
   without.idle.gaze = {};
-  without.idle.asymmetry = {};  // of brows, lids and corners: no affair of the eyes
-  for (int frame = 0; frame < count_frames(clip); ++frame) {
-    const double time_s = find_seconds(find_frame_ticks(frame, clip.fps));
-    add_frame(performance, time_s, most);
-    if (!clip.gaze.keys.empty()) add_looks(performance, without, time_s, most);
-  }
+  without.idle.asymmetry = {};            // of brows, lids and corners: no affair of the eyes
+  constexpr std::size_t kStretches = 16;  // of the clip, each by itself and told in their order
+  const auto count = static_cast<std::size_t>(count_frames(clip));
+  std::array<Most, kStretches> found;
+  for_each_index(kStretches, count_cores(), [&](std::size_t i, int) {
+    for (std::size_t frame = count * i / kStretches; frame < count * (i + 1) / kStretches; ++frame) {
+      const double time_s = find_seconds(find_frame_ticks(static_cast<std::int64_t>(frame), clip.fps));
+      add_frame(performance, time_s, found[i]);
+      if (!clip.gaze.keys.empty()) add_looks(performance, without, time_s, found[i]);
+    }
+  });
+  Most most;
+  for (const Most& stretch : found) most.add(stretch);
   return most.list();
 }
 
