@@ -148,9 +148,33 @@ std::vector<LipColumn> build_lips(const Cage& cage, const FaceData& data) {
       column.upper_contact = point("M1", i);
       column.lower_contact = point("M1", 12 - i);
       column.rest_gap_mm = cage.points[column.upper_contact].y - cage.points[column.lower_contact].y;
+      column.upper_edge = {point("M0", i), point("M1", i), point("M2", i)};
+      column.lower_edge = {point("M0", 12 - i), point("M1", 12 - i), point("M2", 12 - i)};
+      column.inward = point("M1", std::max(i - 1, 0));
+      column.outward = point("M1", i == 0 ? 0 : i + 1);
+      column.rest_skin_gap_mm = find_skin_gap_mm(column, cage.points);
+      column.rest_leaning_gap_mm = column.rest_skin_gap_mm + find_lean_mm(column, cage.points);
       lips.push_back(std::move(column));
     }
   return lips;
+}
+
+// Columns 0 to 4 of both sides; further out the cheek hangs on no nose.
+std::vector<PhiltrumColumn> build_philtrum(const Cage& cage, const FaceData& data) {
+  std::vector<PhiltrumColumn> philtrum;
+  for (const bool is_right : {false, true})
+    for (int i = is_right ? 1 : 0; i < 5; ++i) {
+      const auto point = [&](const std::string& ring) {
+        const std::uint32_t p = find_point(cage, fmt::format("{}_{}", ring, i));
+        return is_right ? cage.mirror[p] : p;
+      };
+      PhiltrumColumn column{point("M6"), {}, 0};
+      for (const auto& [ring, share] : data.philtrum_rows) column.rows.emplace_back(point(ring), share);
+      std::ranges::sort(column.rows, std::greater{}, [](const auto& row) { return row.second; });
+      column.rest_gap_mm = cage.points[column.nose].y - cage.points[column.rows.front().first].y;
+      philtrum.push_back(std::move(column));
+    }
+  return philtrum;
 }
 
 // How far each point goes with a turning head: by row down the neck, all the way above it.
@@ -203,6 +227,7 @@ Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
   face.jaw = build_jaw(head, solver, data, scales);
   face.jaw.axis = carry_point(head, data.jaw.axis);
   face.lips = build_lips(head.cage, data);
+  face.philtrum = build_philtrum(head.cage, data);
   face.seal_until_mm = data.seal_until_mm * (scales.here.mouth_nose / scales.adult.mouth_nose);
   face.turn_pivot = carry_point(head, data.turn_pivot);
   face.turn_weights = build_turn_weights(head.cage, data);

@@ -52,6 +52,25 @@ struct LipColumn {
   std::vector<std::pair<std::uint32_t, double>> upper, lower;  // control points of the rings and their shares
   std::uint32_t upper_contact = 0, lower_contact = 0;
   double rest_gap_mm = 0;
+  std::array<std::uint32_t, 3> upper_edge{},
+      lower_edge{};                       // the contact with the points before and behind it
+  std::uint32_t inward = 0, outward = 0;  // the upper lip's contact in the next columns
+  double rest_skin_gap_mm = 0, rest_leaning_gap_mm = 0;
+};
+
+// The upper lip's skin above the lower's, where both come out of the mouth.
+double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
+
+// What is added to it above one place, because the lower lip's point lies aside of the upper's on a line that
+// is not level.
+double find_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
+
+// A column of the upper lip under the base of the nose.
+struct PhiltrumColumn {
+  std::uint32_t nose = 0;
+  std::vector<std::pair<std::uint32_t, double>> rows;  // control points and their shares of a push; the first
+                                                       // is the one that may not pass the nose
+  double rest_gap_mm = 0;
 };
 
 struct Face {
@@ -62,6 +81,7 @@ struct Face {
   double eye_up_rad = 0, eye_down_rad = 0, eye_side_rad = 0;
   JawRig jaw;
   std::vector<LipColumn> lips;
+  std::vector<PhiltrumColumn> philtrum;
   double seal_until_mm = 4;
   glm::dvec3 turn_pivot{0};
   std::vector<double> turn_weights;  // of each control point

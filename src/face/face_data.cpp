@@ -106,6 +106,7 @@ FaceData load_root(const YAML::Node& root) {
   data.jaw = load_jaw(root["jaw"]);
   data.lip_rows = root["lip_contact"]["rows"].as<std::map<std::string, double>>();
   data.seal_until_mm = root["lip_contact"]["seal_until_mm"].as<double>();
+  data.philtrum_rows = root["lip_contact"]["under_nose"].as<std::map<std::string, double>>();
   data.turn_pivot = load_vector(root["turn"]["pivot"]);
   data.turn_rows = root["turn"]["rows"].as<std::map<std::string, double>>();
   return data;

@@ -71,6 +71,7 @@ struct FaceData {
   JawData jaw;
   std::map<std::string, double> lip_rows;  // ring -> share of a push
   double seal_until_mm = 0;
+  std::map<std::string, double> philtrum_rows;  // ring -> share of a push
   glm::dvec3 turn_pivot{0};
   std::map<std::string, double> turn_rows;  // row of the neck -> share of the head's turn
 };

@@ -7,6 +7,7 @@
 
 #include "core/conventions.hpp"
 #include "core/error.hpp"
+#include "head/surface.hpp"
 
 namespace mien {
 
@@ -21,13 +22,23 @@ double find_unit_mm(const FaceUnits& units, const std::string& name) {
   throw RunError(fmt::format("unknown face unit '{}'", name));
 }
 
-// How far a point of the cage goes with one move alone.
-double find_way_mm(const NeutralHead& head, const Face& face, const Pose& pose, const std::string& point) {
+struct Ways {
+  double point_mm = 0, skin_mm = 0;
+};
+
+// How far a point of the cage goes with one move alone, and the skin that it has under it.
+Ways find_ways(const NeutralHead& head, const Face& face, const Pose& pose, const std::string& point) {
   std::vector<glm::dvec3> points;
   pose_cage(head, face, pose, points);
   const auto found = head.cage.index.find(point);
   if (found == head.cage.index.end()) throw RunError(fmt::format("unknown point '{}' of a limit", point));
-  return glm::distance(points[found->second], head.cage.points[found->second]);
+  const std::uint32_t i = found->second;
+  glm::dvec3 skin(0);
+  for (std::uint32_t k = head.surface->first[i]; k < head.surface->first[i + 1]; ++k) {
+    const std::uint32_t p = head.surface->point[k];
+    skin += static_cast<double>(head.surface->weight[k]) * (points[p] - head.cage.points[p]);
+  }
+  return {glm::distance(points[i], head.cage.points[i]), glm::length(skin)};
 }
 
 double find_angle_deg(const Face& face, const LimitName& name) {
@@ -41,13 +52,15 @@ double find_angle_deg(const Face& face, const LimitName& name) {
 
 Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& name, double share,
                    const Pose& lifted, const std::string& point) {
-  Limit limit{&name, "deg", share * find_angle_deg(face, name), 0, point, -1};
+  Limit limit{&name, "deg", share * find_angle_deg(face, name), 0, 0, point, -1};
   if (kMoves[name.move].area == "eye") {
     // The pupil's way is the chord of its turn about the eye's centre.
-    limit.mm = 2 * head.eye.radius_mm * std::sin(limit.value * kRadiansPerDegree / 2);
+    limit.mm = limit.skin_mm = 2 * head.eye.radius_mm * std::sin(limit.value * kRadiansPerDegree / 2);
     return limit;
   }
-  limit.mm = find_way_mm(head, face, lifted, point);
+  const Ways ways = find_ways(head, face, lifted, point);
+  limit.mm = ways.point_mm;
+  limit.skin_mm = ways.skin_mm;
   return limit;
 }
 
@@ -70,7 +83,8 @@ std::vector<Limit> measure_all(const NeutralHead& head, const Face& face, const 
     const std::string unit = row["unit"].as<std::string>();
     const double adult_mm = row[name.sign > 0 ? "plus_mm" : "minus_mm"].as<double>();
     const double value = share * adult_mm / find_unit_mm(adult, unit);
-    limits.push_back({&name, unit, value, value * find_unit_mm(face.units, unit), point,
+    limits.push_back({&name, unit, value, value * find_unit_mm(face.units, unit),
+                      find_ways(head, face, lifted, point).skin_mm, point,
                       row["axis"].as<std::string>() == "x" ? 0 : 1});
   }
   return limits;

@@ -61,8 +61,26 @@ glm::dvec3 turn_jaw_point(const JawRig& jaw, const glm::dvec3& point, double sha
   return jaw.axis + glm::dvec3(arm.x, arm.y * c - arm.z * s, arm.y * s + arm.z * c) + share * jaw.forward;
 }
 
+// How near the lip comes to the nose of a rest gap of 1, where it asks for `gap`: all the way down to kFrom,
+// from there ever slower, and never nearer than kLeast, however far it asks. Nearer and the fold under the
+// nose turns over.
+double find_philtrum_gap(double gap) {
+  constexpr double kFrom = 0.58, kLeast = 0.38;
+  return gap >= kFrom ? gap : kLeast + (kFrom - kLeast) * std::exp((gap - kFrom) / (kFrom - kLeast));
+}
+
+// The raised upper lip stops under the nose.
+void stop_under_nose(const Face& face, std::vector<glm::dvec3>& points) {
+  for (const PhiltrumColumn& column : face.philtrum) {
+    const double gap = (points[column.nose].y - points[column.rows.front().first].y) / column.rest_gap_mm;
+    const double lack_mm = (find_philtrum_gap(gap) - gap) * column.rest_gap_mm;
+    if (lack_mm <= 0) continue;
+    for (const auto& [point, share] : column.rows) points[point].y -= share * lack_mm;
+  }
+}
+
 // Lips that are pushed apart slide a little past each other as well, and lie higher and lower there.
-constexpr double kPart = 1.06;
+constexpr double kPart = 1.1;
 
 // How much of a gap pressed lips close: all of a small one, none from `seal_until_mm` on, and no jump
 // between.
@@ -71,12 +89,21 @@ double find_seal(double gap) {
   return 1 - t * t * (3 - 2 * t);
 }
 
+// How much further apart than at rest the lips are, by whichever measure says least: their control points,
+// their skin, and the skin above one place where the lips' line is steep.
+double find_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+  const double skin = find_skin_gap_mm(column, points);
+  return std::min({points[column.upper_contact].y - points[column.lower_contact].y - column.rest_gap_mm,
+                   skin - column.rest_skin_gap_mm,
+                   skin + find_lean_mm(column, points) - column.rest_leaning_gap_mm});
+}
+
 // LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
 // leaves open.
 void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
   const double press = value_of(pose, "lips", Side::none, "press");
   for (const LipColumn& column : face.lips) {
-    const double gap = points[column.upper_contact].y - points[column.lower_contact].y - column.rest_gap_mm;
+    const double gap = find_gap_mm(column, points);
     double closing = 0;
     if (gap < 0) closing = kPart * gap / 2;
     if (gap > 0) closing = press * find_seal(gap / face.seal_until_mm) * gap / 2;
@@ -87,6 +114,22 @@ void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& poi
 }
 
 }  // namespace
+
+double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+  // The limit of a cubic spline at the middle one of three points.
+  const auto height = [&](const std::array<std::uint32_t, 3>& row) {
+    return (points[row[0]].y + 4 * points[row[1]].y + points[row[2]].y) / 6;
+  };
+  return height(column.upper_edge) - height(column.lower_edge);
+}
+
+double find_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+  constexpr double kSteep = 0.05;                 // keeps the slope of an upright line from growing past two
+  if (column.inward == column.outward) return 0;  // the middle
+  const glm::dvec3 along = points[column.outward] - points[column.inward];
+  const double slope = along.x * along.y / (along.x * along.x + kSteep * along.y * along.y);
+  return slope * (points[column.lower_contact].x - points[column.upper_contact].x);
+}
 
 Pose stiffen_pose(const Face& face, const Pose& pose) {
   Pose stiff = pose;
@@ -112,6 +155,7 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
     for (std::size_t i = 0; i < points.size(); ++i)
       if (face.jaw.weights[i] != 0)
         points[i] = turn_jaw_point(face.jaw, points[i], open * face.jaw.weights[i]);
+  stop_under_nose(face, points);
   match_lips(face, pose, points);
 }
 

@@ -34,13 +34,15 @@ struct EdgeAim {
 // margins close on one line, whose place is asked at each column's own. In a conflict the upper lid wins.
 EdgeAim find_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
   const LidEdge& rest = rig.edges[e];
-  const double gap = (e == 0 ? 1.75 : 1) * rig.least_gap_rad;  // inside it is not seen and must not cross
+  const auto find_gap = [&](int row) {  // inside it is not seen and must not cross, least of all at the outer
+    return (e == 1 ? 1 : row < 7 ? 1.75 : 3) * rig.least_gap_rad;  // corner, round which the skin cuts
+  };
   const double follow = pose.pitch_rad * (pose.pitch_rad > 0 ? rig.follow_up : rig.follow_down);
   LidRow up = rest.upper_rad, low = rest.lower_rad;
   for (int i = 1; i < 8; ++i) up[i] += rig.taper[i] * (follow + std::max(0.0, pose.upper) * rig.wide_rad);
   for (int i = 1; i < 8; ++i) {
     low[i] += rig.taper[i] * (pose.pitch_rad * rig.follow_lower + pose.lower * rig.raised_rad);
-    low[i] = std::min(low[i], sample_row(rest.upper_along_mm, up, rest.lower_along_mm[i]) - gap);
+    low[i] = std::min(low[i], sample_row(rest.upper_along_mm, up, rest.lower_along_mm[i]) - find_gap(i));
   }
   const double shut = std::max(0.0, -pose.upper);
   LidRow line = low, radius = rest.lower_radius_mm;
@@ -52,9 +54,9 @@ EdgeAim find_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
   EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm};
   for (int i = 1; i < 8; ++i) {
     const double at = rest.upper_along_mm[i];
-    const double height = sample_row(rest.lower_along_mm, line, at) + 0.5 * gap;
+    const double height = sample_row(rest.lower_along_mm, line, at) + 0.5 * find_gap(i);
     aim.upper_turn[i] = glm::mix(up[i], height, shut) - rest.upper_rad[i];
-    aim.lower_turn[i] = glm::mix(low[i], line[i] - 0.5 * gap, shut) - rest.lower_rad[i];
+    aim.lower_turn[i] = glm::mix(low[i], line[i] - 0.5 * find_gap(i), shut) - rest.lower_rad[i];
     aim.upper_radius_mm[i] =
         glm::mix(aim.upper_radius_mm[i], sample_row(rest.lower_along_mm, radius, at), shut);
     aim.lower_radius_mm[i] = glm::mix(aim.lower_radius_mm[i], radius[i], shut);
@@ -112,6 +114,13 @@ LidPlace find_lack(const LidRig& rig, std::size_t e, const EdgeAim& aim, int col
   return lack;
 }
 
+// How far a column's inner edge was pushed out, by the cornea.
+double find_push_mm(const LidRig& rig, const EdgeAim& aim, int column, const glm::dvec3& on_skin) {
+  const auto [is_upper, row] = find_lid_column(column);
+  const double aimed = is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row];
+  return std::max(0.0, find_place(rig, on_skin).radius_mm - aimed);
+}
+
 // Moves the control points of both edges until the skin is where they aim.
 void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm::dmat3& gaze,
                RingPoints& points) {
@@ -120,10 +129,15 @@ void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm:
   const glm::dmat3 eye_from_head = glm::transpose(gaze);
   for (int round = 0; round < kRounds; ++round) {
     std::array<std::array<LidPlace, kLidColumns>, 2> lacks;
-    for (std::size_t e = 0; e < 2; ++e)
-      for (int i = 0; i < kLidColumns; ++i)
-        if (i % 8 != 0)
-          lacks[e][i] = find_lack(rig, e, aims[e], i, eye_from_head, find_on_skin(rig.edges[e], i, points));
+    for (int i = 0; i < kLidColumns; ++i) {
+      if (i % 8 == 0) continue;
+      const std::array on_skin{find_on_skin(rig.edges[0], i, points), find_on_skin(rig.edges[1], i, points)};
+      for (std::size_t e = 0; e < 2; ++e)
+        lacks[e][i] = find_lack(rig, e, aims[e], i, eye_from_head, on_skin[e]);
+      // The outer edge goes with the inner one, or the margin turns over.
+      const double taper = rig.taper[find_lid_column(i).row];
+      lacks[1][i].radius_mm += taper * taper * taper * find_push_mm(rig, aims[0], i, on_skin[0]);
+    }
     for (std::size_t e = 0; e < 2; ++e)
       for (int i = 0; i < kLidColumns; ++i) {
         if (i % 8 == 0) continue;

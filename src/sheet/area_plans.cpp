@@ -74,7 +74,7 @@ const AreaView& find_area_view(std::string_view area) {
   return *std::ranges::find(views, area, &AreaView::area);
 }
 
-// Whose ways are drawn. The first one's stands in the caption.
+// Whose ways are drawn.
 Places list_arrows(const MoveInfo& info) {
   const bool is_upper = info.move == "upper";
   if (info.area == "brow" && info.move == "turn") return {"E5_2", "E5_3", "E5_5", "E5_6"};
@@ -212,8 +212,8 @@ constexpr std::array kLimitViews{
 SheetTable build_limit_table(std::string_view area) {
   SheetTable table;
   table.tells_limits = table.has_header = true;
-  table.columns = {{0.24, 0}, {0.44, 0}, {0.24, 0}, {0.08, 1}};
-  table.rows.push_back({{"limit"}, {"in the thesis"}, {"value"}, {"mm"}});
+  table.columns = {{0.22, 0}, {0.42, 0}, {0.24, 0}, {0.12, 1}};
+  table.rows.push_back({{"limit"}, {"in the thesis"}, {"value"}, {"skin, mm"}});
   for (const LimitName& limit : list_limits())
     if (kMoves[limit.move].area == area)
       table.rows.push_back({{limit.name}, {limit.thesis.empty() ? "-" : limit.thesis}, {""}, {""}});

@@ -49,7 +49,7 @@ struct SheetCell {
   bool has_guides = false;         // the guide lines are drawn over
   bool has_frame = false;          // and Loomis' frame of units around the head
   bool tells_height = false;       // behind the caption: ", 228 mm", from chin to crown
-  std::vector<SheetMark> marks{};  // an arrow's way stands behind the caption: ", 12.7 mm"
+  std::vector<SheetMark> marks{};  // with arrows, the skin's way stands behind the caption: ", 12.7 mm"
 };
 
 // One field of a table: words, and strokes above them.

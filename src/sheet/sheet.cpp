@@ -74,6 +74,14 @@ void check_heads(const SheetPlan& plan, const Options& options, const fs::path& 
   });
 }
 
+// How far the skin goes in a cell with arrows: where it shows a limit, at the limit's place, so that all
+// sheets say the same.
+double find_way_mm(const HeadMeasures& measures, const SheetCell& cell, const DrawnMarks& marks) {
+  for (const Limit& limit : measures.limits)
+    if (cell.pose.values[limit.name->move] == limit.name->sign) return limit.skin_mm;
+  return marks.way_mm;
+}
+
 // The scenes of all cells that show head number `index`, in a folder of their own. What is measured there
 // goes behind their captions.
 void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const Figure& figure,
@@ -104,7 +112,8 @@ void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, 
     const DrawnMarks marks = draw_marks(cell, places, view, size_px);
     append_povray_overlay(scene, marks.overlay, view);
     write_file(folder / fmt::format("cell{}.pov", i), scene);
-    if (marks.way_mm > 0) cell.caption += fmt::format(", {} mm", format_number(marks.way_mm, 1));
+    if (marks.way_mm > 0)
+      cell.caption += fmt::format(", {} mm", format_number(find_way_mm(measures[index], cell, marks), 1));
     if (cell.tells_height)
       cell.caption += fmt::format(", {} mm", format_number(measures[index].height_mm(), 0));
   }
@@ -120,7 +129,7 @@ void tell_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
           row.end()[-2].words = limit.unit == "deg"
                                     ? fmt::format("{:.1f} deg", limit.value)
                                     : fmt::format("{:.3f} {}", limit.value, build_caption(limit.unit));
-          row.end()[-1].words = fmt::format("{:.1f}", limit.mm);
+          row.end()[-1].words = fmt::format("{:.1f}", limit.skin_mm);
         }
   }
 }

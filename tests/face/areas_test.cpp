@@ -155,6 +155,32 @@ TEST(areas, close_the_characters_own_left_eye_when_told_left) {
   }
 }
 
+// Each control alone, in a random pose: a vertex's pace never exceeds the lids' and the jaw's, which go 40 mm
+// and less at their limits. A pop would be a pace of a thousand.
+TEST(areas, move_no_vertex_faster_than_a_bound) {
+  constexpr double kStep = 0.005, kFastest_mm = 70;
+  for (const Subject& s : {subjects().front(), subjects()[1]}) {
+    std::mt19937 random(3);
+    for (int round = 0; round < 3; ++round) {
+      Pose pose;
+      for (std::size_t i = 0; i < kMoveCount; ++i)
+        pose.values[i] =
+            std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high - kStep)(random);
+      const std::vector<glm::vec3> here = draw_skin(s, pose);
+      for (std::size_t i = 0; i < kMoveCount; ++i) {
+        Pose nudged = pose;
+        nudged.values[i] += kStep;
+        const std::vector<glm::vec3> there = draw_skin(s, nudged);
+        double pace_mm = 0;
+        for (std::size_t v = 0; v < here.size(); ++v)
+          pace_mm = std::max(pace_mm, glm::distance(here[v], there[v]) / kStep);
+        EXPECT_LT(pace_mm, kFastest_mm) << s.name << " " << kMoves[i].area << "." << kMoves[i].move;
+        EXPECT_TRUE(pace_mm > 0 || kMoves[i].area == "eye" || kMoves[i].area == "lips") << s.name << " " << i;
+      }
+    }
+  }
+}
+
 // Along straight ways between random poses: a kink, where lids or lips begin to touch, changes a vertex's
 // pace within one step; a pop would show as millimetres.
 TEST(areas, move_every_vertex_without_pops) {

@@ -57,6 +57,23 @@ TEST(limits, are_the_way_that_their_point_goes_on_every_head) {
   }
 }
 
+TEST(limits, tell_how_far_the_skin_goes) {
+  const Figure figure = build("adult", "average");
+  DeformBuffers buffers;
+  Drawing drawing;
+  for (const Limit& limit : measure(figure)) {
+    if (limit.point == "pupil") continue;
+    Pose pose;
+    pose.values[limit.name->move] = limit.name->sign;
+    buffers.has_folds = false;
+    deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+    const std::uint32_t i = figure.head.cage.index.find(limit.point)->second;
+    const double mm = glm::distance(drawing.parts.front().positions[i], figure.head.skin.positions[i]);
+    EXPECT_NEAR(limit.skin_mm, mm, 1e-3) << limit.name->name;
+    EXPECT_GT(limit.skin_mm, 0.5) << limit.name->name;
+  }
+}
+
 TEST(limits, are_the_same_in_face_units_on_every_head) {
   const auto adult = measure(build("adult", "average")), infant = measure(build("infant", "round"));
   for (std::size_t i = 0; i < adult.size(); ++i) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "config/config_fixture.hpp"
 #include "core/data.hpp"
 
 namespace mien {
@@ -44,6 +45,23 @@ TEST(figure, neutral_drawing_is_the_rest_model_to_the_last_bit) {
     } else {
       EXPECT_TRUE(drawing.parts[i].positions == part.rest.positions) << part.name;
       EXPECT_TRUE(drawing.parts[i].normals == part.rest.normals) << part.name;
+    }
+  }
+}
+
+TEST(figure, an_expression_of_one_side_is_the_other_sides_mirrored_to_the_last_bit) {
+  const Spec spec = load_text("mien: 1\n");
+  const std::vector<std::uint32_t>& mirror = adult().folds.skin.mirror;
+  const glm::vec3 flip(-1, 1, 1);
+  for (const std::string name : {"tezuka/doubt", "emfacs/contempt", "extras/wink"}) {
+    const Drawing left = draw(find_expression(spec, name + "_left").pose, TurnKey{});
+    const Drawing right = draw(find_expression(spec, name + "_right").pose, TurnKey{});
+    const PartShape &here = left.parts.front(), &there = right.parts.front();
+    ASSERT_EQ(here.positions.size(), mirror.size());
+    EXPECT_FALSE(here.positions == there.positions) << name;
+    for (std::size_t v = 0; v < mirror.size(); ++v) {
+      ASSERT_TRUE(here.positions[v] * flip == there.positions[mirror[v]]) << name << " " << v;
+      ASSERT_TRUE(here.normals[v] * flip == there.normals[mirror[v]]) << name << " " << v;
     }
   }
 }

@@ -21,9 +21,7 @@ struct PoseCheck {
 
 inline constexpr std::array kPoseChecks{
     PoseCheck{"not finite", "numbers", 0},
-    // Of the visible skin, the local turn apart. Not 0: at the sill of a narrow nostril a lip raised over an
-    // open jaw turns two over, in the shade.
-    PoseCheck{"turned over", "triangles", 2},
+    PoseCheck{"turned over", "triangles", 0},       // of the visible skin, the local turn apart
     PoseCheck{"lid in the ball", "mm", 0.1},        // the skin of the lids, from the margin outward
     PoseCheck{"lid in the cornea", "mm", 0.1},      // wherever it looks
     PoseCheck{"gap of a shut eye", "mm", 0.3},      // from the upper margin to the lower one, in space
