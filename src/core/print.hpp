@@ -1,34 +1,99 @@
-// What is printed: closed solids on a base. Made by frames/, written by scene/, which need not know each
-// other.
+// What is printed and can still be posed: made by frames/, written by scene/, which need not know each other.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
+#include "core/holes.hpp"
 #include "core/mesh.hpp"
 
 namespace mien {
 
-// A closed solid of the bust, by name; the source unions them all.
-struct Solid {
-  std::string name;  // a lower-case identifier
-  Mesh mesh;         // closed, wound outwards, mm; z up, front toward -y, the character's left at +x
+// Print coordinates: mm, z up, the face toward -y, the character's left at +x.
+
+// A state of the bust that moves some vertices: a move at one of its values, an expression, the other stand.
+struct BustState {
+  std::vector<std::uint32_t> vertices;  // rising; none of the eyes' or the mouth's patches
+  std::vector<glm::vec3> offsets;
 };
 
-// A figure that stands on z = 0 with its foot around the z axis, and the base it goes with.
-struct BustPrint {
-  std::string title;      // written as a comment only, after it was cleaned
-  double height_mm = 80;  // whole print with its base
-  double base_height_mm =
-      8;  // of the turned base the figure is set on; the figure takes the rest of the height
-  double base_radius_mm = 16;
-  double foot_mm = 6;         // without a base the figure is cut flat at this height, where it is broad
-  double foot_radius_mm = 5;  // of the figure's round underside
-  std::vector<Solid> solids;  // skin first
+// A move's own values, rising, 0 not among them; state i belongs to value i. Between two values the vertices
+// go straight.
+struct BustMove {
+  std::string area, move;  // "brow.left", "up"
+  std::string meaning;     // one line
+  double low = -1, high = 1;
+  std::vector<double> values;
+  std::vector<std::size_t> states;
+  double reach_low = 1, reach_high = 1;  // what a value of -1 or 1 comes to under the head's own limits
 };
 
-// How deep the figure's foot goes into the base, so that the two are one solid. Less than a layer might not
-// join.
-inline constexpr double kFootSink_mm = 0.6;
+struct BustExpression {
+  std::string name;
+  std::vector<double> values;           // of the moves, within their limits
+  std::size_t state = 0;                // what is missing when all moves are added up
+  double open = 0;                      // of the jaw, in units of its limit
+  std::array<glm::vec2, 2> gaze_rad{};  // of either eye: yaw to the character's left, pitch upward
+};
+
+// A grid of vertices between two rims: columns 1 .. 2n - 1 between the n + 1 of the rims, rows 1 .. rows - 1,
+// column by column from `first` on.
+struct BustGrid {
+  std::vector<std::uint32_t> upper, lower;
+  std::uint32_t first = 0;
+  int rows = 14;
+};
+
+// What the formula in frames/bust_eyes.cpp takes, on the print.
+struct BustEye {
+  BustGrid grid;
+  glm::vec3 centre{0};
+  double radius_mm = 4, iris_mm = 2, iris_depth_mm = 0.5, pupil_depth_mm = 1, slit_mm = 0.4, line_mm = 0.7;
+};
+
+// What the formula in frames/bust_mouth.cpp takes, on the print, with the jaw at rest. Teeth are sampled from
+// -reach_mm to reach_mm; an edge and a place of the front a little further to the gum, as (z, depth to the
+// front), depth below -100 where there is no tooth.
+struct BustMouth {
+  BustGrid grid;
+  double reach_mm = 8;
+  std::vector<glm::vec2> upper_edge, upper_front, lower_edge, lower_front;
+  glm::vec3 tongue{0}, tongue_radius{0};
+  double line_mm = 0.7;
+  glm::vec2 jaw_axis{0};      // (z, forward) of the axis, which is parallel to x
+  double jaw_open_rad = 0.5;  // at its limit
+  glm::vec2 jaw_forward{0};   // (z, forward) at its limit
+};
+
+// A bust whose file can pose it. All lengths at the height asked for.
+struct PosableBust {
+  std::string title;       // written as a comment only, after it was cleaned
+  std::string expression;  // of `expressions`, shown when the file is opened
+  double height_mm = 80;   // whole print with its base
+  double figure_mm = 72;   // without
+  double mm_per_head_mm = 0.3;
+  std::string base_shape = "round";  // none, round, square, plinth
+  double base_height_mm = 8, base_radius_mm = 16;
+  std::string label;  // raised on the base's front; printable ASCII
+  double magnet_diameter_mm = 0, magnet_depth_mm = 2;
+  bool is_hollow = false;
+  double wall_mm = 2, drain_mm = 4;
+  Mesh cavity;                    // closed; empty: the file cannot be hollowed
+  std::vector<glm::vec2> drains;  // straight up into the cavity
+  std::vector<double> drain_tops_mm;
+
+  std::vector<Triangle> triangles;  // open at the foot alone
+  Loop foot;                        // the open edge; at rest its z is 0
+  std::vector<glm::vec3> rest;      // the neutral pose on its own stand
+  std::vector<BustState> states;
+  std::vector<BustMove> moves;
+  std::vector<BustExpression> expressions;
+  std::size_t other_stand = 0;  // state: on a foot for a base if it is cut flat, cut flat if it is on a foot
+  double other_foot_mm = 0;     // where that stand's foot lies
+  std::array<BustEye, 2> eyes;  // left, right
+  double gaze_side_rad = 0, gaze_up_rad = 0, gaze_down_rad = 0;  // at the limits
+  BustMouth mouth;
+};
 
 }  // namespace mien

@@ -28,12 +28,10 @@ std::map<Edge, std::uint32_t> split_edges(Mesh& mesh, std::vector<bool>& marks) 
   }
   for (auto& [edge, middle] : middles) {
     const auto [a, b] = edge;
-    const glm::vec3 flat = 0.5f * (mesh.positions[a] + mesh.positions[b]);
-    const glm::vec3 round = 0.5f * (project(flat, mesh.positions[a], mesh.normals[a]) +
-                                    project(flat, mesh.positions[b], mesh.normals[b]));
     const glm::vec3 normal = mesh.normals[a] + mesh.normals[b];
     middle = static_cast<std::uint32_t>(mesh.positions.size());
-    mesh.positions.push_back(glm::mix(flat, round, kRoundness));
+    mesh.positions.push_back(
+        find_middle(mesh.positions[a], mesh.positions[b], mesh.normals[a], mesh.normals[b]));
     mesh.normals.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : mesh.normals[a]);
     marks.push_back(marks[a] && marks[b]);
   }
@@ -61,7 +59,13 @@ void append_split(std::vector<Triangle>& out, const Triangle& t,
 
 }  // namespace
 
-void refine_marked(Mesh& mesh, std::vector<bool>& marks) {
+glm::vec3 find_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal_a,
+                      const glm::vec3& normal_b) {
+  const glm::vec3 flat = 0.5f * (a + b);
+  return glm::mix(flat, 0.5f * (project(flat, a, normal_a) + project(flat, b, normal_b)), kRoundness);
+}
+
+std::vector<std::array<std::uint32_t, 2>> refine_marked(Mesh& mesh, std::vector<bool>& marks) {
   const std::map<Edge, std::uint32_t> middles = split_edges(mesh, marks);
   std::vector<Triangle> triangles;
   for (const Triangle& t : mesh.triangles) {
@@ -72,6 +76,9 @@ void refine_marked(Mesh& mesh, std::vector<bool>& marks) {
     append_split(triangles, t, middle);
   }
   mesh.triangles = std::move(triangles);
+  std::vector<std::array<std::uint32_t, 2>> ends;  // the map's order is that of the new vertices
+  for (const auto& [edge, middle] : middles) ends.push_back({edge.first, edge.second});
+  return ends;
 }
 
 }  // namespace mien

@@ -105,37 +105,51 @@ float smooth_step(float from, float to, float x) {
   return t * t * (3 - 2 * t);
 }
 
-void refine_under(Mesh& skin, const PointGrid& grid) {
+void refine_under(Mesh& skin, const PointGrid& grid, RaisedBrows& brows) {
   for (int i = 0; i < kRefinements; ++i) {
-    update_normals(skin);
     std::vector<bool> marks;
     for (const glm::vec3& p : skin.positions) marks.push_back(grid.sum_around(p) > 0);
-    refine_marked(skin, marks);
+    const auto ends = refine_marked(skin, marks);
+    brows.ends.insert(brows.ends.end(), ends.begin(), ends.end());
   }
-  update_normals(skin);
 }
 
 }  // namespace
 
-void raise_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowRelief& relief) {
+RaisedBrows refine_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowRelief& relief) {
   constexpr float kGroove = 0.45f;  // of the height: how deep the line between two locks is
+  RaisedBrows brows;
+  brows.skin_count = skin.positions.size();
   for (const Mesh& brow : hairs) {
     const std::vector<Strand> strands = list_strands(brow);
     if (strands.empty()) continue;
     const PointGrid grid = build_grid(strands);
-    refine_under(skin, grid);
+    refine_under(skin, grid, brows);
     const float full = find_full_density(grid, strands);
     const std::vector<Strand> locks = pick_locks(strands, relief.lock_mm);
-    for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      glm::vec3& p = skin.positions[v];
+    for (std::uint32_t v = 0; v < skin.positions.size(); ++v) {
+      const glm::vec3& p = skin.positions[v];
       const float body = smooth_step(0.1f, 0.7f, grid.sum_around(p) / full);
       if (body <= 0) continue;
       float nearest = INFINITY;
       for (const Strand& lock : locks) nearest = std::min(nearest, find_distance_mm(p, lock));
       const float groove = smooth_step(0.1f, 0.55f, nearest / relief.lock_mm);
-      p += skin.normals[v] * (relief.height_mm * body * (1 - kGroove * groove));
+      brows.heights.push_back({v, relief.height_mm * body * (1 - kGroove * groove)});
     }
   }
+  return brows;
+}
+
+void raise_brows(const RaisedBrows& brows, std::vector<glm::vec3>& positions,
+                 std::vector<glm::vec3>& normals) {
+  positions.resize(brows.skin_count);
+  normals.resize(brows.skin_count);
+  for (const auto& [a, b] : brows.ends) {
+    positions.push_back(find_middle(positions[a], positions[b], normals[a], normals[b]));
+    const glm::vec3 normal = normals[a] + normals[b];
+    normals.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : normals[a]);
+  }
+  for (const auto& [vertex, height_mm] : brows.heights) positions[vertex] += normals[vertex] * height_mm;
 }
 
 }  // namespace mien

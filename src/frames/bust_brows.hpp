@@ -2,6 +2,9 @@
 // print.
 #pragma once
 
+#include <array>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/mesh.hpp"
@@ -14,9 +17,19 @@ struct BrowRelief {
   float lock_mm = 3;  // from lock to lock
 };
 
-// Raises `skin` (closed; its vertices keep their index, new ones follow) under the hairs of `hairs`, one mesh
-// a brow as the drawing has it, each hair a connected piece with its root first. Finer triangles are made
-// there first.
-void raise_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowRelief& relief);
+// How the skin of a head grows under its brows, in every pose alike.
+struct RaisedBrows {
+  std::size_t skin_count = 0;                      // vertices before any was added
+  std::vector<std::array<std::uint32_t, 2>> ends;  // of the edge that each new vertex halves, in their order
+  std::vector<std::pair<std::uint32_t, float>> heights;  // vertex and mm along its normal
+};
+
+// Makes finer triangles in `skin` (at rest, with normals; its vertices keep their index, new ones follow)
+// under the hairs of `hairs`, one mesh a brow, each hair a connected piece with its root first.
+RaisedBrows refine_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowRelief& relief);
+
+// The skin's vertices in one pose with their normals, cut to `skin_count`, become those of the raised one.
+void raise_brows(const RaisedBrows& brows, std::vector<glm::vec3>& positions,
+                 std::vector<glm::vec3>& normals);
 
 }  // namespace mien

@@ -4,17 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <vector>
 
 namespace mien {
 
 namespace {
 
-constexpr int kSpokes = 72;            // around the gaze: the iris' rim looks round at any print size
 constexpr float kPupilPerIris = 0.5f;  // radius; a smaller bore closes up in print
-constexpr float kWall = 0.05f;         // of the iris radius: how far a carved wall leans
-constexpr float kPi = std::numbers::pi_v<float>;
+constexpr float kWall = 0.09f;         // of the iris radius: how far a carved wall leans, a step of the grid
+constexpr float kSeat_mm = 1;          // from a rim to where the ball's own surface begins
 
 float smooth_step(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -25,7 +22,7 @@ float smooth_step(float from, float to, float x) {
 // little to the character's right in both eyes, as one lamp would have it.
 float find_light(float x, float y) {
   constexpr glm::vec2 kFrom{-0.16f, 0.34f}, kTo{-0.42f, 0.92f};
-  constexpr float kHalfWidth = 0.17f, kSoft = 0.08f;
+  constexpr float kHalfWidth = 0.17f, kSoft = 0.12f;
   const glm::vec2 along = kTo - kFrom, at = glm::vec2(x, y) - kFrom;
   const float share = std::clamp(glm::dot(at, along) / glm::dot(along, along), 0.0f, 1.0f);
   return 1 - smooth_step(kHalfWidth, kHalfWidth + kSoft, glm::length(at - share * along));
@@ -36,62 +33,29 @@ float find_depth_mm(const CarvedEye& eye, float x, float y) {
   const float r = std::hypot(x, y);
   const float iris = 1 - smooth_step(1 - kWall, 1 + kWall, r);
   const float pupil = 1 - smooth_step(kPupilPerIris - kWall, kPupilPerIris + kWall, r);
-  const float depth = glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil);
-  return depth * (1 - find_light(x, y));
-}
-
-// Polar angles of the rings: dense over the carving, with a ring at the foot and head of each wall.
-std::vector<float> list_rings(float iris_angle) {
-  std::vector<float> rings;
-  for (int i = 1; i <= 20; ++i) rings.push_back(iris_angle * (1 + kWall) * float(i) / 20);
-  for (const float wall : {kPupilPerIris, 1.0f})
-    for (const float side : {-kWall, 0.0f, kWall}) rings.push_back(iris_angle * (wall + side));
-  for (int i = 1; i < 9; ++i) {
-    const float start = iris_angle * (1 + kWall);
-    rings.push_back(start + (kPi - start) * float(i) / 9);
-  }
-  std::sort(rings.begin(), rings.end());
-  const float apart = iris_angle * 0.01f;
-  rings.erase(std::unique(rings.begin(), rings.end(), [&](float a, float b) { return b - a < apart; }),
-              rings.end());
-  return rings;
+  return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - find_light(x, y));
 }
 
 }  // namespace
 
-Mesh build_carved_eye(const CarvedEye& eye) {
-  const glm::vec3 z = glm::normalize(eye.gaze);
-  const glm::vec3 x = glm::normalize(glm::cross(eye.up, z));
-  const glm::vec3 y = glm::cross(z, x);
-  const float iris_angle = std::asin(std::min(eye.iris_mm / eye.radius_mm, 0.9f));
-  const auto place = [&](float angle, int spoke) {
-    const float turn = 2 * kPi * float(spoke) / kSpokes;
-    const float u = angle / iris_angle * std::cos(turn), v = angle / iris_angle * std::sin(turn);
-    const float radius = eye.radius_mm - find_depth_mm(eye, u, v);
-    const glm::vec3 out = x * std::cos(turn) + y * std::sin(turn);
-    return eye.centre + radius * (z * std::cos(angle) + out * std::sin(angle));
-  };
+glm::vec3 place_on_eye(const CarvedEye& eye, const PatchPlace& at) {
+  const glm::vec3 up = at.upper - eye.centre, low = at.lower - eye.centre;
+  const glm::vec3 out = glm::normalize(glm::mix(up, low, at.down));
+  const float rim_mm = glm::mix(glm::length(up), glm::length(low), at.down);
+  const float gap_mm = glm::distance(at.upper, at.lower);
 
-  const std::vector<float> rings = list_rings(iris_angle);
-  Mesh mesh;
-  mesh.positions.push_back(place(0, 0));
-  for (const float angle : rings)
-    for (int spoke = 0; spoke < kSpokes; ++spoke) mesh.positions.push_back(place(angle, spoke));
-  const auto last = static_cast<std::uint32_t>(mesh.positions.size());
-  mesh.positions.push_back(eye.centre - z * eye.radius_mm);
+  const glm::vec3 x = glm::normalize(glm::cross(glm::vec3(0, 1, 0), eye.gaze));
+  const glm::vec3 y = glm::cross(eye.gaze, x);
+  const float sine = std::hypot(glm::dot(out, x), glm::dot(out, y));
+  const float angle = std::atan2(sine, glm::dot(out, eye.gaze));
+  const float per_sine = angle / std::asin(eye.iris_mm / eye.radius_mm) / std::max(sine, 1e-6f);
+  const float carved_mm = find_depth_mm(eye, glm::dot(out, x) * per_sine, glm::dot(out, y) * per_sine);
 
-  const auto vertex = [](std::size_t ring, int spoke) {
-    return static_cast<std::uint32_t>(1 + ring * kSpokes + spoke % kSpokes);
-  };
-  for (int s = 0; s < kSpokes; ++s) {
-    mesh.triangles.push_back({0, vertex(0, s), vertex(0, s + 1)});
-    for (std::size_t ring = 0; ring + 1 < rings.size(); ++ring) {
-      mesh.triangles.push_back({vertex(ring, s), vertex(ring + 1, s), vertex(ring + 1, s + 1)});
-      mesh.triangles.push_back({vertex(ring, s), vertex(ring + 1, s + 1), vertex(ring, s + 1)});
-    }
-    mesh.triangles.push_back({vertex(rings.size() - 1, s), last, vertex(rings.size() - 1, s + 1)});
-  }
-  return mesh;
+  const float seat = smooth_step(0, kSeat_mm, std::min(at.down, 1 - at.down) * gap_mm);
+  const float line = 1 - smooth_step(eye.slit_mm, 2 * eye.slit_mm, gap_mm);
+  const float groove_mm = line * eye.line_mm * 4 * at.down * (1 - at.down);
+  const float radius_mm = glm::mix(rim_mm, eye.radius_mm - carved_mm * (1 - line), seat) - groove_mm;
+  return eye.centre + out * radius_mm;
 }
 
 }  // namespace mien

@@ -1,25 +1,26 @@
 // Eyes for one colour: sculptors cut the iris as a shallow dish, drill the pupil and leave a light standing
-// in it.
+// in it. The same formula stands in templates/openscad/bust.scad.
 #pragma once
 
 #include <glm/glm.hpp>
 
-#include "core/mesh.hpp"
+#include "frames/bust_patch.hpp"
 
 namespace mien {
 
-// A ball to be carved, in mm of the drawing.
+// An eye to be carved, mm of the head.
 struct CarvedEye {
   glm::vec3 centre{0};
   glm::vec3 gaze{0, 0, 1};  // unit: from the centre through the pupil
-  glm::vec3 up{0, 1, 0};    // unit, not along the gaze: where the light stands
   float radius_mm = 13;
   float iris_mm = 5.7f;     // radius of the iris
   float iris_depth_mm = 2;  // of the dish at the iris
   float pupil_depth_mm = 4;
+  float slit_mm = 1.5f;  // rims as near as this leave a line as deep as `line_mm`; twice as far none
+  float line_mm = 2;
 };
 
-// A closed ball about `centre`, polar about the gaze, with the iris and pupil as steps of its radius.
-Mesh build_carved_eye(const CarvedEye& eye);
+// A vertex of the eye's patch: on the ball, carved; on the rims' own distance from the centre beside them.
+glm::vec3 place_on_eye(const CarvedEye& eye, const PatchPlace& at);
 
 }  // namespace mien

@@ -1,5 +1,5 @@
-// OpenSCAD sources: self-contained busts made of closed polyhedra. Faces are turned clockwise-from-outside
-// here.
+// OpenSCAD sources: self-contained busts that can be posed in the Customizer. Faces are turned
+// clockwise-from-outside here.
 #pragma once
 
 #include <filesystem>
@@ -11,11 +11,12 @@
 
 namespace mien {
 
-// A customizable source (templates/openscad/bust.scad): height and base as Customizer variables, then the
-// solids as literal polyhedra, welded at 1e-4 mm. Throws RunError "solid 'NAME' has N open edges; OpenSCAD
-// would drop it", "solid 'NAME' is inside out", "solid 'NAME' is empty" or "solid name 'NAME' is not a
-// lower-case identifier".
-std::string build_openscad_bust(const BustPrint& bust, const std::filesystem::path& templates_folder);
+// A customizable source (templates/openscad/bust.scad): height, base, label, hollow, and a slider for each
+// move, with the bust as one polyhedron of numbers. Names of expressions that are no plain words (letters,
+// digits, "_",
+// "-", "/") are left out of the menu, the one shown is called "own" then. Throws RunError "the bust is not
+// closed: N open edges".
+std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::path& templates_folder);
 
 // The command that makes `stl` from `source`, in OpenSCAD's own words.
 std::vector<std::string> list_openscad_command(const std::filesystem::path& source,
@@ -25,9 +26,8 @@ std::vector<std::string> list_openscad_command(const std::filesystem::path& sour
 // Its exit status does not tell: a solid that it cannot use is left out of a union with status 0.
 std::string find_openscad_complaint(const std::string& output);
 
-// Throws RunError "NAME.stl is not one closed part: ..." and the like unless the file's facts are those of
-// `bust`: one closed part, as high as asked within 0.01 mm, standing on z = 0, its volume between the skin's
-// alone and the sum of all.
-void verify_print(const BustPrint& bust, const StlFacts& facts, const std::string& name);
+// Throws RunError "NAME is not one closed part: ..." and the like unless the facts of an STL file are those
+// that were meant: one closed part, its box within 0.02 mm and its volume within 1 %.
+void verify_print(const StlFacts& meant, const StlFacts& facts, const std::string& name);
 
 }  // namespace mien

@@ -1,65 +1,225 @@
 // {{title}}
 //
-// A bust to print, made by mien. Everything is in this file: press F6, then export. The Customizer (Window menu) changes
-// what stands under [Bust] and [Quality]. Millimetres; z up, the face looks toward -y.
+// A bust to print and to pose, made by mien. Everything is in this file: move the sliders of the Customizer (Window
+// menu), press F6, then export. Millimetres; z up, the face looks toward -y, "left" is the character's own left.
 
 /* [Bust] */
 // Height of the whole print in mm
 height_mm = {{height_mm}}; // [20:1:400]
-// Stand on a turned base; without one the chest is cut flat
-base = true;
+// What it stands on; without a base the chest is cut flat
+base = "{{base_shape}}"; // [none, round, square, plinth]
 // Height of the base in mm
 base_height_mm = {{base_height_mm}}; // [2:0.5:60]
-// Radius of the base in mm
+// Radius of the base in mm; half the side of a square one
 base_radius_mm = {{base_radius_mm}}; // [4:0.5:120]
-
+{{label_settings}}// Diameter in mm of a pocket for a magnet in the underside; 0: none
+magnet_diameter_mm = {{magnet_diameter_mm}}; // [0:0.5:30]
+// Depth of the pocket in mm
+magnet_depth_mm = {{magnet_depth_mm}}; // [0.5:0.5:20]
+{{hollow_settings}}
+/* [Expression] */
+// The expression to begin with; the sliders add to it
+expression = "{{expression}}"; // [{{expression_names}}]
+{{sliders}}
 /* [Quality] */
-// Sides of the turned base
-base_sides = 72; // [24:12:360]
+// Sides of holes and pockets
+hole_sides = 48; // [12:4:120]
 
 /* [Hidden] */
-figure_height_mm = {{figure_height_mm}};  // of the solids below, which stand on z = 0
-foot_mm = {{foot_mm}};                    // the height at which they are cut when there is no base
-foot_radius_mm = {{foot_radius_mm}};      // of their round underside
-foot_sink_mm = {{foot_sink_mm}};          // how deep that goes into the base
+own_height_mm = {{height_mm}};  // what the numbers below were computed for
+figure_mm = {{figure_mm}};      // of it without the base
+own_is_flat = {{own_is_flat}};   // its chest is cut flat; else it ends in a foot for a base
+other_foot_mm = {{other_foot_mm}};  // where it ends on the other stand
+mm = {{mm_per_head_mm}};        // of the print for one of the head
 
-assert(height_mm > 0, "height_mm must be above 0");
-assert(!base || base_height_mm >= 2 && base_height_mm < height_mm / 2,
-       "base_height_mm must be at least 2 and less than half of height_mm");
-assert(!base || base_radius_mm > 0, "base_radius_mm must be above 0");
+assert(height_mm >= 10, "height_mm must be 10 at least");
+assert(base == "none" || base_height_mm >= 1 && base_height_mm < height_mm / 2,
+       "base_height_mm must be at least 1 and less than half of height_mm");
+assert(base == "none" || base_radius_mm > 0, "base_radius_mm must be above 0");
+assert(magnet_diameter_mm == 0 || base != "none" && magnet_depth_mm < base_height_mm - 0.8
+                                  && magnet_diameter_mm < 1.6 * base_radius_mm,
+       "the magnet's pocket must fit into the base");
 
-growth = base ? (height_mm - base_height_mm + foot_sink_mm) / figure_height_mm
-              : height_mm / (figure_height_mm - foot_mm);
-lift_mm = base ? base_height_mm - foot_sink_mm : -foot_mm * growth;
+is_flat = base == "none";
+stand_mm = is_flat ? 0 : base_height_mm;
+foot_mm = is_flat == own_is_flat ? 0 : other_foot_mm;
+growth = (height_mm - stand_mm) / (figure_mm - foot_mm);
 
-// A solid at its size and height.
-module place() translate([0, 0, lift_mm]) scale(growth) children();
+{{base_functions}}
 
-// The socle: a drum with a bevelled edge, a round moulding, a hollow that runs up to the figure's foot.
-module turned_base() {
-  h = base_height_mm;
-  top = foot_radius_mm * growth * 1.12;
-  low = max(base_radius_mm, top);
-  bevel = min(0.04 * low, 0.1 * h);
-  shoulder = top + (low - top) * 0.8;
-  rotate_extrude($fn = base_sides) polygon(concat(
-    [[0, 0], [low - bevel, 0], [low, bevel], [low, 0.30 * h - bevel], [low - bevel, 0.30 * h]],
-    [for (a = [-80:20:80]) [shoulder + 0.11 * h * cos(a), 0.42 * h + 0.11 * h * sin(a)]],
-    [for (a = [0:10:90]) [top + (shoulder - top) * pow(1 - sin(a), 1.3), 0.54 * h + 0.36 * h * (1 - cos(a))]],
-    [[top, h], [0, h]]));
+// The face in its pose on its base, one closed polyhedron.
+module body() {
+  // --- The pose: what the expression and the sliders come to
+
+  slider_values = [{{slider_names}}];
+  chosen = [for (e = expressions) if (e[0] == expression) e][0];
+  assert(chosen != undef, str("there is no expression ", expression));
+  values = [for (m = [0:len(moves) - 1]) min(max(chosen[1][m] + slider_values[m], moves[m][0]), moves[m][1])];
+
+  // How much of a move's state i there is at value x; `a` are the values of its states. The states in between share x.
+  function share(x, a, i) = let (
+      at = a[i],
+      before = i > 0 && !(a[i - 1] < 0 && at > 0) ? a[i - 1] : at > 0 ? 0 : at - 1,
+      after = i + 1 < len(a) && !(at < 0 && a[i + 1] > 0) ? a[i + 1] : at < 0 ? 0 : at + 1)
+    min(max(x <= at ? (x - before) / (at - before) : (after - x) / (after - at), 0), 1);
+
+  shares = concat(
+    [for (m = [0:len(moves) - 1]) for (i = [0:len(moves[m][4]) - 1]) share(values[m], moves[m][4], i)],
+    [for (e = expressions) e[0] == expression ? 1 : 0],
+    [is_flat == own_is_flat ? 0 : 1]);
+
+  // Vertices: [place], or [place, states, what each of them adds].
+  function posed(rows) = [for (r = rows) len(r) == 1 ? r[0] : r[0] + [for (k = r[1]) shares[k]] * r[2]];
+
+  skin = posed(skin_rows);
+  chest = posed(chest_rows);
+
+  function reached(m, x) = x * (x > 0 ? moves[m][3] : moves[m][2]);
+
+  // --- Eyes: a ball behind the lids, carved where it looks
+
+  function mix(a, b, t) = a + (b - a) * t;
+  function smooth(from, to, x) = let (t = min(max((x - from) / (to - from), 0), 1)) t * t * (3 - 2 * t);
+
+  // Columns of a grid stand on its rim's vertices and halfway between them.
+  function rim_point(rim, c) =
+    c % 2 == 0 ? skin[rim[c / 2]] : (skin[rim[(c - 1) / 2]] + skin[rim[(c + 1) / 2]]) / 2;
+
+  function light(x, y) = let (
+      from = [-0.16, 0.34], along = [-0.26, 0.58], at = [x, y] - from,
+      t = min(max(at * along / (along * along), 0), 1))
+    1 - smooth(0.17, 0.29, norm(at - t * along));
+
+  // x and y in radii of the iris from the gaze; wall 0.09 of them.
+  function carving(eye, x, y) = let (
+      r = norm([x, y]),
+      iris = 1 - smooth(0.91, 1.09, r),
+      pupil = 1 - smooth(0.41, 0.59, r))
+    mix(iris * eye[5], eye[6], pupil) * (1 - light(x, y));
+
+  function eye_point(eye, gaze, right, up, high, low, t) = let (
+      a = high - eye[2], b = low - eye[2],
+      way = mix(a, b, t), out = way / norm(way),
+      rim = mix(norm(a), norm(b), t),
+      gap = norm(high - low),
+      across = out * right, above = out * up,
+      sine = norm([across, above]),
+      per_sine = atan2(sine, out * gaze) / asin(eye[4] / eye[3]) / max(sine, 0.000001),
+      seat = smooth(0, mm, min(t, 1 - t) * gap),
+      line = 1 - smooth(eye[7], 2 * eye[7], gap),
+      ball = eye[3] - carving(eye, across * per_sine, above * per_sine) * (1 - line))
+    eye[2] + out * (mix(rim, ball, seat) - line * eye[8] * 4 * t * (1 - t));
+
+  // The gaze in degrees, yaw to the character's left and pitch upward; m: the move "up" of that eye, "side" is the next.
+  function pitch_rad(x) = x > 0 ? x * gaze_up_rad : x * gaze_down_rad;
+  function gaze_angle(side, m) =
+    [chosen[4][side][0] + (reached(m + 1, values[m + 1]) - reached(m + 1, chosen[1][m + 1])) * gaze_side_rad,
+     chosen[4][side][1] + pitch_rad(reached(m, values[m])) - pitch_rad(reached(m, chosen[1][m]))] * 180 / PI;
+
+  function eye_points(eye, angle) = let (
+      gaze = [cos(angle[1]) * sin(angle[0]), -cos(angle[1]) * cos(angle[0]), sin(angle[1])],
+      level = cross([0, 0, 1], gaze), right = level / norm(level), up = cross(gaze, right))
+    [for (c = [1:2 * len(eye[0]) - 3]) let (high = rim_point(eye[0], c), low = rim_point(eye[1], c))
+      for (row = [1:grid_rows - 1]) eye_point(eye, gaze, right, up, high, low, row / grid_rows)];
+
+  // --- The mouth: a hollow behind the lips with teeth and tongue as relief
+
+  jaw_open = chosen[3] + reached(open_move, values[open_move]) - reached(open_move, chosen[1][open_move]);
+
+  // A place of the mid-plane as [height, forward] with the jaw moved.
+  function with_jaw(p) = let (a = jaw_open * jaw_open_rad * 180 / PI, arm = p - jaw_axis)
+    jaw_axis + [arm[0] * cos(a) - arm[1] * sin(a), arm[0] * sin(a) + arm[1] * cos(a)] + jaw_open * jaw_forward;
+
+  // Teeth: [height and forward of the edge, of a place of the front] at samples from side to side; [] where there is none.
+  upper_teeth = teeth_rows[0];
+  lower_teeth = [for (t = teeth_rows[1]) t == [] ? [] : [with_jaw(t[0]), with_jaw(t[1])]];
+  tongue_at = with_jaw(tongue[0]);
+
+  function tooth(row, x) = let (at = (x / teeth_reach + 1) / 2 * (len(row) - 1), i = floor(at))
+    i < 0 || i + 1 >= len(row) ? [] : row[i] == [] || row[i + 1] == [] ? [] : mix(row[i], row[i + 1], at - i);
+
+  function stand_teeth(row, sign, x, z, back) = let (t = tooth(row, x))
+    t == [] ? back : let (
+      height = sign * (z - t[0][0]),
+      crown = max(0.5 * mm, sign * (t[1][0] - t[0][0])),
+      front = t[0][1] + (t[1][1] - t[0][1]) / crown * min(max(height, 0), 9 * mm))
+    mix(back, max(back, front), smooth(-0.3 * mm, 0.3 * mm, height));
+
+  function stand_tongue(x, z, back) = tongue[1][0] <= 0 ? back : let (
+      inside = 1 - pow(x / tongue[1][0], 2) - pow((z - tongue_at[0]) / tongue[1][1], 2))
+    inside <= 0 ? back : max(back, tongue_at[1] + tongue[1][2] * sqrt(inside));
+
+  // How far down each row lies: the first ones above the upper teeth's edge, the last ones below the lower teeth's.
+  function mouth_rows(high, low, gap) = let (
+      x = (high[0] + low[0]) / 2, height = max(high[2] - low[2], 0.01 * mm),
+      over = tooth(upper_teeth, x), under = tooth(lower_teeth, x),
+      first = min(max(over == [] ? 0.3 : (high[2] - over[0][0]) / height, 0.15), 0.6),
+      second = min(max(under == [] ? 0.7 : (high[2] - under[0][0]) / height, first + 0.2), 0.85),
+      step = min(0.3 * mm / max(gap, 0.01 * mm), 0.05))
+    [for (row = [1:grid_rows - 1])
+      row <= 4 ? (first - step) * row / 4
+      : row < grid_rows - 4 ? mix(first + step, second - step, (row - 5) / (grid_rows - 10))
+      : mix(second + step, 1, (row - grid_rows + 4) / 4)];
+
+  function mouth_point(high, low, gap, t) = let (
+      p = mix(high, low, t), lips = -p[1],
+      depth = min(mouth_line * smooth(0, 0.3 * mm, gap) + 0.9 * gap, 17 * mm),
+      back = lips - depth * sqrt(sin(180 * t)),
+      front = max(stand_tongue(p[0], p[2], back), stand_teeth(lower_teeth, -1, p[0], p[2], back),
+                  stand_teeth(upper_teeth, 1, p[0], p[2], back)))
+    [p[0], -min(front, max(back, lips - 0.6 * mm)), p[2]];
+
+  function mouth_points(rims) =
+    [for (c = [1:2 * len(rims[0]) - 3])
+      let (high = rim_point(rims[0], c), low = rim_point(rims[1], c), gap = norm(high - low))
+      for (t = mouth_rows(high, low, gap)) mouth_point(high, low, gap, t)];
+
+  // --- The body
+
+  figure = [for (p = concat(skin, eye_points(eyes[0], gaze_angle(0, left_gaze_move)),
+                            eye_points(eyes[1], gaze_angle(1, right_gaze_move)), mouth_points(mouth), chest))
+    [p[0] * growth, p[1] * growth, (p[2] - foot_mm) * growth + stand_mm]];
+  foot_points = [for (i = foot) let (p = figure[i]) [p[0], p[1], stand_mm]];
+  base_points = base_rings(foot_points, base, stand_mm, base_radius_mm);
+
+  function band(above, below) = [for (i = [0:len(above) - 1]) let (j = (i + 1) % len(above))
+    each [[above[i], below[j], above[j]], [above[i], below[i], below[j]]]];
+  rings = concat([foot], [for (k = [0:1:len(base_points) - 1])
+    [for (i = [0:len(foot) - 1]) len(figure) + k * len(foot) + i]]);
+  bottom = rings[len(rings) - 1];
+
+  polyhedron(convexity = 12,
+    points = concat(figure, [for (r = base_points) each r]),
+    faces = concat(triangles, [for (k = [0:1:len(rings) - 2]) each band(rings[k], rings[k + 1])],
+                   [[for (i = [len(bottom) - 1:-1:0]) bottom[i]]]));
 }
 
-module figure() {
-{{calls}}}
+{{modules}}{{assembly}}
+// --- The numbers ---
 
-if (base) {
-  turned_base();
-  figure();
-} else {
-  intersection() {
-    union() figure();
-    translate([-2 * height_mm, -2 * height_mm, 0]) cube([4 * height_mm, 4 * height_mm, 2 * height_mm]);
-  }
-}
-
-{{modules}}
+// Moves: lowest and highest value, what -1 and 1 come to on this head, the values of their states.
+moves = [{{moves}}];
+// Expressions: name, values of the moves, state, how far the jaw is open, yaw and pitch of either eye in radians.
+expressions = [{{expressions}}];
+open_move = {{chin_down}};
+left_gaze_move = {{left_eye_up}};
+right_gaze_move = {{right_eye_up}};
+gaze_side_rad = {{gaze_side_rad}};
+gaze_up_rad = {{gaze_up_rad}};
+gaze_down_rad = {{gaze_down_rad}};
+grid_rows = {{grid_rows}};
+// Eyes: upper rim, lower rim, centre, radius, iris, depth of iris and pupil, width and depth of the line when shut.
+eyes = [{{eyes}}];
+mouth = [{{mouth}}];
+mouth_line = {{mouth_line}};
+jaw_axis = {{jaw_axis}};
+jaw_open_rad = {{jaw_open_rad}};
+jaw_forward = {{jaw_forward}};
+teeth_reach = {{teeth_reach}};
+teeth_rows = [{{teeth}}];
+tongue = {{tongue}};
+foot = [{{foot}}];
+skin_rows = [{{skin_rows}}];
+chest_rows = [{{chest_rows}}];
+triangles = [{{triangles}}];
+{{cavity}}

@@ -1,0 +1,198 @@
+#include "core/thin.hpp"
+
+#include <algorithm>
+#include <array>
+#include <queue>
+#include <utility>
+
+namespace mien {
+
+namespace {
+
+// The sum of squared distances of a point from planes, weighted by their area: p'Ap - 2b'p + c.
+struct Quadric {
+  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
+  glm::dvec3 b{0};
+  double c = 0;
+
+  void add_plane(const glm::dvec3& n, double offset, double weight) {
+    xx += weight * n.x * n.x, xy += weight * n.x * n.y, xz += weight * n.x * n.z;
+    yy += weight * n.y * n.y, yz += weight * n.y * n.z, zz += weight * n.z * n.z;
+    b += weight * offset * n;
+    c += weight * offset * offset;
+  }
+  void add(const Quadric& q) {
+    xx += q.xx, xy += q.xy, xz += q.xz, yy += q.yy, yz += q.yz, zz += q.zz;
+    b += q.b;
+    c += q.c;
+  }
+  double measure(const glm::dvec3& p) const {
+    const double square = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z +
+                          2 * (xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z);
+    return std::max(0.0, square - 2 * glm::dot(b, p) + c);
+  }
+};
+
+// `drop` moves onto `keep`; worth its cost while both have these versions.
+struct Removal {
+  double cost = 0;
+  std::uint32_t keep = 0, drop = 0, keep_version = 0, drop_version = 0;
+
+  // For a queue with the cheapest on top; ties by index, so that the order never depends on the library.
+  bool operator<(const Removal& other) const {
+    if (cost != other.cost) return cost > other.cost;
+    return std::pair{keep, drop} > std::pair{other.keep, other.drop};
+  }
+};
+
+struct Thinner {
+  const std::vector<std::vector<glm::vec3>>& poses;
+  std::vector<Triangle> triangles;
+  std::vector<bool> is_locked;
+  std::vector<bool> is_alive;                      // a triangle
+  std::vector<std::vector<std::uint32_t>> around;  // the living triangles of a vertex
+  std::vector<std::vector<Quadric>> quadrics;      // [pose][vertex]
+  std::vector<std::uint32_t> version;
+  std::priority_queue<Removal> queue;
+  std::size_t alive = 0;
+};
+
+glm::vec3 find_area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+  return glm::cross(b - a, c - a);
+}
+
+std::vector<std::uint32_t> list_neighbours(const Thinner& s, std::uint32_t v) {
+  std::vector<std::uint32_t> found;
+  for (const std::uint32_t t : s.around[v])
+    for (const std::uint32_t w : s.triangles[t])
+      if (w != v) found.push_back(w);
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
+  return found;
+}
+
+void push_removal(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+  constexpr double kShort = 1e-9;  // of the squared length: among equals the shortest edge goes first
+  if (s.is_locked[drop]) return;
+  double cost = 0;
+  for (std::size_t p = 0; p < s.poses.size(); ++p) cost += s.quadrics[p][drop].measure(s.poses[p][keep]);
+  const glm::vec3 along = s.poses[0][keep] - s.poses[0][drop];
+  s.queue.push({cost + kShort * glm::dot(along, along), keep, drop, s.version[keep], s.version[drop]});
+}
+
+// Whether the triangles of `drop` keep their side and a sound shape in every pose once it lies on `keep`.
+bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+  constexpr float kTurn = 0.35f;     // cosine of the most that a triangle may turn
+  constexpr float kSlender = 0.06f;  // twice the area over the longest side squared; needles print as lines
+  for (const std::uint32_t t : s.around[drop]) {
+    const Triangle& corners = s.triangles[t];
+    if (std::find(corners.begin(), corners.end(), keep) != corners.end()) continue;
+    for (const std::vector<glm::vec3>& pose : s.poses) {
+      std::array<glm::vec3, 3> now, then;
+      for (int i = 0; i < 3; ++i) {
+        now[i] = pose[corners[i]];
+        then[i] = corners[i] == drop ? pose[keep] : now[i];
+      }
+      const glm::vec3 before = find_area_vector(now[0], now[1], now[2]);
+      const glm::vec3 after = find_area_vector(then[0], then[1], then[2]);
+      const float area = glm::length(after);
+      if (area == 0 || glm::dot(before, after) < kTurn * glm::length(before) * area) return false;
+      if (&pose != &s.poses.front()) continue;  // a stretched pose may stretch triangles
+      float longest = 0;
+      for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(then[i], then[(i + 1) % 3]));
+      if (area < kSlender * longest * longest) return false;
+    }
+  }
+  return true;
+}
+
+// Two ends of an edge may become one only if exactly two vertices neighbour both (the link condition).
+bool keeps_surface(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+  const auto a = list_neighbours(s, drop), b = list_neighbours(s, keep);
+  if (!std::binary_search(a.begin(), a.end(), keep) || a.size() + b.size() <= 7) return false;
+  std::vector<std::uint32_t> common;
+  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
+  return common.size() == 2;
+}
+
+void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+  for (auto& quadrics : s.quadrics) quadrics[keep].add(quadrics[drop]);
+  for (const std::uint32_t t : s.around[drop]) {
+    Triangle& corners = s.triangles[t];
+    if (std::find(corners.begin(), corners.end(), keep) != corners.end()) {
+      s.is_alive[t] = false;
+      --s.alive;
+      for (const std::uint32_t v : corners)
+        if (v != drop) std::erase(s.around[v], t);
+      continue;
+    }
+    std::replace(corners.begin(), corners.end(), drop, keep);
+    s.around[keep].push_back(t);
+  }
+  s.around[drop].clear();
+  ++s.version[keep];
+  ++s.version[drop];
+  for (const std::uint32_t v : list_neighbours(s, keep)) {
+    push_removal(s, keep, v);
+    push_removal(s, v, keep);
+  }
+}
+
+void lock_open_edges(Thinner& s) {
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  for (const Triangle& t : s.triangles)
+    for (int i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
+  std::sort(edges.begin(), edges.end());
+  for (const auto& [a, b] : edges)
+    if (!std::binary_search(edges.begin(), edges.end(), std::pair{b, a}))
+      s.is_locked[a] = s.is_locked[b] = true;
+}
+
+Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vector<Triangle> triangles,
+                      const std::vector<bool>& is_locked) {
+  const std::size_t count = poses.front().size();
+  Thinner s{poses, std::move(triangles), is_locked, {}, {}, {}, {}, {}, 0};
+  s.alive = s.triangles.size();
+  s.is_alive.assign(s.alive, true);
+  s.around.resize(count);
+  s.version.resize(count);
+  lock_open_edges(s);
+  for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
+    for (const std::uint32_t v : s.triangles[t]) s.around[v].push_back(t);
+  for (const std::vector<glm::vec3>& pose : poses) {
+    std::vector<Quadric>& quadrics = s.quadrics.emplace_back(count);
+    for (const Triangle& t : s.triangles) {
+      const glm::dvec3 a(pose[t[0]]), b(pose[t[1]]), c(pose[t[2]]);
+      const glm::dvec3 area = glm::cross(b - a, c - a);
+      const double length = glm::length(area);
+      if (length == 0) continue;
+      for (const std::uint32_t v : t)
+        quadrics[v].add_plane(area / length, glm::dot(area / length, a), length);
+    }
+  }
+  for (std::uint32_t v = 0; v < count; ++v)
+    for (const std::uint32_t w : list_neighbours(s, v)) push_removal(s, v, w);
+  return s;
+}
+
+}  // namespace
+
+std::vector<Triangle> thin_posed(const std::vector<std::vector<glm::vec3>>& poses,
+                                 std::vector<Triangle> triangles, const std::vector<bool>& is_locked,
+                                 std::size_t most) {
+  if (poses.empty() || triangles.size() <= most) return triangles;
+  Thinner s = build_thinner(poses, std::move(triangles), is_locked);
+  while (s.alive > most && !s.queue.empty()) {
+    const Removal next = s.queue.top();
+    s.queue.pop();
+    if (s.version[next.keep] != next.keep_version || s.version[next.drop] != next.drop_version) continue;
+    if (keeps_surface(s, next.drop, next.keep) && keeps_shape(s, next.drop, next.keep))
+      remove(s, next.drop, next.keep);
+  }
+  std::vector<Triangle> kept;
+  for (std::size_t t = 0; t < s.triangles.size(); ++t)
+    if (s.is_alive[t]) kept.push_back(s.triangles[t]);
+  return kept;
+}
+
+}  // namespace mien

@@ -1,0 +1,290 @@
+#include "frames/bust_body.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "core/error.hpp"
+#include "core/thin.hpp"
+#include "head/cage.hpp"
+
+namespace mien {
+
+namespace {
+
+// The relief's measures in mm of the print; in the comments' words.
+constexpr float kBrowPerHeight = 0.5f / 80;   // standing out less, it is lost between two layers
+constexpr float kLockPerHeight = 0.6f / 80;   // from lock to lock of the brow; finer would not print
+constexpr float kIrisPerHeight = 0.45f / 80;  // a dish that throws a shadow
+constexpr float kPupilPerHeight = 1.0f / 80;  // dark in every light
+constexpr float kLidLine_mm = 0.35f,
+                kLipLine_mm = 0.3f;  // of shut lids and lips: narrower fills with plastic
+constexpr float kLineDepth_mm = 0.7f;
+constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
+constexpr float kIrisRadius_mm = 5.7f;  // at a ball of 13 mm
+
+constexpr float kDrop = 0.36f;        // of half the chest's breadth: from its lowest edge to the foot
+constexpr float kFootRadius = 0.28f;  // of half the chest's breadth; thinner would break off
+
+std::size_t side_index(Side side) { return side == Side::left ? 0 : 1; }
+
+std::vector<Mesh> list_brows(const Model& model) {
+  std::vector<Mesh> brows;
+  for (const Part& part : model.parts)
+    if (part.name == "brow_left" || part.name == "brow_right") brows.push_back(part.rest);
+  return brows;
+}
+
+// The loop that reaches lowest is the chest's edge.
+std::size_t find_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
+  const auto lowest = [&](const Loop& loop) {
+    float y = mesh.positions[loop.front()].y;
+    for (const std::uint32_t v : loop) y = std::min(y, mesh.positions[v].y);
+    return y;
+  };
+  const auto found = std::min_element(loops.begin(), loops.end(),
+                                      [&](const Loop& a, const Loop& b) { return lowest(a) < lowest(b); });
+  return static_cast<std::size_t>(found - loops.begin());
+}
+
+struct ChestBox {
+  Box box;
+  float half_breadth = 0, foot_y = 0;
+  glm::vec3 middle{0};  // of the foot
+};
+
+ChestBox measure_chest(const Loop& chest, const std::vector<glm::vec3>& positions) {
+  ChestBox found;
+  found.box = {positions[chest.front()], positions[chest.front()]};
+  for (const std::uint32_t v : chest) {
+    found.box.low = glm::min(found.box.low, positions[v]);
+    found.box.high = glm::max(found.box.high, positions[v]);
+  }
+  found.half_breadth = (found.box.high.x - found.box.low.x) / 2;
+  found.foot_y = found.box.low.y - kDrop * found.half_breadth;
+  found.middle = {(found.box.low.x + found.box.high.x) / 2, found.foot_y,
+                  (found.box.low.z + found.box.high.z) / 2};
+  return found;
+}
+
+// Where a chest is cut flat: a little below its edge, so that the rim is no knife.
+float find_flat_y(const ChestBox& chest) { return chest.box.low.y - 0.04f * chest.half_breadth; }
+
+// Rings from the chest's edge down: to a round, flat foot, steep enough to print without support, as a bust
+// on its socle has always been cut; or straight down to a plane a little below the edge.
+void place_foot(const BustBody& body, Stand stand, std::vector<glm::vec3>& positions) {
+  const ChestBox chest = measure_chest(body.chest, positions);
+  const float radius = kFootRadius * chest.half_breadth;
+  for (int ring = 1; ring <= kFootRings; ++ring) {
+    const float way = float(ring) / kFootRings;
+    for (std::size_t i = 0; i < body.chest.size(); ++i) {
+      const glm::vec3 p = positions[body.chest[i]];
+      glm::vec3& at = positions[body.first_foot + static_cast<std::size_t>(ring - 1) * body.chest.size() + i];
+      if (stand == Stand::flat) {
+        at = {p.x, glm::mix(p.y, find_flat_y(chest), way), p.z};
+        continue;
+      }
+      const glm::vec3 out = glm::normalize(glm::vec3(p.x - chest.middle.x, 0, p.z - chest.middle.z));
+      const glm::vec3 end = chest.middle + out * radius;
+      at = glm::mix(p, end, way);
+      at.y =
+          glm::mix(p.y, end.y, 0.35f * way + 0.65f * way * way * way);  // flatter above, upright at the foot
+    }
+  }
+}
+
+// All vertices in a pose, mm of the head.
+std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
+  DeformBuffers buffers;
+  buffers.has_folds = false;  // layers are as thick as folds are deep: they would come out as specks
+  Drawing drawing;
+  deform_figure(figure, pose, {}, buffers, drawing);
+  std::vector<glm::vec3> positions = std::move(drawing.parts.front().positions);
+  for (std::size_t i = 0; i < 2; ++i) part_slit(body.eye_slits[i], body.eye_slit_mm, positions);
+  part_slit(body.mouth_slit, body.mouth_slit_mm, positions);
+  raise_brows(body.brows, positions, drawing.parts.front().normals);
+  positions.resize(body.all_count);
+  const std::array<CarvedEye, 2> eyes = find_carved_eyes(body, figure, pose);
+  for (std::size_t i = 0; i < 2; ++i)
+    place_patch(
+        body.all_eyes[i], [&](const PatchPlace& at) { return place_on_eye(eyes[i], at); }, positions);
+  const CarvedMouth mouth = find_carved_mouth(body, figure, pose);
+  place_patch(
+      body.all_mouth, [&](const PatchPlace& at) { return place_in_mouth(mouth, at); }, positions);
+  place_foot(body, stand, positions);
+  return positions;
+}
+
+std::vector<glm::vec3> find_print(const BustBody& body, const std::vector<glm::vec3>& all) {
+  std::vector<glm::vec3> print;
+  print.reserve(body.kept.size());
+  for (const std::uint32_t v : body.kept) {
+    const glm::vec3 at = (all[v] - body.origin) * body.print_per_head;
+    print.emplace_back(at.x, -at.z, at.y);
+  }
+  return print;
+}
+
+// The skin without what lies inside mouth and eyes, finer under the brows, with all patches and the foot.
+Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
+  const NeutralHead& head = figure.head;
+  body.eye_slits = {find_eye_slit(head, 1), find_eye_slit(head, -1)};
+  body.mouth_slit = find_mouth_slit(head);
+  Mesh mesh = head.skin;
+  const std::uint32_t socket = find_point(head.cage, "EB_0");
+  cut_slit(mesh, body.eye_slits[0], socket);
+  cut_slit(mesh, body.eye_slits[1], head.cage.mirror[socket]);
+  cut_slit(mesh, body.mouth_slit, find_point(head.cage, "MB2_0"));
+  for (Slit& slit : body.eye_slits) spread_slit(mesh, 2.5f, 7, slit);
+  spread_slit(mesh, 2.5f, 9, body.mouth_slit);
+  body.brows = refine_brows(mesh, list_brows(figure.model),
+                            {kBrowPerHeight * mm_of_print, kLockPerHeight * mm_of_print});
+  mesh.normals.clear();
+  for (std::size_t i = 0; i < 2; ++i) body.all_eyes[i] = append_patch(mesh, body.eye_slits[i]);
+  body.all_mouth = append_patch(mesh, body.mouth_slit);
+
+  const std::vector<Loop> loops = find_boundary_loops(mesh.triangles);
+  if (loops.empty()) throw RunError("internal: the skin has no edge to stand on");
+  const std::size_t chest = find_chest(mesh, loops);
+  for (std::size_t i = 0; i < loops.size(); ++i)
+    if (i != chest) append_ear_cap(mesh, loops[i]);
+  body.chest = loops[chest];
+  body.first_foot = static_cast<std::uint32_t>(mesh.positions.size());
+  Loop above = body.chest;
+  for (int ring = 0; ring < kFootRings; ++ring) {
+    Loop below;
+    for (std::size_t i = 0; i < above.size(); ++i) {
+      below.push_back(static_cast<std::uint32_t>(mesh.positions.size()));
+      mesh.positions.emplace_back(0);
+    }
+    append_band(mesh, above, below);
+    above = below;
+  }
+  body.foot = above;
+  body.all_count = mesh.positions.size();
+  return mesh;
+}
+
+void measure_carving(const Figure& figure, double whole_mm, float mm_of_print, BustBody& body) {
+  const float per_mm = mm_of_print / float(whole_mm);  // mm of the head for one of the print
+  body.eye_slit_mm = std::min(kLidLine_mm * per_mm, kWidestLine_mm);
+  body.mouth_slit_mm = std::min(kLipLine_mm * per_mm, kWidestLine_mm);
+  for (std::size_t i = 0; i < 2; ++i) {
+    CarvedEye& eye = body.carved[i];
+    eye.centre = glm::vec3(figure.head.eye.centre) * glm::vec3(i == 0 ? 1 : -1, 1, 1);
+    eye.radius_mm = static_cast<float>(figure.head.eye.radius_mm);
+    eye.iris_mm = kIrisRadius_mm * eye.radius_mm / 13;
+    for (const Part& part : figure.model.parts)
+      if (part.name == (i == 0 ? "iris_left" : "iris_right")) {
+        const Box box = find_bounds(part.rest.positions);
+        eye.iris_mm = (box.high.y - box.low.y) / 2;
+      }
+    const float deepest = eye.radius_mm * 0.6f;  // a low print must not be bored through
+    eye.iris_depth_mm = std::min(kIrisPerHeight * mm_of_print, deepest / 2);
+    eye.pupil_depth_mm = std::min(kPupilPerHeight * mm_of_print, deepest);
+    eye.slit_mm = body.eye_slit_mm;
+    eye.line_mm = std::min(kLineDepth_mm * per_mm, deepest / 2);
+  }
+  body.carved_mouth = build_carved_mouth(figure.model);
+  body.carved_mouth.line_mm = std::min(kLineDepth_mm * per_mm, 4.0f);
+}
+
+// Poses that together show where triangles are needed: each area at its ends, no two of one area at once.
+std::vector<Pose> list_telling_poses() {
+  std::vector<Pose> poses(1);
+  const auto set = [](Pose& pose, std::string_view area, std::string_view move, double value) {
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].area == area && kMoves[i].move == move) pose.values[i] = value;
+  };
+  const auto add = [&](std::initializer_list<std::tuple<std::string_view, std::string_view, double>> moves) {
+    Pose pose;
+    for (const auto& [area, move, value] : moves) set(pose, area, move, value);
+    poses.push_back(pose);
+  };
+  add({{"brow", "up", 1}, {"lid", "upper", -1}, {"corner", "up", 1}, {"corner", "out", 1}});
+  add({{"brow", "up", -1}, {"brow", "turn", -1}, {"lid", "upper", 1}, {"chin", "down", 1}});
+  add({{"brow", "turn", 1}, {"lid", "lower", 1}, {"corner", "out", -1}, {"lips", "press", 1}});
+  add({{"corner", "up", -1}, {"lips", "upper", 1}, {"lips", "lower", -1}, {"lid", "upper", -0.5}});
+  return poses;
+}
+
+Patch find_kept(const Patch& patch, const std::vector<std::uint32_t>& new_index) {
+  Patch kept = patch;
+  for (std::uint32_t& v : kept.upper) v = new_index[v];
+  for (std::uint32_t& v : kept.lower) v = new_index[v];
+  kept.first = new_index[patch.first];
+  return kept;
+}
+
+// Patches, rims and the chest's edge stay whole: formulas go along them.
+std::vector<bool> list_locked(const BustBody& body) {
+  std::vector<bool> is_locked(body.all_count, false);
+  for (const Patch* patch : {&body.all_eyes[0], &body.all_eyes[1], &body.all_mouth}) {
+    for (const std::uint32_t v : patch->upper) is_locked[v] = true;
+    for (const std::uint32_t v : patch->lower) is_locked[v] = true;
+    for (std::uint32_t i = 0; i < patch->vertex_count(); ++i) is_locked[patch->first + i] = true;
+  }
+  return is_locked;
+}
+
+void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> triangles, BustBody& body) {
+  std::vector<std::vector<glm::vec3>> poses;
+  for (const Pose& pose : list_telling_poses()) poses.push_back(place_all(body, figure, pose, body.stand));
+  triangles = thin_posed(poses, std::move(triangles), list_locked(body), most);
+  std::vector<bool> is_kept(body.all_count, false);
+  for (const Triangle& t : triangles)
+    for (const std::uint32_t v : t) is_kept[v] = true;
+  std::vector<std::uint32_t> new_index(body.all_count, 0);
+  for (std::uint32_t v = 0; v < body.all_count; ++v) {
+    new_index[v] = static_cast<std::uint32_t>(body.kept.size());
+    if (is_kept[v]) body.kept.push_back(v);
+  }
+  for (Triangle& t : triangles)
+    for (std::uint32_t& v : t) v = new_index[v];
+  body.triangles = std::move(triangles);
+  for (std::uint32_t& v : body.foot) v = new_index[v];
+  for (std::size_t i = 0; i < 2; ++i) body.eyes[i] = find_kept(body.all_eyes[i], new_index);
+  body.mouth = find_kept(body.all_mouth, new_index);
+}
+
+}  // namespace
+
+std::array<CarvedEye, 2> find_carved_eyes(const BustBody& body, const Figure& figure, const Pose& asked) {
+  const Pose pose = apply_limits(figure.limits, asked);
+  std::array<CarvedEye, 2> eyes = body.carved;
+  for (const Side side : {Side::left, Side::right})
+    eyes[side_index(side)].gaze = glm::vec3(find_gaze(figure.face, pose, side) * glm::dvec3(0, 0, 1));
+  return eyes;
+}
+
+CarvedMouth find_carved_mouth(const BustBody& body, const Figure& figure, const Pose& asked) {
+  return move_jaw(body.carved_mouth, glm::mat4(find_jaw(figure.face, apply_limits(figure.limits, asked))));
+}
+
+BustBody build_bust_body(const Figure& figure, const BustSize& size) {
+  BustBody body;
+  // The skin's own height decides the scale; the foot's is a part of it.
+  const Box box = find_bounds(figure.head.skin.positions);
+  const std::vector<Loop> edges = find_boundary_loops(figure.head.skin.triangles);
+  const Loop& chest = edges[find_chest(figure.head.skin, edges)];
+  const ChestBox foot = measure_chest(chest, figure.head.skin.positions);
+  body.stand = size.stand;
+  body.origin = foot.middle;
+  if (size.stand == Stand::flat) body.origin.y = find_flat_y(foot);
+  body.print_per_head = float(size.figure_mm) / (box.high.y - body.origin.y);
+  const float mm_of_print = float(size.whole_mm) / body.print_per_head;
+  measure_carving(figure, size.whole_mm, mm_of_print, body);
+  const Mesh all = build_all(figure, mm_of_print, body);
+  thin_body(figure, size.triangles, all.triangles, body);
+  return body;
+}
+
+std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
+  return find_print(body, place_all(body, figure, pose, stand));
+}
+
+std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose) {
+  return place_bust(body, figure, pose, body.stand);
+}
+
+}  // namespace mien

@@ -1,0 +1,71 @@
+// A head as one closed print: skin, carved eyes, mouth and brows stitched together, with the same triangles
+// in every pose.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "core/holes.hpp"
+#include "frames/bust_brows.hpp"
+#include "frames/bust_eyes.hpp"
+#include "frames/bust_mouth.hpp"
+#include "frames/bust_patch.hpp"
+#include "frames/bust_slit.hpp"
+#include "frames/figure.hpp"
+
+namespace mien {
+
+// What the figure is set on.
+enum class Stand { foot, flat };  // a round foot for a base; the chest cut flat
+
+struct BustSize {
+  Stand stand = Stand::foot;
+  double figure_mm = 72;  // height of the print's figure, on its foot
+  double whole_mm = 80;   // of the print: relief is as deep as it asks for
+  std::size_t triangles = 15000;
+};
+
+// Everything about a bust that no pose changes. Lengths of the head's space unless said otherwise.
+struct BustBody {
+  Stand stand = Stand::foot;
+  // The vertices that were kept, by their index among all of them; triangles name kept ones.
+  std::vector<std::uint32_t> kept;
+  std::vector<Triangle> triangles;  // counter-clockwise from outside; open at the foot alone
+  Loop foot;                        // the open edge, counter-clockwise seen from above
+  std::array<Patch, 2> eyes;        // left, right; vertices among the kept ones
+  Patch mouth;
+  // From the head's space to the print's: z up, front toward -y, the foot's centre on the origin.
+  glm::vec3 origin{0};
+  float print_per_head = 1;
+
+  // All vertices before any was left out.
+  std::size_t all_count = 0;
+  std::array<Patch, 2> all_eyes;
+  Patch all_mouth;
+  std::array<Slit, 2> eye_slits;
+  Slit mouth_slit;
+  float eye_slit_mm = 0, mouth_slit_mm = 0;
+  RaisedBrows brows;
+  Loop chest;                    // the skin's lower edge
+  std::uint32_t first_foot = 0;  // rings of as many vertices as the chest's edge
+  std::array<CarvedEye, 2> carved;
+  CarvedMouth carved_mouth;  // its jaw at rest
+};
+
+inline constexpr int kFootRings = 6;
+
+// The body of a figure. Its pose decides nothing but where the least missed triangles are: about 1 s.
+BustBody build_bust_body(const Figure& figure, const BustSize& size);
+
+// The kept vertices in a pose, mm of the print: within the limits that the figure's head has. The head is not
+// turned: a bust looks ahead.
+std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose);
+// The same on another stand than the body's, at the body's scale and from its origin.
+std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand);
+
+// The eyes and the mouth as they are carved in a pose, mm of the head.
+std::array<CarvedEye, 2> find_carved_eyes(const BustBody& body, const Figure& figure, const Pose& pose);
+CarvedMouth find_carved_mouth(const BustBody& body, const Figure& figure, const Pose& pose);
+
+}  // namespace mien

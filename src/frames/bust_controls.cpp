@@ -1,0 +1,236 @@
+#include "frames/bust_controls.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/parallel.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kNothing_mm = 1e-4;  // below the decimals of any file
+constexpr int kMostHalvings = 3;      // of a move's way: the lids, which turn furthest, need two
+
+// What controls are built from and into.
+struct Work {
+  const BustBody& body;
+  const Figure& figure;
+  std::vector<bool> is_placed;  // by a patch's formula
+  PosableBust& controls;
+};
+
+std::vector<bool> list_placed(const BustBody& body) {
+  std::vector<bool> is_placed(body.kept.size(), false);
+  for (const Patch* patch : {&body.eyes[0], &body.eyes[1], &body.mouth})
+    std::fill_n(is_placed.begin() + patch->first, patch->vertex_count(), true);
+  return is_placed;
+}
+
+// The offsets from `from` to `to` that are not slight.
+BustState find_state(const Work& work, const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
+                     double slight_mm) {
+  BustState state;
+  for (std::uint32_t v = 0; v < from.size(); ++v) {
+    const glm::vec3 offset = to[v] - from[v];
+    if (work.is_placed[v] || glm::length(offset) <= slight_mm) continue;
+    state.vertices.push_back(v);
+    state.offsets.push_back(offset);
+  }
+  return state;
+}
+
+glm::vec2 find_gaze_angles(const glm::dmat3& gaze) {
+  const glm::dvec3 to = gaze * glm::dvec3(0, 0, 1);
+  return {std::atan2(to.x, to.z), std::asin(std::clamp(to.y, -1.0, 1.0))};
+}
+
+std::size_t add_state(Work& work, BustState state) {
+  work.controls.states.push_back(std::move(state));
+  return work.controls.states.size() - 1;
+}
+
+using Shape = std::vector<glm::vec3>;
+
+struct Sample {
+  double value = 0;
+  Shape shape;
+};
+
+Sample sample_move(const Work& work, std::size_t move, double value) {
+  Pose pose;
+  pose.values[move] = value;
+  return {value, place_bust(work.body, work.figure, pose)};
+}
+
+// Values between `low` and `high` (left out), so many that the straight way between them is near enough.
+void halve(const Work& work, std::size_t move, const Sample& low, const Sample& high, double tolerance_mm,
+           int depth, std::vector<Sample>& samples) {
+  if (depth == 0) return;
+  Sample middle = sample_move(work, move, 0.5 * (low.value + high.value));
+  float worst = 0;
+  for (std::size_t v = 0; v < middle.shape.size(); ++v)
+    if (!work.is_placed[v])
+      worst = std::max(worst, glm::distance(middle.shape[v], 0.5f * (low.shape[v] + high.shape[v])));
+  if (worst <= tolerance_mm) return;
+  halve(work, move, low, middle, tolerance_mm, depth - 1, samples);
+  samples.push_back(middle);
+  halve(work, move, middle, high, tolerance_mm, depth - 1, samples);
+}
+
+std::vector<Sample> sample_values(const Work& work, std::size_t move, double tolerance_mm) {
+  const Sample rest{0, work.controls.rest};
+  std::vector<Sample> samples;
+  if (kMoves[move].low < 0) {
+    Sample low = sample_move(work, move, kMoves[move].low);
+    samples.push_back(low);
+    halve(work, move, low, rest, tolerance_mm, kMostHalvings, samples);
+  }
+  Sample high = sample_move(work, move, kMoves[move].high);
+  halve(work, move, rest, high, tolerance_mm, kMostHalvings, samples);
+  samples.push_back(std::move(high));
+  return samples;
+}
+
+double find_reach(const Figure& figure, std::size_t move, double value) {
+  Pose pose;
+  pose.values[move] = value;
+  return std::abs(apply_limits(figure.limits, pose).values[move]);
+}
+
+void add_moves(Work& work, double tolerance_mm) {
+  std::array<std::vector<Sample>, kMoveCount> samples;
+  for_each_index(kMoveCount, count_cores(),
+                 [&](std::size_t m, int) { samples[m] = sample_values(work, m, tolerance_mm); });
+  for (std::size_t m = 0; m < kMoveCount; ++m) {
+    BustMove& move = work.controls.moves.emplace_back();
+    const MoveInfo& info = kMoves[m];
+    move.area = std::string(info.area);
+    if (info.side != Side::none) move.area += info.side == Side::left ? ".left" : ".right";
+    move.move = std::string(info.move);
+    move.meaning = std::string(info.meaning);
+    move.low = info.low;
+    move.high = info.high;
+    for (const Sample& sample : samples[m]) {
+      move.values.push_back(sample.value);
+      move.states.push_back(add_state(work, find_state(work, work.controls.rest, sample.shape, kNothing_mm)));
+    }
+    move.reach_high = find_reach(work.figure, m, 1);
+    move.reach_low = kMoves[m].low < 0 ? find_reach(work.figure, m, -1) : 1;
+  }
+}
+
+void add_expressions(Work& work, const std::vector<NamedPose>& expressions, double slight_mm) {
+  std::vector<BustState> states(expressions.size());
+  std::vector<BustExpression> added(expressions.size());
+  for_each_index(expressions.size(), count_cores(), [&](std::size_t i, int) {
+    const Pose& pose = expressions[i].pose;
+    BustExpression& expression = added[i];
+    expression.name = expressions[i].name;
+    for (std::size_t m = 0; m < kMoveCount; ++m)
+      expression.values.push_back(std::clamp(pose.values[m], kMoves[m].low, kMoves[m].high));
+    const Shape sum = sum_bust_states(work.controls, expression.values);
+    states[i] = find_state(work, sum, place_bust(work.body, work.figure, pose), slight_mm);
+    const Pose held = apply_limits(work.figure.limits, pose);
+    const std::size_t chin = find_move("chin", Side::none, "down").value();
+    expression.open = stiffen_pose(work.figure.face, held).values[chin];
+    for (const Side side : {Side::left, Side::right})
+      expression.gaze_rad[side == Side::left ? 0 : 1] =
+          find_gaze_angles(find_gaze(work.figure.face, held, side));
+  });
+  for (std::size_t i = 0; i < expressions.size(); ++i) {
+    added[i].state = add_state(work, std::move(states[i]));
+    work.controls.expressions.push_back(std::move(added[i]));
+  }
+}
+
+// From the head's space to the print's, without the shift.
+glm::vec3 turn_upright(const glm::vec3& p) { return {p.x, -p.z, p.y}; }
+
+BustGrid find_grid(const Patch& patch) { return {patch.upper, patch.lower, patch.first, kPatchRows}; }
+
+BustEye find_eye(const BustBody& body, std::size_t i) {
+  const CarvedEye& eye = body.carved[i];
+  const double scale = body.print_per_head;
+  return {find_grid(body.eyes[i]),   turn_upright(eye.centre - body.origin) * body.print_per_head,
+          eye.radius_mm * scale,     eye.iris_mm * scale,
+          eye.iris_depth_mm * scale, eye.pupil_depth_mm * scale,
+          eye.slit_mm * scale,       eye.line_mm * scale};
+}
+
+BustMouth find_mouth(const BustBody& body, const Figure& figure) {
+  const float scale = body.print_per_head;
+  const CarvedMouth& carved = body.carved_mouth;
+  const glm::vec2 origin(body.origin.y, body.origin.z);
+  BustMouth mouth;
+  mouth.grid = find_grid(body.mouth);
+  mouth.reach_mm = kToothReach_mm * scale;
+  const auto list = [&](const std::array<glm::vec2, kToothSamples>& row) {
+    std::vector<glm::vec2> points;
+    for (const glm::vec2& p : row)
+      points.push_back(p.y == kNoTooth_mm ? glm::vec2(0, kNoTooth_mm) : (p - origin) * scale);
+    return points;
+  };
+  mouth.upper_edge = list(carved.upper.edge);
+  mouth.upper_front = list(carved.upper.front);
+  mouth.lower_edge = list(carved.lower.edge);
+  mouth.lower_front = list(carved.lower.front);
+  mouth.tongue = turn_upright(carved.tongue.centre - body.origin) * scale;
+  const glm::vec3 radius = carved.tongue.radius * scale;
+  mouth.tongue_radius = {radius.x, radius.z, radius.y};
+  mouth.line_mm = carved.line_mm * scale;
+  const JawRig& jaw = figure.face.jaw;
+  mouth.jaw_axis = (glm::vec2(float(jaw.axis.y), float(jaw.axis.z)) - origin) * scale;
+  mouth.jaw_open_rad = jaw.open_rad;
+  mouth.jaw_forward = glm::vec2(float(jaw.forward.y), float(jaw.forward.z)) * scale;
+  return mouth;
+}
+
+}  // namespace
+
+std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::vector<double>& values) {
+  std::vector<glm::vec3> sum = controls.rest;
+  const auto add = [&](std::size_t state, double weight) {
+    const BustState& s = controls.states[state];
+    for (std::size_t i = 0; i < s.vertices.size(); ++i) sum[s.vertices[i]] += s.offsets[i] * float(weight);
+  };
+  for (std::size_t m = 0; m < kMoveCount; ++m) {
+    const double value = values[m];
+    const BustMove& move = controls.moves[m];
+    if (value == 0) continue;
+    // Between the neighbours among 0 and the move's values.
+    for (std::size_t i = 0; i < move.values.size(); ++i) {
+      const double at = move.values[i];
+      const double before =
+          i > 0 && !(move.values[i - 1] < 0 && at > 0) ? move.values[i - 1] : (at > 0 ? 0 : at - 1);
+      const double after = i + 1 < move.values.size() && !(at < 0 && move.values[i + 1] > 0)
+                               ? move.values[i + 1]
+                               : (at < 0 ? 0 : at + 1);
+      const double weight = value <= at ? (value - before) / (at - before) : (after - value) / (after - at);
+      if (weight > 0) add(move.states[i], std::min(weight, 1.0));
+    }
+  }
+  return sum;
+}
+
+void add_bust_controls(const BustBody& body, const Figure& figure, const std::vector<NamedPose>& expressions,
+                       double tolerance_mm, double slight_mm, PosableBust& bust) {
+  Work work{body, figure, list_placed(body), bust};
+  bust.triangles = body.triangles;
+  bust.foot = body.foot;
+  bust.mm_per_head_mm = body.print_per_head;
+  bust.rest = place_bust(body, figure, Pose{});
+  add_moves(work, tolerance_mm);
+  add_expressions(work, expressions, slight_mm);
+  const Stand other = body.stand == Stand::foot ? Stand::flat : Stand::foot;
+  const Shape shape = place_bust(body, figure, Pose{}, other);
+  bust.other_stand = add_state(work, find_state(work, bust.rest, shape, kNothing_mm));
+  bust.other_foot_mm = shape[body.foot.front()].z;
+  for (std::size_t i = 0; i < 2; ++i) bust.eyes[i] = find_eye(body, i);
+  bust.mouth = find_mouth(body, figure);
+  bust.gaze_side_rad = figure.face.eye_side_rad;
+  bust.gaze_up_rad = figure.face.eye_up_rad;
+  bust.gaze_down_rad = figure.face.eye_down_rad;
+}
+
+}  // namespace mien

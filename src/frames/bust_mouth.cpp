@@ -1,0 +1,172 @@
+#include "frames/bust_mouth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace mien {
+
+namespace {
+
+constexpr float kDepthPerGap = 0.9f;  // of the hollow; deeper would be hidden, and hard to clean of support
+constexpr float kDeepest_mm = 17;     // behind the teeth
+constexpr float kCrown_mm = 3;        // from the biting edge to where the front is taken
+constexpr float kEdge_mm = 0.3f;      // half of the height over which a tooth's edge falls off
+constexpr float kBehindLips_mm = 0.6f;
+
+float smooth_step(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+// Where the part's triangles cross the plane of that x: pieces of lines, as (y, z).
+void append_crossings(const Mesh& mesh, float x, std::vector<std::array<glm::vec2, 2>>& lines) {
+  for (const Triangle& t : mesh.triangles) {
+    std::vector<glm::vec2> ends;
+    for (int i = 0; i < 3; ++i) {
+      const glm::vec3 &a = mesh.positions[t[i]], &b = mesh.positions[t[(i + 1) % 3]];
+      if ((a.x < x) == (b.x < x)) continue;
+      const glm::vec3 p = glm::mix(a, b, (x - a.x) / (b.x - a.x));
+      ends.emplace_back(p.y, p.z);
+    }
+    if (ends.size() == 2) lines.push_back({ends[0], ends[1]});
+  }
+}
+
+// The furthest z of the lines at that y.
+float find_front(const std::vector<std::array<glm::vec2, 2>>& lines, float y) {
+  float front = kNoTooth_mm;
+  for (const auto& [a, b] : lines) {
+    if ((a.x < y) == (b.x < y)) continue;
+    front = std::max(front, glm::mix(a.y, b.y, (y - a.x) / (b.x - a.x)));
+  }
+  return front;
+}
+
+// `sign` 1: teeth that hang down, their biting edge lowest; -1: those that stand up.
+ToothRow build_tooth_row(const Model& model, std::string_view stem, float sign) {
+  constexpr float kSameTooth_mm = 5;  // further back at the same x stands another tooth
+  ToothRow row;
+  for (int i = 0; i < kToothSamples; ++i) {
+    // Not quite on a sample's own x, where the mid-plane's vertices lie.
+    const float x = kToothReach_mm * (2 * float(i) / (kToothSamples - 1) - 1) + 0.013f;
+    std::vector<std::array<glm::vec2, 2>> lines;
+    for (const Part& part : model.parts)
+      if (part.name.starts_with(stem)) append_crossings(part.rest, x, lines);
+    row.edge[i] = row.front[i] = {0, kNoTooth_mm};
+    float foremost = kNoTooth_mm;
+    for (const auto& line : lines)
+      for (const glm::vec2& p : line) foremost = std::max(foremost, p.y);
+    std::erase_if(lines, [&](const auto& line) { return line[0].y < foremost - kSameTooth_mm; });
+    if (lines.empty()) continue;
+    glm::vec2 edge{sign * 1e6f, 0};
+    for (const auto& line : lines)
+      for (const glm::vec2& p : line)
+        if (sign * p.x < sign * edge.x) edge = p;
+    const float crown = edge.x + sign * kCrown_mm, near = edge.x + sign * 0.4f;
+    const float front = find_front(lines, crown), rim = find_front(lines, near);
+    if (front == kNoTooth_mm || rim == kNoTooth_mm) continue;
+    row.edge[i] = {edge.x, rim};
+    row.front[i] = {crown, front};
+  }
+  return row;
+}
+
+// A row's edge and front at x between the samples; z is kNoTooth_mm outside.
+struct ToothPlace {
+  glm::vec2 edge{0, kNoTooth_mm}, front{0, kNoTooth_mm};
+};
+
+ToothPlace find_tooth(const ToothRow& row, float x) {
+  const float at = (x / kToothReach_mm + 1) / 2 * (kToothSamples - 1);
+  const int i = static_cast<int>(std::floor(at));
+  if (i < 0 || i + 1 >= kToothSamples) return {};
+  if (row.edge[i].y == kNoTooth_mm || row.edge[i + 1].y == kNoTooth_mm) return {};
+  const float share = at - float(i);
+  return {glm::mix(row.edge[i], row.edge[i + 1], share), glm::mix(row.front[i], row.front[i + 1], share)};
+}
+
+// The relief of a row in the hollow: z of the back, or of the tooth that stands before it at (x, y).
+float stand_teeth(const ToothRow& row, float sign, float x, float y, float back) {
+  const ToothPlace tooth = find_tooth(row, x);
+  if (tooth.edge.y == kNoTooth_mm) return back;
+  const float height = sign * (y - tooth.edge.x);  // above the biting edge, toward the gums
+  const float shown = smooth_step(-kEdge_mm, kEdge_mm, height);
+  const float crown = std::max(0.5f, sign * (tooth.front.x - tooth.edge.x));  // shorter when the jaw is open
+  const float slope = (tooth.front.y - tooth.edge.y) / crown;
+  const float z = tooth.edge.y + slope * std::clamp(height, 0.0f, 3 * kCrown_mm);
+  return glm::mix(back, std::max(back, z), shown);
+}
+
+float stand_tongue(const TongueMound& tongue, float x, float y, float back) {
+  if (tongue.radius.x <= 0) return back;
+  const glm::vec2 at = (glm::vec2(x, y) - glm::vec2(tongue.centre)) / glm::vec2(tongue.radius);
+  const float inside = 1 - glm::dot(at, at);
+  if (inside <= 0) return back;
+  return std::max(back, tongue.centre.z + tongue.radius.z * std::sqrt(inside));
+}
+
+glm::vec2 move_point(const glm::mat4& jaw, const glm::vec2& p) {
+  const glm::vec4 at = jaw * glm::vec4(0, p.x, p.y, 1);
+  return {at.y, at.z};
+}
+
+// How far down a row of the grid lies: the first ones above the upper teeth's edge, the last ones below the
+// lower teeth's, the others between, so that edges are crisp wherever they are.
+float find_down(const CarvedMouth& mouth, const PatchPlace& at, float gap_mm) {
+  constexpr int kTeethRows = 4;
+  constexpr int kBetween = kPatchRows - 2 * kTeethRows - 2;  // steps
+  const float x = 0.5f * (at.upper.x + at.lower.x), height = std::max(at.upper.y - at.lower.y, 0.01f);
+  const ToothPlace above = find_tooth(mouth.upper, x), below = find_tooth(mouth.lower, x);
+  const float high = above.edge.y == kNoTooth_mm ? 0.3f : (at.upper.y - above.edge.x) / height;
+  const float low = below.edge.y == kNoTooth_mm ? 0.7f : (at.upper.y - below.edge.x) / height;
+  const float first = std::clamp(high, 0.15f, 0.6f), second = std::clamp(low, first + 0.2f, 0.85f);
+  const float step = std::min(kEdge_mm / std::max(gap_mm, 0.01f), 0.05f);
+  if (at.row <= kTeethRows) return (first - step) * float(at.row) / kTeethRows;
+  if (at.row < kPatchRows - kTeethRows)
+    return glm::mix(first + step, second - step, float(at.row - kTeethRows - 1) / kBetween);
+  return glm::mix(second + step, 1.0f, float(at.row - (kPatchRows - kTeethRows)) / kTeethRows);
+}
+
+}  // namespace
+
+CarvedMouth build_carved_mouth(const Model& model) {
+  CarvedMouth mouth;
+  mouth.upper = build_tooth_row(model, "teeth_upper", 1);
+  mouth.lower = build_tooth_row(model, "teeth_lower", -1);
+  for (const Part& part : model.parts) {
+    if (part.name != "tongue") continue;
+    const Box box = find_bounds(part.rest.positions);
+    mouth.tongue.centre = 0.5f * (box.low + box.high);
+    mouth.tongue.radius = 0.5f * (box.high - box.low);
+  }
+  return mouth;
+}
+
+CarvedMouth move_jaw(const CarvedMouth& mouth, const glm::mat4& jaw) {
+  CarvedMouth moved = mouth;
+  for (int i = 0; i < kToothSamples; ++i) {
+    if (mouth.lower.edge[i].y == kNoTooth_mm) continue;
+    moved.lower.edge[i] = move_point(jaw, mouth.lower.edge[i]);
+    moved.lower.front[i] = move_point(jaw, mouth.lower.front[i]);
+  }
+  moved.tongue.centre = glm::vec3(jaw * glm::vec4(mouth.tongue.centre, 1));
+  return moved;
+}
+
+glm::vec3 place_in_mouth(const CarvedMouth& mouth, const PatchPlace& at) {
+  const float gap_mm = glm::distance(at.upper, at.lower);
+  const float down = find_down(mouth, at, gap_mm);
+  const glm::vec3 p = glm::mix(at.upper, at.lower, down);
+  const float depth_mm =
+      std::min(mouth.line_mm * smooth_step(0, 0.3f, gap_mm) + kDepthPerGap * gap_mm, kDeepest_mm);
+  const float back = p.z - depth_mm * std::sqrt(std::sin(std::numbers::pi_v<float> * down));
+  float z = stand_tongue(mouth.tongue, p.x, p.y, back);
+  z = std::max(z, stand_teeth(mouth.lower, -1, p.x, p.y, back));
+  z = std::max(z, stand_teeth(mouth.upper, 1, p.x, p.y, back));
+  return {p.x, p.y, std::min(z, std::max(back, p.z - kBehindLips_mm))};
+}
+
+}  // namespace mien

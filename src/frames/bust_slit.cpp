@@ -1,0 +1,180 @@
+#include "frames/bust_slit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <queue>
+
+#include "core/error.hpp"
+#include "head/cage.hpp"
+#include "head/contact.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+namespace {
+
+// The ring's vertices by their place round the opening in quarters of a cage's column.
+std::map<int, std::uint32_t> list_quarters(const std::vector<MarginVertex>& ring) {
+  std::map<int, std::uint32_t> quarters;
+  for (const MarginVertex& v : ring) quarters[static_cast<int>(std::lround(4 * v.at)) % 64] = v.vertex;
+  return quarters;
+}
+
+// The four-times finer way along an edge of the cage: from the point `from` to `to`, which is left out.
+std::vector<std::uint32_t> find_edge(const std::vector<std::vector<std::uint32_t>>& neighbours,
+                                     std::uint32_t from, std::uint32_t to) {
+  std::map<std::uint32_t, std::uint32_t> came_from{{to, to}};
+  std::queue<std::uint32_t> queue;
+  for (queue.push(to); !queue.empty() && !came_from.contains(from); queue.pop())
+    for (const std::uint32_t next : neighbours[queue.front()])
+      if (came_from.emplace(next, queue.front()).second) queue.push(next);
+  if (!came_from.contains(from)) throw RunError("internal: the lips are not joined");
+  std::vector<std::uint32_t> path;
+  for (std::uint32_t at = from; at != to; at = came_from[at]) path.push_back(at);
+  return path;
+}
+
+// A ring of the lips ("M0"): the upper and the lower half, each from the right corner to the left one.
+struct LipRow {
+  std::vector<std::uint32_t> upper, lower;
+};
+
+LipRow find_lip_row(const NeutralHead& head, const std::string& ring) {
+  constexpr int kCorner = 6, kBottom = 12;  // of a half-ring: 0 is its top
+  std::vector<std::vector<std::uint32_t>> neighbours(head.skin.positions.size());
+  for (const Quad& q : head.surface->quads)
+    for (int i = 0; i < 4; ++i) neighbours[q[i]].push_back(q[(i + 1) % 4]);
+  const auto point = [&](int i, bool is_left) {
+    const std::uint32_t p = find_point(head.cage, fmt::format("{}_{}", ring, i));
+    return is_left ? p : head.cage.mirror[p];
+  };
+  const auto walk = [&](int first) {  // right corner, the middle, left corner
+    const int step = first == 0 ? 1 : -1;
+    std::vector<std::uint32_t> stops, path;
+    for (int i = kCorner; i != first; i -= step) stops.push_back(point(i, false));
+    for (int i = first; i != kCorner; i += step) stops.push_back(point(i, true));
+    stops.push_back(point(kCorner, true));
+    for (std::size_t i = 0; i + 1 < stops.size(); ++i)
+      for (const std::uint32_t v : find_edge(neighbours, stops[i], stops[i + 1])) path.push_back(v);
+    path.push_back(stops.back());
+    return path;
+  };
+  return {walk(0), walk(kBottom)};
+}
+
+float smooth_step(float from, float to, float x) {
+  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
+  return t * t * (3 - 2 * t);
+}
+
+// Where a walk over the skin from the rims has come to.
+struct Reached {
+  float way_mm = std::numeric_limits<float>::infinity();
+  std::uint32_t column = 0;
+  float side = 0;
+
+  bool operator>(const Reached& other) const { return way_mm > other.way_mm; }
+};
+
+std::vector<Reached> walk_from_rims(const Mesh& cut, const Slit& slit, float far_mm) {
+  std::vector<std::vector<std::uint32_t>> neighbours(cut.positions.size());
+  for (const Triangle& t : cut.triangles)
+    for (int i = 0; i < 3; ++i) neighbours[t[i]].push_back(t[(i + 1) % 3]);
+  using Step = std::pair<Reached, std::uint32_t>;
+  const auto is_later = [](const Step& a, const Step& b) {
+    return std::pair{a.first.way_mm, a.second} > std::pair{b.first.way_mm, b.second};
+  };
+  std::priority_queue<Step, std::vector<Step>, decltype(is_later)> queue(is_later);
+  std::vector<Reached> reached(cut.positions.size());
+  const auto reach = [&](std::uint32_t v, const Reached& how) {
+    if (how.way_mm >= reached[v].way_mm || how.way_mm > far_mm) return;
+    reached[v] = how;
+    queue.push({how, v});
+  };
+  for (std::uint32_t c = 1; c + 1 < slit.columns.size(); ++c) {
+    reach(slit.columns[c].upper.front(), {0, c, 1});
+    reach(slit.columns[c].lower.front(), {0, c, -1});
+  }
+  while (!queue.empty()) {
+    const auto [how, v] = queue.top();
+    queue.pop();
+    if (how.way_mm > reached[v].way_mm) continue;
+    for (const std::uint32_t next : neighbours[v])
+      reach(next, {how.way_mm + glm::distance(cut.positions[v], cut.positions[next]), how.column, how.side});
+  }
+  return reached;
+}
+
+}  // namespace
+
+Slit find_eye_slit(const NeutralHead& head, int side) {
+  constexpr int kOuter = 32, kAll = 64;  // quarters of a column: the outer corner, once round
+  const auto inner = list_quarters(find_lid_ring(*head.surface, head.cage));
+  const auto outer = list_quarters(find_lid_ring(*head.surface, head.cage, {"E0_", "E1_", "E2_"}));
+  const auto vertex = [&](const std::map<int, std::uint32_t>& ring, int at) {
+    const auto found = ring.find(at % kAll);
+    if (found == ring.end()) throw RunError("internal: a ring of the lids has a gap");
+    return side > 0 ? found->second : head.surface->mirror[found->second];
+  };
+  Slit slit;
+  for (int at = 0; at <= kOuter; ++at)
+    slit.columns.push_back(
+        {{vertex(inner, at), vertex(outer, at)}, {vertex(inner, kAll - at), vertex(outer, kAll - at)}});
+  if (side < 0) std::reverse(slit.columns.begin(), slit.columns.end());
+  return slit;
+}
+
+Slit find_mouth_slit(const NeutralHead& head) {
+  const LipRow inner = find_lip_row(head, "M0"), outer = find_lip_row(head, "M1");
+  Slit slit;
+  for (std::size_t i = 0; i < inner.upper.size(); ++i)
+    slit.columns.push_back({{inner.upper[i], outer.upper[i]}, {inner.lower[i], outer.lower[i]}});
+  return slit;
+}
+
+void spread_slit(const Mesh& cut, float near_mm, float far_mm, Slit& slit) {
+  const std::vector<Reached> reached = walk_from_rims(cut, slit, far_mm);
+  for (std::uint32_t v = 0; v < reached.size(); ++v)
+    if (reached[v].way_mm <= far_mm)
+      slit.vertices.push_back(
+          {v, reached[v].column, reached[v].side * (1 - smooth_step(near_mm, far_mm, reached[v].way_mm))});
+}
+
+void part_slit(const Slit& slit, float width_mm, std::vector<glm::vec3>& positions) {
+  const std::size_t count = slit.columns.size();
+  std::vector<float> ways(count, 0.0f);
+  for (std::size_t c = 1; c + 1 < count; ++c) {
+    const SlitColumn& column = slit.columns[c];
+    float gap = std::numeric_limits<float>::infinity();
+    for (const std::uint32_t u : column.upper)
+      for (const std::uint32_t l : column.lower) gap = std::min(gap, positions[u].y - positions[l].y);
+    const float along = float(c) / float(count - 1);
+    const float taper = smooth_step(0, 0.12f, std::min(along, 1 - along));  // the line fades into its ends
+    ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - gap);
+  }
+  for (const SlitVertex& v : slit.vertices) positions[v.vertex].y += v.share * ways[v.column];
+}
+
+void cut_slit(Mesh& mesh, const Slit& slit, std::uint32_t seed) {
+  std::vector<bool> is_wall(mesh.positions.size(), false), is_cut(mesh.positions.size(), false);
+  for (const SlitColumn& column : slit.columns)
+    is_wall[column.upper.front()] = is_wall[column.lower.front()] = true;
+  is_cut[seed] = true;
+  for (bool is_growing = true; is_growing;) {
+    is_growing = false;
+    for (const Triangle& t : mesh.triangles) {
+      if (!is_cut[t[0]] && !is_cut[t[1]] && !is_cut[t[2]]) continue;
+      for (const std::uint32_t v : t)
+        if (!is_cut[v] && !is_wall[v]) is_cut[v] = is_growing = true;
+    }
+  }
+  // What hangs on the rims only (a sliver between them) goes with it.
+  std::erase_if(mesh.triangles,
+                [&](const Triangle& t) { return is_cut[t[0]] || is_cut[t[1]] || is_cut[t[2]]; });
+}
+
+}  // namespace mien
