@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "busts.hpp"
 #include "clip.hpp"
 #include "clip_scenes.hpp"
 #include "config/load_spec.hpp"
@@ -13,7 +14,6 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "explain.hpp"
-#include "frames/bust_body.hpp"
 #include "head/landmarks.hpp"
 #include "head/own_half.hpp"
 #include "render/driver.hpp"
@@ -22,6 +22,7 @@
 #include "render/work_folder.hpp"
 #include "scene/mesh_files.hpp"
 #include "scene/openscad.hpp"
+#include "scene/povray_bust.hpp"
 #include "scene/wavefront.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
@@ -77,6 +78,57 @@ void write_clip(const Clip& clip, const Options& options) {
       std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
   write_file(clip.files.folder / "poster.png", read_file(clip.files.picture(poster)));
   tell_result(options, "poster", clip.files.folder / "poster.png");
+}
+
+// The STL that OpenSCAD makes of the source, read back and compared with what we meant.
+void compare_with_openscad(const MadeBust& made, const fs::path& source, const Options& options) {
+  const WorkFolder work(source.parent_path());
+  const fs::path stl = work.path / "made.stl";
+  const auto command = list_openscad_command(fs::absolute(source), stl);
+  const ProcessResult result = run_process(command, work.path);
+  const std::string complaint = find_openscad_complaint(result.output);
+  if (result.exit_code != 0 || !complaint.empty())
+    throw RunError(
+        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
+                       quote_command(command), result.output));
+  verify_print(measure_stl(made.mesh), check_stl(stl),
+               fmt::format("what OpenSCAD makes of {}", source.string()));
+  const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
+  fs::rename(stl, kept);
+  tell_result(options, "openscad", kept);
+}
+
+void render_preview(const MadeBust& made, const fs::path& picture, const fs::path& data) {
+  constexpr int kWidth_px = 640, kHeight_px = 800;
+  const WorkFolder work(picture.parent_path());
+  write_file(work.path / "bust.pov",
+             build_plaster_scene(made.mesh, double(kWidth_px) / kHeight_px, data / "templates"));
+  RenderSettings settings;
+  settings.width_px = kWidth_px;
+  settings.height_px = kHeight_px;
+  settings.povray_options = list_quality_options(Quality::good);
+  settings.libraries = {work.path};
+  render_frames({{1, work.path / "bust.pov", picture, ""}}, settings, [](int, bool) {});
+}
+
+// The files of one bust, each complete or absent.
+void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& data, const Options& options) {
+  const fs::path source = folder / (made.stem + ".scad"), stl = folder / (made.stem + ".stl"),
+                 report = folder / (made.stem + ".txt");
+  write_file(source, build_openscad_bust(made.source, data / "templates"));
+  tell_result(options, "source", source);
+  write_file(stl, build_binary_stl(made.mesh, made.source.title));
+  tell_result(options, "stl", stl);
+  write_file(report, describe_report(made.report));
+  tell_result(options, "report", report);
+  if (!options.is_quiet && !options.is_json)
+    for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
+  if (options.has_preview) {
+    const fs::path picture = folder / (made.stem + ".png");
+    render_preview(made, picture, data);
+    tell_result(options, "preview", picture);
+  }
+  if (options.has_openscad) compare_with_openscad(made, source, options);
 }
 
 // "bust_laugh", and "bust_laugh_2" for the file's second one of that name.
@@ -207,13 +259,24 @@ void write_busts(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = open_clip(options, data);
   const Actor& actor = find_actor(clip, options);
-  require_programs({{"openscad", "openscad"}});
+  if (options.has_openscad) require_programs({{"openscad", "openscad"}});
+  if (options.has_preview) require_programs({{"povray", "povray"}});
   const bool has_time = options.at_s || options.at_frames;
   const Figure figure = build_figure(has_time ? find_asked_head(clip, actor, options) : actor.head, data);
-  const std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
+  std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
+  for (BustSpec& bust : busts) bust.height_mm = options.height_mm.value_or(bust.height_mm);
   const std::vector<std::string> stems = name_busts(busts);
-  for (std::size_t i = 0; i < busts.size(); ++i)
-    (void)i;
+  BustShop shop{figure, list_bust_menu(clip.spec, busts),
+                clip.spec.title.empty() ? clip.spec.name : clip.spec.title};
+  const fs::path folder = find_output(options, clip.spec);
+  bool are_printable = true;
+  for (std::size_t i = 0; i < busts.size(); ++i) {
+    MadeBust made = make_bust(shop, busts[i]);
+    made.stem = stems[i];
+    write_bust(made, folder, data, options);
+    if (!is_printable(made.report)) are_printable = false;
+  }
+  if (!are_printable) throw RunError("not every bust is printable; the reports say why");
 }
 
 void write_starter(const Options& options) {

@@ -28,8 +28,10 @@ struct Options {
   std::optional<std::string> actor;            // --actor NAME, for still, mesh, bust and explain
   std::optional<std::string> area;             // --area brow.left, for explain
   std::optional<double> camera_angle_deg;      // --angle, for still
-  std::optional<std::filesystem::path> landmarks;  // --landmarks face.json, for mesh
-  bool is_half = false;                            // --half, for mesh
+  std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
+  std::optional<double> height_mm;                                  // --height, for bust
+  bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
+  bool is_half = false;                                             // --half, for mesh
 };
 
 // Each throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted (exit 130).
@@ -39,7 +41,7 @@ void write_frames(const Options& options);  // scenes only
 void render_still(const Options& options);  // one picture
 void render_sheet(const std::string& kind, const Options& options);  // many heads on one page
 void write_mesh(const Options& options);    // one head as OBJ, PLY or STL; landmarks as JSON
-void write_busts(const Options& options);   // OpenSCAD sources and STL
+void write_busts(const Options& options);   // OpenSCAD sources, STL, 3MF and print reports
 void check_file(const Options& options);    // every mistake, or one line that says what the file holds
 void explain_pose(const Options& options);  // who moves what, and which limit held it
 void list_kind(const std::string& kind,

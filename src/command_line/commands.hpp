@@ -37,6 +37,11 @@ inline constexpr std::array kOptions{
     OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
     OptionInfo{"actor", 0, "NAME", "this one of the file's actors"},
     OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
+    OptionInfo{"height", 0, "LENGTH", "height of the bust, over the file's: 80mm, 6cm"},
+    OptionInfo{"stl", 0, "", "write the STL, as it does anyway"},
+    OptionInfo{"3mf", 0, "", "also a 3MF with units, title and colours"},
+    OptionInfo{"preview", 0, "", "also a picture of the bust in plaster"},
+    OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
     OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
@@ -100,10 +105,13 @@ inline constexpr std::array kCommands{
         "mien mesh configs/hello.yaml --express smile -o face.obj --landmarks face.json\n"
         "mien mesh configs/hello.yaml --half -o my_half.obj"},
     CommandInfo{
-        Command::bust, "bust", "FILE", "OpenSCAD source and STL to print",
-        "Writes each bust of the file, or one with the expression or of the time that is given, as an\n"
-        "OpenSCAD source that needs nothing else, and has OpenSCAD make the STL.",
-        "at express actor", "mien bust configs/hello.yaml --express laugh -o busts"},
+        Command::bust, "bust", "FILE", "OpenSCAD source, STL, 3MF and print report",
+        "Writes each bust of the file, or one with the expression or of the time that is given: an OpenSCAD\n"
+        "source that needs nothing else and can pose the face itself, the STL, and a report of what a\n"
+        "printer will make of it. Exit status 1 if one is not printable.",
+        "at express actor height stl 3mf preview openscad",
+        "mien bust configs/hello.yaml --express laugh --height 60mm -o busts\n"
+        "mien bust configs/busts.yaml --3mf --preview"},
     CommandInfo{
         Command::check, "check", "FILE", "every mistake in the file; writes nothing",
         "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"

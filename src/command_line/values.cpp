@@ -81,6 +81,16 @@ std::string read_angle(const std::string& text, Options& options) {
   return options.camera_angle_deg ? "" : "is not an angle in degrees such as 30";
 }
 
+std::string read_height(const std::string& text, Options& options) {
+  constexpr double kLowest_mm = 20, kHighest_mm = 400;  // as in a file
+  const auto height = parse_quantity(text, build_length_measure());
+  if (!height) return "is not a length such as 80mm or 8cm";
+  if (*height < kLowest_mm || *height > kHighest_mm)
+    return fmt::format("is outside {}mm..{}mm", kLowest_mm, kHighest_mm);
+  options.height_mm = height;
+  return {};
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -88,10 +98,15 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "jobs") return read_jobs(text, options);
   if (name == "at") return read_at(text, options);
   if (name == "angle") return read_angle(text, options);
+  if (name == "height") return read_height(text, options);
   if (name == "quiet") options.is_quiet = true;
+  if (name == "3mf") options.has_3mf = true;
+  if (name == "preview") options.has_preview = true;
+  if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
   if (name == "json") options.is_json = true;
-  if (name == "quiet" || name == "json" || name == "half") return {};
+  for (const char* flag : {"quiet", "json", "half", "stl", "3mf", "preview", "openscad"})
+    if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;
   if (name == "landmarks") options.landmarks = text;

@@ -8,9 +8,6 @@ namespace mien {
 
 namespace {
 
-constexpr double kLowestBust_mm = 20;    // lower, eyelids are thinner than a nozzle's line
-constexpr double kHighestBust_mm = 400;  // higher than any common printer
-
 void load_size(const YamlValue& value, RenderSpec& render) {
   const YamlNode& node = find_node(value);
   const auto size = node.kind == NodeKind::text ? parse_size(node.text) : std::nullopt;
@@ -40,21 +37,6 @@ RenderSpec load_render(const YamlValue& value) {
   if (const YamlValue* name = find_value(entries, "background"))
     load_name(*name, "background", kBackgrounds, render.background);
   return render;
-}
-
-std::vector<BustSpec> load_busts(const YamlValue& value, const ExpressionBook& book) {
-  std::vector<BustSpec> busts;
-  for (const YamlValue& item : load_list(value, "a list such as [{express: laugh, height: 80mm}]")) {
-    const YamlMapping entries =
-        load_mapping(item, kBustKeys, "a mapping such as {express: laugh, height: 80mm}");
-    const Express express = load_posed(entries, book);
-    BustSpec bust;
-    bust.expression = {express.name, express.library, express.pose, express.reach, express.held};
-    if (const YamlValue* height = find_value(entries, "height"))
-      load_quantity(*height, build_length_measure(), kLowestBust_mm, kHighestBust_mm, bust.height_mm);
-    busts.push_back(std::move(bust));
-  }
-  return busts;
 }
 
 }  // namespace mien

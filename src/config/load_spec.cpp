@@ -76,7 +76,7 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
   int head_count = 0;
   load_stage(entries, {&book, {&words, {std::filesystem::weakly_canonical(spec.file)}, &head_count}}, spec);
   if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
-  if (const YamlValue* busts = find_value(entries, "busts")) spec.busts = load_busts(*busts, book);
+  if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);
 }
 

@@ -50,6 +50,7 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec);
 
 RenderSpec load_render(const YamlValue& value);
 
-std::vector<BustSpec> load_busts(const YamlValue& value, const ExpressionBook& book);
+// A list of busts, or a set: all expressions of a library, each with its name on the base.
+void load_busts(const YamlValue& value, const ExpressionBook& book, Spec& spec);
 
 }  // namespace mien

@@ -36,8 +36,15 @@ struct RenderSpec {
 };
 
 struct BustSpec {
-  Expression expression;  // what `express` and `areas` come to; library and name for file names
-  double height_mm = 80;  // whole print, base included
+  Expression expression;       // what `express` and `areas` come to; library and name for file names
+  double height_mm = 80;       // whole print, base included
+  std::string base = "round";  // a word of kBases
+  std::string label;           // raised on the base's front
+  bool is_hollow = false;
+  double wall_mm = 2;       // of a hollow one
+  double drain_mm = 4;      // diameter of its drain holes; 0: none
+  glm::dvec2 magnet_mm{0};  // diameter and depth of a pocket in the underside; 0: none
+  int triangles = 15000;    // of the figure
 };
 
 // Where somebody stands: the origin of conventions.hpp moved to `at_mm`, the whole figure turned about its
@@ -67,6 +74,7 @@ struct Spec {
   std::vector<ActorSpec> actors;        // in the file's order; none: `head` and `clip` are the only one's
   RenderSpec render;
   std::vector<BustSpec> busts;
+  glm::dvec2 plate_mm{0};  // of the printer, on which all busts are to be arranged; 0: none
 };
 
 // Those who play: the file's actors, else the only one.

@@ -74,7 +74,12 @@ inline const Names kDirectionKeys{"side", "up"};
 inline const Names kDriftKeys{"amount", "seed", "stillness"};
 inline const Names kAsymmetryKeys{"amount", "seed"};
 inline const Names kRenderKeys{"size", "quality", "background"};
-inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height"};
+inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height", "base",
+                             "label",   "hollow",   "wall",       "drain", "magnet", "triangles"};
+inline const Names kBustSetKeys{"all",   "plate",  "strength", "exaggerate", "height", "base",
+                                "label", "hollow", "wall",     "drain",      "magnet", "triangles"};
+inline const Names kBases{"round", "square", "plinth", "none"};
+inline const Names kYesNo{"true", "false"};
 
 // Where a key belongs that was written in another place.
 struct Section {

@@ -122,6 +122,8 @@ std::vector<glm::vec3> find_print(const BustBody& body, const std::vector<glm::v
     const glm::vec3 at = (all[v] - body.origin) * body.print_per_head;
     print.emplace_back(at.x, -at.z, at.y);
   }
+  if (!body.thicker.empty())
+    for (std::size_t v = 0; v < print.size(); ++v) print[v] += body.thicker[v];
   return print;
 }
 
@@ -277,6 +279,17 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size) {
   const Mesh all = build_all(figure, mm_of_print, body);
   thin_body(figure, size.triangles, all.triangles, body);
   return body;
+}
+
+std::vector<bool> list_fixed(const BustBody& body) {
+  std::vector<bool> is_fixed(body.kept.size(), false);
+  for (const Patch* patch : {&body.eyes[0], &body.eyes[1], &body.mouth}) {
+    for (const std::uint32_t v : patch->upper) is_fixed[v] = true;
+    for (const std::uint32_t v : patch->lower) is_fixed[v] = true;
+    std::fill_n(is_fixed.begin() + patch->first, patch->vertex_count(), true);
+  }
+  for (const std::uint32_t v : body.foot) is_fixed[v] = true;
+  return is_fixed;
 }
 
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {

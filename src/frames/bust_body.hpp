@@ -24,6 +24,8 @@ struct BustSize {
   double figure_mm = 72;  // height of the print's figure, on its foot
   double whole_mm = 80;   // of the print: relief is as deep as it asks for
   std::size_t triangles = 15000;
+
+  bool operator==(const BustSize&) const = default;
 };
 
 // Everything about a bust that no pose changes. Lengths of the head's space unless said otherwise.
@@ -38,6 +40,8 @@ struct BustBody {
   // From the head's space to the print's: z up, front toward -y, the foot's centre on the origin.
   glm::vec3 origin{0};
   float print_per_head = 1;
+
+  std::vector<glm::vec3> thicker;  // of each kept vertex, mm of the print: what every pose adds; or empty
 
   // All vertices before any was left out.
   std::size_t all_count = 0;
@@ -63,6 +67,9 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size);
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose);
 // The same on another stand than the body's, at the body's scale and from its origin.
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand);
+
+// Which kept vertices stay where formulas look for them: patches, their rims and the foot.
+std::vector<bool> list_fixed(const BustBody& body);
 
 // The eyes and the mouth as they are carved in a pose, mm of the head.
 std::array<CarvedEye, 2> find_carved_eyes(const BustBody& body, const Figure& figure, const Pose& pose);

@@ -93,6 +93,7 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
   EXPECT_EQ(file.at("render").at("properties").at("quality").at("enum").get<Names>(), kQualities);
   EXPECT_EQ(file.at("render").at("properties").at("background").at("enum").get<Names>(), kBackgrounds);
   EXPECT_EQ(list_properties(file.at("busts").at("items")), sort(kBustKeys));
+  EXPECT_EQ(list_properties(file.at("busts")), sort(kBustSetKeys));
 
   Names libraries;
   for (const auto& entry : std::filesystem::directory_iterator(kData / "configs/expressions"))

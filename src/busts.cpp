@@ -1,0 +1,157 @@
+#include "busts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "print/base.hpp"
+#include "print/hollow.hpp"
+#include "print/thicken.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kBaseHeight = 8.0 / 80, kBaseRadius = 15.0 / 80;  // of the whole print's height
+constexpr double kLeastFeature_mm = 0.8;                           // two lines of a common nozzle
+constexpr double kSource_mm = 0.02;  // how near the source's moves come to the face's own
+constexpr double kSlight_mm = 0.1;   // of an expression's offsets, what the source leaves out
+
+BaseShape find_shape(const std::string& word) {
+  if (word == "round") return BaseShape::round;
+  if (word == "square") return BaseShape::square;
+  return word == "plinth" ? BaseShape::plinth : BaseShape::none;
+}
+
+Base find_base(const BustSpec& bust) {
+  Base base;
+  base.shape = find_shape(bust.base);
+  base.height_mm = base.shape == BaseShape::none ? 0 : kBaseHeight * bust.height_mm;
+  base.radius_mm = kBaseRadius * bust.height_mm;
+  base.label = bust.label;
+  base.magnet_diameter_mm = bust.magnet_mm.x;
+  base.magnet_depth_mm = bust.magnet_mm.y;
+  return base;
+}
+
+BustSize find_size(const BustSpec& bust) {
+  BustSize size;
+  size.stand = bust.base == "none" ? Stand::flat : Stand::foot;
+  size.whole_mm = bust.height_mm;
+  size.figure_mm = bust.height_mm - find_base(bust).height_mm;
+  size.triangles = static_cast<std::size_t>(bust.triangles);
+  return size;
+}
+
+Mesh build_figure_mesh(const BustBody& body, std::vector<glm::vec3> positions, double lift_mm) {
+  for (glm::vec3& p : positions) p.z += static_cast<float>(lift_mm);
+  return {std::move(positions), {}, body.triangles};
+}
+
+// Ears and lids as thick as a nozzle needs, alike in every pose; what formulas look for stays.
+void thicken(const Figure& figure, BustBody& body) {
+  const std::vector<glm::vec3> rest = place_bust(body, figure, Pose{});
+  std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
+  const std::vector<bool> is_fixed = list_fixed(body);
+  for (std::size_t v = 0; v < moves.size(); ++v)
+    if (is_fixed[v]) moves[v] = glm::vec3(0);
+  body.thicker = std::move(moves);
+}
+
+BustShop::Shelf& find_shelf(BustShop& shop, const BustSpec& bust) {
+  const BustSize size = find_size(bust);
+  for (BustShop::Shelf& shelf : shop.shelves)
+    if (shelf.size == size) return shelf;
+  BustShop::Shelf& shelf = shop.shelves.emplace_back();
+  shelf.size = size;
+  shelf.body = build_bust_body(shop.figure, size);
+  thicken(shop.figure, shelf.body);
+  add_bust_controls(shelf.body, shop.figure, shop.menu, kSource_mm, kSlight_mm, shelf.source);
+  shelf.source.height_mm = size.whole_mm;
+  shelf.source.figure_mm = size.figure_mm;
+  return shelf;
+}
+
+// The figure on its base, closed.
+Mesh build_solid(const BustBody& body, std::vector<glm::vec3> positions, const Base& base,
+                 const Cavity* cavity) {
+  Mesh mesh = build_figure_mesh(body, std::move(positions), base.height_mm);
+  std::vector<Loop> holes;
+  if (cavity != nullptr) {
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    append_mesh(mesh, cavity->wall);
+    holes = cavity->holes;
+    for (Loop& hole : holes)
+      for (std::uint32_t& v : hole) v += first;
+  }
+  append_base(mesh, body.foot, base, holes);
+  return mesh;
+}
+
+// What the source can be hollowed with: closed, and turned to be taken away.
+void add_source_cavity(const Mesh& solid, Hollow hollow, PosableBust& source) {
+  hollow.is_open = false;
+  const Cavity cavity = build_cavity(solid, hollow);
+  source.cavity = cavity.wall;
+  for (Triangle& t : source.cavity.triangles) std::swap(t[1], t[2]);
+  for (const Drain& drain : cavity.drains) {
+    source.drains.emplace_back(drain.at);
+    source.drain_tops_mm.push_back(drain.top_mm);
+  }
+}
+
+}  // namespace
+
+std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts) {
+  std::vector<NamedPose> menu;
+  const auto add = [&](const Expression& expression) {
+    for (const NamedPose& known : menu)
+      if (known.name == expression.name) return;
+    menu.push_back({expression.name, expression.pose});
+  };
+  for (const BustSpec& bust : busts) add(bust.expression);
+  for (const Expression& expression : spec.expressions)
+    if (expression.library.empty() || expression.library == spec.library) add(expression);
+  return menu;
+}
+
+MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
+  const BustShop::Shelf& shelf = find_shelf(shop, bust);
+  const Base base = find_base(bust);
+  Hollow hollow;
+  hollow.wall_mm = bust.wall_mm;
+  hollow.drain_diameter_mm = bust.drain_mm;
+  if (bust.drain_mm == 0) hollow.drains = 0;
+
+  MadeBust made;
+  made.source = shelf.source;
+  made.source.title = fmt::format("{}: {}", shop.title, bust.expression.name);
+  made.source.expression = bust.expression.name;
+  made.source.base_shape = bust.base;
+  made.source.base_height_mm = base.shape == BaseShape::none ? kBaseHeight * bust.height_mm : base.height_mm;
+  made.source.base_radius_mm = base.radius_mm;
+  made.source.label = base.shape == BaseShape::none ? "" : bust.label;
+  made.source.magnet_diameter_mm = bust.magnet_mm.x;
+  made.source.magnet_depth_mm = bust.magnet_mm.x > 0 ? bust.magnet_mm.y : 2;
+  made.source.is_hollow = bust.is_hollow;
+  made.source.wall_mm = bust.wall_mm;
+  made.source.drain_mm = bust.drain_mm;
+
+  const std::vector<glm::vec3> positions = place_bust(shelf.body, shop.figure, bust.expression.pose);
+  const Mesh solid = build_solid(shelf.body, positions, base, nullptr);
+  if (!bust.is_hollow) {
+    made.mesh = solid;
+    made.report = measure_print(made.mesh);
+    return made;
+  }
+  add_source_cavity(solid, hollow, made.source);
+  const Cavity cavity = build_cavity(solid, hollow);
+  made.mesh = build_solid(shelf.body, positions, base, &cavity);
+  made.report = measure_print(made.mesh, shelf.body.triangles.size(), cavity.wall.triangles.size());
+  made.report.least_wall_mm = measure_wall_mm(solid, cavity, hollow);
+  update_warnings(made.report);
+  return made;
+}
+
+}  // namespace mien

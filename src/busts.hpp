@@ -1,0 +1,45 @@
+// From a figure to prints: bodies, bases, hollows and reports joined.
+#pragma once
+
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "config/spec.hpp"
+#include "core/print.hpp"
+#include "frames/bust_controls.hpp"
+#include "frames/figure.hpp"
+#include "print/report.hpp"
+
+namespace mien {
+
+// A bust ready to be written.
+struct MadeBust {
+  std::string stem;    // of its files: "bust_laugh"
+  PosableBust source;  // for OpenSCAD
+  Mesh mesh;           // the whole print, closed
+  PrintReport report;
+};
+
+// What busts of one head share, so that the second one of a size takes little time.
+struct BustShop {
+  const Figure& figure;
+  std::vector<NamedPose> menu;  // the expressions that a source can show
+  std::string title;
+
+  // Bodies by all that they depend on.
+  struct Shelf {
+    BustSize size;
+    BustBody body;
+    PosableBust source;
+  };
+  std::deque<Shelf> shelves = {};
+};
+
+// The expressions of a source's menu: the file's own and the default library's, then the busts' own.
+std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts);
+
+// One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and the like.
+MadeBust make_bust(BustShop& shop, const BustSpec& bust);
+
+}  // namespace mien
