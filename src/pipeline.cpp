@@ -142,17 +142,23 @@ std::vector<std::string> name_busts(const std::vector<BustSpec>& busts) {
   return stems;
 }
 
+BustSpec build_bust_spec(Expression expression) {
+  BustSpec bust;
+  bust.expression = std::move(expression);
+  return bust;
+}
+
 // The busts of the file, or the one that --express names or --at shows.
 std::vector<BustSpec> find_busts(const Options& options, const Clip& clip, const Actor& actor,
                                  const Figure& figure) {
   const Spec& spec = clip.spec;
-  if (options.express) return {BustSpec{take_expression(spec, *options.express)}};
+  if (options.express) return {build_bust_spec(take_expression(spec, *options.express))};
   if (options.at_s || options.at_frames) {
     Expression moment{fmt::format("{:.4g}s", find_time_s(clip, options)), "", {}, 1, {}};
     moment.pose = find_moment(options, clip, actor, figure).pose;
-    return {BustSpec{std::move(moment)}};
+    return {build_bust_spec(std::move(moment))};
   }
-  if (spec.busts.empty()) return {BustSpec{find_expression(spec, "neutral")}};
+  if (spec.busts.empty()) return {build_bust_spec(find_expression(spec, "neutral"))};
   return spec.busts;
 }
 
