@@ -1,80 +1,227 @@
-// Busts as one body: closed but for the foot, the same triangles in every pose, nothing through anything.
+// Busts as one body: closed but for the foot, the same triangles in every pose, and a source that can pose
+// them.
 #include "frames/bust_body.hpp"
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 #include "frames/bust_controls.hpp"
 #include "places.hpp"
-#include "scene/openscad.hpp"
-#include "scene/mesh_files.hpp"
-
-#include <chrono>
-#include <cstdio>
-#include <cstdlib>
-#include <fstream>
 
 namespace mien {
 namespace {
 
-TEST(bust_scratch, writes) {
-  const char* spec_age = std::getenv("AGE");
-  HeadSpec spec;
-  if (spec_age) spec.age = {{spec_age, 1.0}};
-  const Figure figure = build_figure(spec, source_folder());
-  const auto t0 = std::chrono::steady_clock::now();
-  BustSize size;
-  if (const char* n = std::getenv("TRI")) size.triangles = std::size_t(std::atoi(n));
-  const BustBody body = build_bust_body(figure, size);
-  const auto t1 = std::chrono::steady_clock::now();
-  std::printf("body %zu of %zu vertices, %zu triangles, %.2f s\n", body.kept.size(), body.all_count,
-              body.triangles.size(), std::chrono::duration<double>(t1 - t0).count());
-  const auto set = [](Pose& pose, std::string_view area, std::string_view move, double value) {
+const Figure& adult() {
+  static const Figure figure = build_figure(HeadSpec{}, source_folder());
+  return figure;
+}
+
+const BustBody& adult_body() {
+  static const BustBody body = build_bust_body(adult(), {});
+  return body;
+}
+
+// A pose of one or more moves; sided ones on both sides.
+Pose build_pose(std::initializer_list<std::tuple<std::string_view, std::string_view, double>> moves) {
+  Pose pose;
+  for (const auto& [area, move, value] : moves)
     for (std::size_t i = 0; i < kMoveCount; ++i)
       if (kMoves[i].area == area && kMoves[i].move == move) pose.values[i] = value;
-  };
-  std::vector<std::pair<std::string, Pose>> poses{{"neutral", {}}};
-  Pose p;
-  set(p, "lid", "upper", -1);
-  set(p, "lips", "press", 1);
-  poses.push_back({"shut", p});
-  p = {};
-  set(p, "chin", "down", 0.7);
-  set(p, "corner", "up", 0.9);
-  set(p, "corner", "out", 0.8);
-  set(p, "lips", "upper", 0.5);
-  set(p, "lips", "lower", -0.4);
-  set(p, "lid", "lower", 0.7);
-  poses.push_back({"laugh", p});
-  p = {};
-  set(p, "chin", "down", 1);
-  set(p, "brow", "up", 1);
-  set(p, "lid", "upper", 1);
-  set(p, "eye", "side", 0.7);
-  poses.push_back({"shout", p});
-  PosableBust bust;
-  bust.title = "Scratch";
-  bust.expression = "shout";
-  bust.height_mm = size.whole_mm;
-  bust.figure_mm = size.figure_mm;
-  std::vector<NamedPose> named;
-  for (const auto& [name, pose] : poses) named.push_back({name, pose});
-  const auto t2 = std::chrono::steady_clock::now();
-  add_bust_controls(body, figure, named, 0.02, 0.1, bust);
-  const auto t3 = std::chrono::steady_clock::now();
-  const std::string scad = build_openscad_bust(bust, std::filesystem::path(source_folder()) / "templates");
-  std::printf("states %zu, controls %.2f s, source %zu bytes\n", bust.states.size(), std::chrono::duration<double>(t3 - t2).count(), scad.size());
-  std::ofstream("/tmp/scratch.scad") << scad;
-  for (const auto& [name, pose] : poses) {
-    Mesh mesh;
-    mesh.positions = place_bust(body, figure, pose);
-    mesh.triangles = body.triangles;
-    append_fan_cap(mesh, find_boundary_loops(mesh.triangles).at(0), glm::vec3(0));
-    EXPECT_EQ(count_open_edges(mesh.triangles), 0U);
-    std::ofstream file("/tmp/bust_" + name + ".obj");
-    for (const glm::vec3& q : mesh.positions) file << "v " << q.x << ' ' << q.y << ' ' << q.z << '\n';
-    for (const Triangle& t : mesh.triangles) file << "f " << t[0] + 1 << ' ' << t[1] + 1 << ' ' << t[2] + 1 << '\n';
-    std::printf("%s volume %.0f\n", name.c_str(), compute_volume_mm3(mesh));
+  return pose;
+}
+
+Pose build_random_pose(std::mt19937& random) {
+  Pose pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
+  return pose;
+}
+
+// Closed by a fan under the foot.
+Mesh build_closed(const BustBody& body, std::vector<glm::vec3> positions) {
+  Mesh mesh{std::move(positions), {}, body.triangles};
+  append_fan_cap(mesh, body.foot, find_loop_centre(mesh.positions, body.foot));
+  return mesh;
+}
+
+TEST(bust_body, is_one_closed_surface_that_stands_on_its_foot) {
+  const BustBody& body = adult_body();
+  EXPECT_LE(body.triangles.size(), 15000U);
+  const std::vector<Loop> loops = find_boundary_loops(body.triangles);
+  ASSERT_EQ(loops.size(), 1U);
+  EXPECT_EQ(std::set<std::uint32_t>(loops[0].begin(), loops[0].end()),
+            std::set<std::uint32_t>(body.foot.begin(), body.foot.end()));
+  const Mesh mesh = build_closed(body, place_bust(body, adult(), Pose{}));
+  EXPECT_EQ(count_open_edges(mesh.triangles), 0U);
+  EXPECT_EQ(split_pieces(mesh).size(), 1U);
+  const Box box = find_bounds(mesh.positions);
+  EXPECT_NEAR(box.low.z, 0, 1e-4);
+  EXPECT_NEAR(box.high.z, 72, 0.02);
+  for (const std::uint32_t v : body.foot) EXPECT_NEAR(mesh.positions[v].z, 0, 1e-4);
+}
+
+TEST(bust_body, keeps_its_volume_and_its_numbers_in_any_pose) {
+  std::mt19937 random(61);
+  const BustBody& body = adult_body();
+  const double rest = compute_volume_mm3(build_closed(body, place_bust(body, adult(), Pose{})));
+  for (int i = 0; i < 12; ++i) {
+    const Mesh mesh = build_closed(body, place_bust(body, adult(), build_random_pose(random)));
+    for (const glm::vec3& p : mesh.positions)
+      ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z));
+    EXPECT_NEAR(compute_volume_mm3(mesh) / rest, 1, 0.05) << i;
   }
+}
+
+TEST(bust_body, stands_flat_where_no_base_is_asked_for) {
+  BustSize size;
+  size.stand = Stand::flat;
+  size.figure_mm = 80;
+  const BustBody body = build_bust_body(adult(), size);
+  const std::vector<glm::vec3> flat = place_bust(body, adult(), Pose{});
+  const Box box = find_bounds(flat);
+  EXPECT_NEAR(box.low.z, 0, 1e-4);
+  EXPECT_NEAR(box.high.z, 80, 0.02);
+  float breadth = 0;
+  for (const std::uint32_t v : body.foot) breadth = std::max(breadth, std::abs(flat[v].x));
+  EXPECT_GT(breadth, 0.2f * 80);
+  // On a foot the same body reaches further down.
+  EXPECT_LT(find_bounds(place_bust(body, adult(), Pose{}, Stand::foot)).low.z, -2);
+}
+
+TEST(bust_body, shut_lids_and_lips_leave_a_line_that_prints) {
+  const BustBody& body = adult_body();
+  const Pose pose = build_pose({{"lid", "upper", -1}, {"lips", "press", 1}, {"chin", "up", 1}});
+  const std::vector<glm::vec3> shut = place_bust(body, adult(), pose);
+  for (const Patch* patch : {&body.eyes[0], &body.eyes[1], &body.mouth}) {
+    const std::size_t middle = patch->upper.size() / 2;
+    const float gap = shut[patch->upper[middle]].z - shut[patch->lower[middle]].z;
+    EXPECT_GT(gap, 0.2f);
+    EXPECT_LT(gap, 0.7f);
+    for (std::size_t i = 1; i + 1 < patch->upper.size(); ++i)
+      EXPECT_GT(shut[patch->upper[i]].z, shut[patch->lower[i]].z) << i;
+  }
+}
+
+TEST(bust_body, eyes_are_carved_where_they_look) {
+  const BustBody& body = adult_body();
+  const auto find_deepest = [&](double side) {
+    const auto positions =
+        place_bust(body, adult(), build_pose({{"eye", "side", side}, {"lid", "upper", 1}}));
+    const Patch& eye = body.eyes[0];
+    const glm::vec3 centre = (body.carved[0].centre - body.origin) * body.print_per_head;
+    const glm::vec3 middle(centre.x, -centre.z, centre.y);
+    glm::vec3 deepest = positions[eye.first];
+    for (std::uint32_t i = 0; i < eye.vertex_count(); ++i)
+      if (glm::distance(positions[eye.first + i], middle) < glm::distance(deepest, middle))
+        deepest = positions[eye.first + i];
+    return deepest;
+  };
+  EXPECT_GT(find_deepest(1).x, find_deepest(0).x + 0.5f);
+  EXPECT_LT(find_deepest(-1).x, find_deepest(0).x - 0.5f);
+}
+
+TEST(bust_body, an_open_mouth_shows_teeth) {
+  const BustBody& body = adult_body();
+  const Pose pose = build_pose({{"chin", "down", 0.8}, {"lips", "upper", 0.7}});
+  const CarvedMouth mouth = find_carved_mouth(body, adult(), pose);
+  CarvedMouth toothless = mouth;
+  for (ToothRow* row : {&toothless.upper, &toothless.lower})
+    for (int i = 0; i < kToothSamples; ++i) row->edge[i] = row->front[i] = {0, kNoTooth_mm};
+  const PatchPlace place{{0, -60, 96}, {0, -90, 90}, 3.0f / kPatchRows, 3};
+  EXPECT_GT(place_in_mouth(mouth, place).z, place_in_mouth(toothless, place).z + 2);
+}
+
+TEST(bust_body, is_the_same_each_time) {
+  const BustBody again = build_bust_body(adult(), {});
+  EXPECT_EQ(again.triangles, adult_body().triangles);
+  EXPECT_EQ(place_bust(again, adult(), build_pose({{"corner", "up", 0.7}})),
+            place_bust(adult_body(), adult(), build_pose({{"corner", "up", 0.7}})));
+}
+
+TEST(bust_body, other_heads_at_other_heights_are_closed) {
+  HeadSpec infant;
+  infant.age = {{"infant", 1.0}};
+  HeadSpec square;
+  square.skull = {{"square", 1.0}};
+  for (const auto& [spec, height_mm] : {std::pair{infant, 40.0}, std::pair{square, 150.0}}) {
+    const Figure figure = build_figure(spec, source_folder());
+    BustSize size;
+    size.whole_mm = height_mm;
+    size.figure_mm = height_mm * 0.9;
+    const BustBody body = build_bust_body(figure, size);
+    for (const Pose& pose : {Pose{}, build_pose({{"corner", "up", 1}, {"chin", "down", 0.6}}),
+                             build_pose({{"lid", "upper", -1}, {"brow", "up", -1}})}) {
+      const Mesh mesh = build_closed(body, place_bust(body, figure, pose));
+      EXPECT_EQ(count_open_edges(mesh.triangles), 0U);
+      EXPECT_GT(compute_volume_mm3(mesh), 0);
+    }
+  }
+}
+
+// Controls.
+
+struct Controlled {
+  PosableBust bust;
+  std::vector<NamedPose> poses;
+};
+
+const Controlled& controlled() {
+  static const Controlled made = [] {
+    Controlled c;
+    c.poses = {{"neutral", Pose{}},
+               {"laugh", build_pose({{"chin", "down", 0.6},
+                                     {"corner", "up", 0.9},
+                                     {"corner", "out", 0.7},
+                                     {"lips", "upper", 0.4},
+                                     {"lid", "lower", 0.7}})},
+               {"shout", build_pose({{"chin", "down", 1}, {"brow", "turn", -0.8}, {"lid", "upper", 0.6}})}};
+    add_bust_controls(adult_body(), adult(), c.poses, 0.02, 0.1, c.bust);
+    return c;
+  }();
+  return made;
+}
+
+float find_worst_mm(const std::vector<glm::vec3>& sum, const Pose& pose) {
+  const BustBody& body = adult_body();
+  const std::vector<glm::vec3> truth = place_bust(body, adult(), pose);
+  std::vector<bool> is_placed(truth.size(), false);
+  for (const Patch* patch : {&body.eyes[0], &body.eyes[1], &body.mouth})
+    std::fill_n(is_placed.begin() + patch->first, patch->vertex_count(), true);
+  float worst = 0;
+  for (std::size_t v = 0; v < truth.size(); ++v)
+    if (!is_placed[v]) worst = std::max(worst, glm::distance(sum[v], truth[v]));
+  return worst;
+}
+
+TEST(bust_controls, every_move_alone_is_the_faces_own) {
+  std::mt19937 random(7);
+  for (std::size_t m = 0; m < kMoveCount; ++m)
+    for (int i = 0; i < 4; ++i) {
+      Pose pose;
+      pose.values[m] = i == 0 ? kMoves[m].high
+                       : i == 1
+                           ? kMoves[m].low
+                           : std::uniform_real_distribution<double>(kMoves[m].low, kMoves[m].high)(random);
+      const std::vector<double> values(pose.values.begin(), pose.values.end());
+      EXPECT_LT(find_worst_mm(sum_bust_states(controlled().bust, values), pose), 0.05f)
+          << kMoves[m].area << ' ' << kMoves[m].move << ' ' << pose.values[m];
+    }
+}
+
+TEST(bust_controls, an_expression_is_the_faces_own_with_its_state) {
+  for (std::size_t i = 0; i < controlled().poses.size(); ++i) {
+    const BustExpression& expression = controlled().bust.expressions[i];
+    EXPECT_EQ(expression.name, controlled().poses[i].name);
+    std::vector<glm::vec3> sum = sum_bust_states(controlled().bust, expression.values);
+    const BustState& state = controlled().bust.states[expression.state];
+    for (std::size_t k = 0; k < state.vertices.size(); ++k) sum[state.vertices[k]] += state.offsets[k];
+    EXPECT_LT(find_worst_mm(sum, controlled().poses[i].pose), 0.11f) << expression.name;
+  }
+}
+
+TEST(bust_controls, neutral_has_nothing_to_add) {
+  EXPECT_TRUE(controlled().bust.states[controlled().bust.expressions[0].state].vertices.empty());
 }
 
 }  // namespace
