@@ -75,7 +75,7 @@ BustShop::Shelf& find_shelf(BustShop& shop, const BustSpec& bust) {
 
 // The figure on its base, closed.
 Mesh build_solid(const BustBody& body, std::vector<glm::vec3> positions, const Base& base,
-                 const Cavity* cavity) {
+                 const Letters& letters, const Cavity* cavity) {
   Mesh mesh = build_figure_mesh(body, std::move(positions), base.height_mm);
   std::vector<Loop> holes;
   if (cavity != nullptr) {
@@ -85,7 +85,7 @@ Mesh build_solid(const BustBody& body, std::vector<glm::vec3> positions, const B
     for (Loop& hole : holes)
       for (std::uint32_t& v : hole) v += first;
   }
-  append_base(mesh, body.foot, base, holes);
+  append_base(mesh, body.foot, base, holes, letters);
   return mesh;
 }
 
@@ -99,6 +99,16 @@ void add_source_cavity(const Mesh& solid, Hollow hollow, PosableBust& source) {
     source.drains.emplace_back(drain.at);
     source.drain_tops_mm.push_back(drain.top_mm);
   }
+}
+
+// What was left of a label that is too long for its base.
+void tell_label(const Base& base, const BustBody& body, const std::vector<glm::vec3>& positions,
+                const Letters& letters, PrintReport& report) {
+  std::vector<glm::vec3> foot;
+  for (const std::uint32_t v : body.foot)
+    foot.push_back(positions[v] + glm::vec3(0, 0, static_cast<float>(base.height_mm)));
+  const Label label = fit_label(base, foot, letters);
+  if (label.is_cut) report.warnings.push_back(fmt::format("Its label has room for '{}' only.", label.text));
 }
 
 }  // namespace
@@ -132,6 +142,7 @@ MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
   made.source.base_height_mm = base.shape == BaseShape::none ? kBaseHeight * bust.height_mm : base.height_mm;
   made.source.base_radius_mm = base.radius_mm;
   made.source.label = base.shape == BaseShape::none ? "" : bust.label;
+  made.source.letters = build_openscad_letters(shop.letters);
   made.source.magnet_diameter_mm = bust.magnet_mm.x;
   made.source.magnet_depth_mm = bust.magnet_mm.x > 0 ? bust.magnet_mm.y : 2;
   made.source.is_hollow = bust.is_hollow;
@@ -139,18 +150,20 @@ MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
   made.source.drain_mm = bust.drain_mm;
 
   const std::vector<glm::vec3> positions = place_bust(shelf.body, shop.figure, bust.expression.pose);
-  const Mesh solid = build_solid(shelf.body, positions, base, nullptr);
+  const Mesh solid = build_solid(shelf.body, positions, base, shop.letters, nullptr);
   if (!bust.is_hollow) {
     made.mesh = solid;
     made.report = measure_print(made.mesh);
+    tell_label(base, shelf.body, positions, shop.letters, made.report);
     return made;
   }
   add_source_cavity(solid, hollow, made.source);
   const Cavity cavity = build_cavity(solid, hollow);
-  made.mesh = build_solid(shelf.body, positions, base, &cavity);
+  made.mesh = build_solid(shelf.body, positions, base, shop.letters, &cavity);
   made.report = measure_print(made.mesh, shelf.body.triangles.size(), cavity.wall.triangles.size());
   made.report.least_wall_mm = measure_wall_mm(solid, cavity, hollow);
   update_warnings(made.report);
+  tell_label(base, shelf.body, positions, shop.letters, made.report);
   return made;
 }
 

@@ -9,6 +9,7 @@
 #include "core/print.hpp"
 #include "frames/bust_controls.hpp"
 #include "frames/figure.hpp"
+#include "print/glyphs.hpp"
 #include "print/report.hpp"
 
 namespace mien {
@@ -26,6 +27,7 @@ struct BustShop {
   const Figure& figure;
   std::vector<NamedPose> menu;  // the expressions that a source can show
   std::string title;
+  Letters letters;  // for labels
 
   // Bodies by all that they depend on.
   struct Shelf {

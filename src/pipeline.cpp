@@ -22,6 +22,7 @@
 #include "render/work_folder.hpp"
 #include "scene/mesh_files.hpp"
 #include "scene/openscad.hpp"
+#include "scene/openscad_check.hpp"
 #include "scene/povray_bust.hpp"
 #include "scene/wavefront.hpp"
 #include "sheet/sheet.hpp"
@@ -273,7 +274,7 @@ void write_busts(const Options& options) {
   for (BustSpec& bust : busts) bust.height_mm = options.height_mm.value_or(bust.height_mm);
   const std::vector<std::string> stems = name_busts(busts);
   BustShop shop{figure, list_bust_menu(clip.spec, busts),
-                clip.spec.title.empty() ? clip.spec.name : clip.spec.title};
+                clip.spec.title.empty() ? clip.spec.name : clip.spec.title, load_letters(data)};
   const fs::path folder = find_output(options, clip.spec);
   bool are_printable = true;
   for (std::size_t i = 0; i < busts.size(); ++i) {

@@ -75,7 +75,8 @@ struct PosableBust {
   double mm_per_head_mm = 0.3;
   std::string base_shape = "round";  // none, round, square, plinth
   double base_height_mm = 8, base_radius_mm = 16;
-  std::string label;  // raised on the base's front; printable ASCII
+  std::string label;    // raised on the base's front; any UTF-8
+  std::string letters;  // the glyphs it is drawn with, as a list in OpenSCAD's words
   double magnet_diameter_mm = 0, magnet_depth_mm = 2;
   bool is_hollow = false;
   double wall_mm = 2, drain_mm = 4;

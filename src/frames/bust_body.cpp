@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/thin.hpp"
+#include "frames/bust_foot.hpp"
 #include "head/cage.hpp"
 
 namespace mien {
@@ -22,9 +23,6 @@ constexpr float kLidLine_mm = 0.35f,
 constexpr float kLineDepth_mm = 0.7f;
 constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
 constexpr float kIrisRadius_mm = 5.7f;  // at a ball of 13 mm
-
-constexpr float kDrop = 0.36f;        // of half the chest's breadth: from its lowest edge to the foot
-constexpr float kFootRadius = 0.28f;  // of half the chest's breadth; thinner would break off
 
 std::size_t side_index(Side side) { return side == Side::left ? 0 : 1; }
 
@@ -47,52 +45,6 @@ std::size_t find_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
   return static_cast<std::size_t>(found - loops.begin());
 }
 
-struct ChestBox {
-  Box box;
-  float half_breadth = 0, foot_y = 0;
-  glm::vec3 middle{0};  // of the foot
-};
-
-ChestBox measure_chest(const Loop& chest, const std::vector<glm::vec3>& positions) {
-  ChestBox found;
-  found.box = {positions[chest.front()], positions[chest.front()]};
-  for (const std::uint32_t v : chest) {
-    found.box.low = glm::min(found.box.low, positions[v]);
-    found.box.high = glm::max(found.box.high, positions[v]);
-  }
-  found.half_breadth = (found.box.high.x - found.box.low.x) / 2;
-  found.foot_y = found.box.low.y - kDrop * found.half_breadth;
-  found.middle = {(found.box.low.x + found.box.high.x) / 2, found.foot_y,
-                  (found.box.low.z + found.box.high.z) / 2};
-  return found;
-}
-
-// Where a chest is cut flat: a little below its edge, so that the rim is no knife.
-float find_flat_y(const ChestBox& chest) { return chest.box.low.y - 0.04f * chest.half_breadth; }
-
-// Rings from the chest's edge down: to a round, flat foot, steep enough to print without support, as a bust
-// on its socle has always been cut; or straight down to a plane a little below the edge.
-void place_foot(const BustBody& body, Stand stand, std::vector<glm::vec3>& positions) {
-  const ChestBox chest = measure_chest(body.chest, positions);
-  const float radius = kFootRadius * chest.half_breadth;
-  for (int ring = 1; ring <= kFootRings; ++ring) {
-    const float way = float(ring) / kFootRings;
-    for (std::size_t i = 0; i < body.chest.size(); ++i) {
-      const glm::vec3 p = positions[body.chest[i]];
-      glm::vec3& at = positions[body.first_foot + static_cast<std::size_t>(ring - 1) * body.chest.size() + i];
-      if (stand == Stand::flat) {
-        at = {p.x, glm::mix(p.y, find_flat_y(chest), way), p.z};
-        continue;
-      }
-      const glm::vec3 out = glm::normalize(glm::vec3(p.x - chest.middle.x, 0, p.z - chest.middle.z));
-      const glm::vec3 end = chest.middle + out * radius;
-      at = glm::mix(p, end, way);
-      at.y =
-          glm::mix(p.y, end.y, 0.35f * way + 0.65f * way * way * way);  // flatter above, upright at the foot
-    }
-  }
-}
-
 // All vertices in a pose, mm of the head.
 std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
   DeformBuffers buffers;
@@ -111,7 +63,7 @@ std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, con
   const CarvedMouth mouth = find_carved_mouth(body, figure, pose);
   place_patch(
       body.all_mouth, [&](const PatchPlace& at) { return place_in_mouth(mouth, at); }, positions);
-  place_foot(body, stand, positions);
+  place_foot(body.chest, body.first_foot, stand, positions);
   return positions;
 }
 

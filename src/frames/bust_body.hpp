@@ -9,15 +9,13 @@
 #include "core/holes.hpp"
 #include "frames/bust_brows.hpp"
 #include "frames/bust_eyes.hpp"
+#include "frames/bust_foot.hpp"
 #include "frames/bust_mouth.hpp"
 #include "frames/bust_patch.hpp"
 #include "frames/bust_slit.hpp"
 #include "frames/figure.hpp"
 
 namespace mien {
-
-// What the figure is set on.
-enum class Stand { foot, flat };  // a round foot for a base; the chest cut flat
 
 struct BustSize {
   Stand stand = Stand::foot;
@@ -56,8 +54,6 @@ struct BustBody {
   std::array<CarvedEye, 2> carved;
   CarvedMouth carved_mouth;  // its jaw at rest
 };
-
-inline constexpr int kFootRings = 6;
 
 // The body of a figure. Its pose decides nothing but where the least missed triangles are: about 1 s.
 BustBody build_bust_body(const Figure& figure, const BustSize& size);

@@ -97,7 +97,7 @@ TEST(bust_body, shut_lids_and_lips_leave_a_line_that_prints) {
     const std::size_t middle = patch->upper.size() / 2;
     const float gap = shut[patch->upper[middle]].z - shut[patch->lower[middle]].z;
     EXPECT_GT(gap, 0.2f);
-    EXPECT_LT(gap, 0.7f);
+    EXPECT_LT(gap, patch == &body.mouth ? 1.3f : 0.7f);  // behind lips that touch further out
     for (std::size_t i = 1; i + 1 < patch->upper.size(); ++i)
       EXPECT_GT(shut[patch->upper[i]].z, shut[patch->lower[i]].z) << i;
   }

@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "places.hpp"
+#include "scene/openscad_check.hpp"
 
 namespace mien {
 namespace {
