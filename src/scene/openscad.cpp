@@ -151,13 +151,10 @@ std::string quote_scad(const std::string& text) {
 }
 
 std::string build_label_settings(const PosableBust& bust) {
-  return fmt::format("// Text on the base's front
-                     label = {};
-                     "
-                     "// Height of its letters in mm; 0: as large as the front allows
-                     label_size_mm = 0;  // [0:0.5:30]
-                     ",
-                     quote_scad(bust.label));
+  return fmt::format(
+      "// Text on the base's front\nlabel = {};\n"
+      "// Height of its letters in mm; 0: as large as the front allows\nlabel_size_mm = 0; // [0:0.5:30]\n",
+      quote_scad(bust.label));
 }
 
 std::string read_base_functions(const std::filesystem::path& path, const std::string& letters) {
