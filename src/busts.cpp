@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "print/base.hpp"
 #include "print/hollow.hpp"
+#include "print/plates.hpp"
 #include "print/thicken.hpp"
 
 namespace mien {
@@ -101,6 +102,37 @@ void add_source_cavity(const Mesh& solid, Hollow hollow, PosableBust& source) {
   }
 }
 
+glm::vec3 find_colour(const Model& model, std::string_view part, const glm::vec3& otherwise) {
+  for (const Part& p : model.parts)
+    if (p.name == part) return p.palette.front().srgb;
+  return otherwise;
+}
+
+// The triangles of a patch: they follow each other.
+ColourRange find_range(const BustBody& body, const Patch& patch, std::string name, const glm::vec3& srgb) {
+  ColourRange range{std::move(name), srgb, 0, 0};
+  const auto is_of = [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) {
+      return v >= patch.first && v < patch.first + patch.vertex_count();
+    });
+  };
+  const auto first = std::find_if(body.triangles.begin(), body.triangles.end(), is_of);
+  range.first = static_cast<std::size_t>(first - body.triangles.begin());
+  range.count = static_cast<std::size_t>(std::find_if_not(first, body.triangles.end(), is_of) - first);
+  return range;
+}
+
+std::vector<ColourRange> list_colours(const BustBody& body, const Model& model) {
+  const glm::vec3 white = find_colour(model, "eye_left", glm::vec3(0.92f));
+  const glm::vec3 red = find_colour(model, "tongue", {0.55f, 0.2f, 0.2f});
+  std::vector<ColourRange> ranges{{"skin", find_colour(model, "skin", glm::vec3(0.8f)), 0, 0},
+                                  find_range(body, body.eyes[0], "eye left", white),
+                                  find_range(body, body.eyes[1], "eye right", white),
+                                  find_range(body, body.mouth, "mouth", red)};
+  ranges[0].count = ranges[1].first;  // and all that is in no range
+  return ranges;
+}
+
 // What was left of a label that is too long for its base.
 void tell_label(const Base& base, const BustBody& body, const std::vector<glm::vec3>& positions,
                 const Letters& letters, PrintReport& report) {
@@ -126,6 +158,26 @@ std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSp
   return menu;
 }
 
+std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2& plate_mm) {
+  constexpr double kGap_mm = 5;  // a skirt and a scraper between two
+  std::vector<glm::dvec2> footprints;
+  std::vector<Box> boxes;
+  for (const Mesh& bust : busts) {
+    boxes.push_back(find_bounds(bust.positions));
+    footprints.emplace_back(glm::dvec3(boxes.back().high) - glm::dvec3(boxes.back().low));
+  }
+  std::vector<Mesh> plates;
+  const std::vector<PlatePlace> places = arrange_plates(footprints, plate_mm, kGap_mm);
+  for (std::size_t i = 0; i < busts.size(); ++i) {
+    if (places[i].plate >= plates.size()) plates.resize(places[i].plate + 1);
+    Mesh moved = busts[i];
+    const glm::vec3 shift(glm::vec2(places[i].low) - glm::vec2(boxes[i].low), 0);
+    for (glm::vec3& p : moved.positions) p += shift;
+    append_mesh(plates[places[i].plate], moved);
+  }
+  return plates;
+}
+
 MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
   const BustShop::Shelf& shelf = find_shelf(shop, bust);
   const Base base = find_base(bust);
@@ -149,6 +201,7 @@ MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
   made.source.wall_mm = bust.wall_mm;
   made.source.drain_mm = bust.drain_mm;
 
+  made.colours = list_colours(shelf.body, shop.figure.model);
   const std::vector<glm::vec3> positions = place_bust(shelf.body, shop.figure, bust.expression.pose);
   const Mesh solid = build_solid(shelf.body, positions, base, shop.letters, nullptr);
   if (!bust.is_hollow) {

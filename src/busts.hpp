@@ -11,6 +11,7 @@
 #include "frames/figure.hpp"
 #include "print/glyphs.hpp"
 #include "print/report.hpp"
+#include "scene/three_mf.hpp"
 
 namespace mien {
 
@@ -20,6 +21,7 @@ struct MadeBust {
   PosableBust source;  // for OpenSCAD
   Mesh mesh;           // the whole print, closed
   PrintReport report;
+  std::vector<ColourRange> colours;  // skin, eyes, mouth
 };
 
 // What busts of one head share, so that the second one of a size takes little time.
@@ -40,6 +42,10 @@ struct BustShop {
 
 // The expressions of a source's menu: the file's own and the default library's, then the busts' own.
 std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts);
+
+// All busts on plates, a mesh for each plate. Throws RunError "print 3 of 120 x 90 mm does not fit a plate of
+// 100 x 100 mm".
+std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2& plate_mm);
 
 // One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and the like.
 MadeBust make_bust(BustShop& shop, const BustSpec& bust);

@@ -24,6 +24,7 @@
 #include "scene/openscad.hpp"
 #include "scene/openscad_check.hpp"
 #include "scene/povray_bust.hpp"
+#include "scene/three_mf.hpp"
 #include "scene/wavefront.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
@@ -124,12 +125,25 @@ void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& da
   tell_result(options, "report", report);
   if (!options.is_quiet && !options.is_json)
     for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
+  if (options.has_3mf) {
+    const fs::path package = folder / (made.stem + ".3mf");
+    write_file(package, build_3mf(made.source.title, {{made.stem, made.mesh, made.colours}}));
+    tell_result(options, "3mf", package);
+  }
   if (options.has_preview) {
     const fs::path picture = folder / (made.stem + ".png");
     render_preview(made, picture, data);
     tell_result(options, "preview", picture);
   }
   if (options.has_openscad) compare_with_openscad(made, source, options);
+}
+
+void write_plates(const std::vector<Mesh>& plates, const fs::path& folder, const Options& options) {
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    const fs::path path = folder / fmt::format("plate_{}.stl", i + 1);
+    write_file(path, build_binary_stl(plates[i], fmt::format("plate {}", i + 1)));
+    tell_result(options, "plate", path);
+  }
 }
 
 // "bust_laugh", and "bust_laugh_2" for the file's second one of that name.
@@ -277,12 +291,15 @@ void write_busts(const Options& options) {
                 clip.spec.title.empty() ? clip.spec.name : clip.spec.title, load_letters(data)};
   const fs::path folder = find_output(options, clip.spec);
   bool are_printable = true;
+  std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < busts.size(); ++i) {
     MadeBust made = make_bust(shop, busts[i]);
     made.stem = stems[i];
     write_bust(made, folder, data, options);
     if (!is_printable(made.report)) are_printable = false;
+    if (clip.spec.plate_mm.x > 0) meshes.push_back(std::move(made.mesh));
   }
+  if (!meshes.empty()) write_plates(build_plates(meshes, clip.spec.plate_mm), folder, options);
   if (!are_printable) throw RunError("not every bust is printable; the reports say why");
 }
 

@@ -144,7 +144,7 @@ std::string describe_tongue(const BustMouth& mouth) {
 std::string quote_scad(const std::string& text) {
   std::string quoted = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\') quoted += '\';
+    if (c == '"' || c == '\\') quoted += '\\';
     quoted += static_cast<unsigned char>(c) < ' ' || c == 127 ? ' ' : c;
   }
   return quoted + "\"";
@@ -159,8 +159,7 @@ std::string build_label_settings(const PosableBust& bust) {
 
 std::string read_base_functions(const std::filesystem::path& path, const std::string& letters) {
   std::string text = fill_template(read_file(path), {{"letters", letters}}, path.string());
-  while (!text.empty() && text.back() == '
-') text.pop_back();
+  while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }
 

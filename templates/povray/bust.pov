@@ -8,13 +8,16 @@ camera {
   sky <0, 0, 1>
   up <0, 0, 1>
   right <-{{aspect}}, 0, 0>  // x to the right in a left-handed program: mirrored, to be right-handed
-  angle degrees(2 * atan2(0.62 * max(Height * {{aspect}}, Width), 3.7 * Height))
+  angle degrees(2 * atan2(0.56 * max(Height * {{aspect}}, Width), 3.7 * Height))
   look_at <0, 0, 0.5 * Height>
 }
 light_source { <-3, -4, 5> * Height rgb 0.95 area_light <0.8, 0, 0> * Height, <0, 0, 0.8> * Height, 5, 5 adaptive 1 jitter }
 light_source { <4, -3, 1.5> * Height rgb 0.22 shadowless }
-background { rgb <0.30, 0.31, 0.33> }
-plane { z, 0 pigment { rgb <0.33, 0.34, 0.36> } finish { diffuse 0.8 ambient 0.05 } }
+// A table that fades into the room.
+#declare Room = color rgb <0.24, 0.25, 0.27>;
+background { Room }
+fog { fog_type 1 distance 11 * Height Room }
+plane { z, 0 pigment { rgb <0.36, 0.37, 0.39> } finish { diffuse 0.8 ambient 0.05 } }
 mesh2 {
   vertex_vectors { {{vertex_count}}, {{vertices}} }
   face_indices { {{face_count}}, {{faces}} }
