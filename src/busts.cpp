@@ -15,6 +15,7 @@ namespace mien {
 namespace {
 
 constexpr double kBaseHeight = 8.0 / 80, kBaseRadius = 15.0 / 80;  // of the whole print's height
+constexpr double kPlinth = 18.5 / 80;     // half its side: a word such as "surprise" is to fit on 60 mm
 constexpr double kLeastFeature_mm = 0.8;                           // two lines of a common nozzle
 constexpr double kSource_mm = 0.02;  // how near the source's moves come to the face's own
 constexpr double kSlight_mm = 0.1;   // of an expression's offsets, what the source leaves out
@@ -29,7 +30,7 @@ Base find_base(const BustSpec& bust) {
   Base base;
   base.shape = find_shape(bust.base);
   base.height_mm = base.shape == BaseShape::none ? 0 : kBaseHeight * bust.height_mm;
-  base.radius_mm = kBaseRadius * bust.height_mm;
+  base.radius_mm = (base.shape == BaseShape::plinth ? kPlinth : kBaseRadius) * bust.height_mm;
   base.label = bust.label;
   base.magnet_diameter_mm = bust.magnet_mm.x;
   base.magnet_depth_mm = bust.magnet_mm.y;
