@@ -66,21 +66,5 @@ TEST(mesh, is_written_in_the_format_of_its_ending) {
   EXPECT_EQ(list_files(folder), (std::vector<std::string>{"a.ply", "a.stl", "tiny.yaml"}));
 }
 
-TEST(bust, is_one_closed_part_for_the_slicer) {
-  const auto folder = make_folder("bust");
-  write_file(folder / "tiny.yaml", kTinyClip);
-  const ProgramRun run = run_shell(folder, "mien bust tiny.yaml --express smile -o busts");
-  ASSERT_EQ(run.status, 0) << run.err;
-  int count = 0;
-  for (const std::string& file : list_files(folder / "busts")) {
-    if (!file.ends_with(".stl")) continue;
-    ++count;
-    const ProgramRun info = run_shell(folder, "prusa-slicer --info 'busts/" + file + "'");
-    EXPECT_NE(info.out.find("manifold = yes"), std::string::npos) << info.out;
-    EXPECT_NE(info.out.find("number_of_parts =  1"), std::string::npos) << info.out;
-  }
-  EXPECT_EQ(count, 1);
-}
-
 }  // namespace
 }  // namespace mien

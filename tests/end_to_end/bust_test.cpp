@@ -1,0 +1,138 @@
+// Busts to the slicer and back from OpenSCAD.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "busts.hpp"
+#include "core/text.hpp"
+#include "end_to_end/program.hpp"
+#include "places.hpp"
+#include "scene/openscad.hpp"
+#include "scene/stl.hpp"
+
+namespace mien {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kBusts = R"(mien: 1
+busts:
+  - {express: laugh, height: 60mm}
+  - {express: surprise, height: 40mm, base: plinth, label: "a \"b\" c", hollow: true, wall: 1.2mm, drain: 3.5mm}
+)";
+
+TEST(bust, is_one_closed_part_for_the_slicer) {
+  const auto folder = make_folder("bust");
+  write_file(folder / "busts.yaml", kBusts);
+  const ProgramRun run = run_shell(folder, "mien bust busts.yaml --3mf -o out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(list_files(folder / "out"),
+            (std::vector<std::string>{"bust_laugh.3mf", "bust_laugh.scad", "bust_laugh.stl", "bust_laugh.txt",
+                                      "bust_surprise.3mf", "bust_surprise.scad", "bust_surprise.stl",
+                                      "bust_surprise.txt"}));
+  for (const char* name : {"bust_laugh", "bust_surprise"}) {
+    const ProgramRun info = run_shell(folder, fmt::format("prusa-slicer --info out/{}.stl", name));
+    EXPECT_THAT(info.out, HasSubstr("manifold = yes")) << name;
+    EXPECT_THAT(info.out, HasSubstr("number_of_parts =  1")) << name;
+    const ProgramRun admesh = run_shell(folder, fmt::format("admesh out/{}.stl", name));
+    EXPECT_THAT(admesh.out, HasSubstr("Total disconnected facets        :     0")) << name;
+    EXPECT_THAT(admesh.out, HasSubstr("Facets reversed       :     0")) << name;
+    EXPECT_THAT(read_file(folder / fmt::format("out/{}.txt", name)), HasSubstr("open edges      0"));
+  }
+  // Nothing else in a second run.
+  const std::string stl = read_file(folder / "out/bust_laugh.stl"),
+                    scad = read_file(folder / "out/bust_laugh.scad"),
+                    package = read_file(folder / "out/bust_laugh.3mf");
+  ASSERT_EQ(run_shell(folder, "mien bust busts.yaml --3mf -o out").status, 0);
+  EXPECT_EQ(read_file(folder / "out/bust_laugh.stl"), stl);
+  EXPECT_EQ(read_file(folder / "out/bust_laugh.scad"), scad);
+  EXPECT_EQ(read_file(folder / "out/bust_laugh.3mf"), package);
+}
+
+TEST(bust, a_set_stands_on_plates) {
+  const auto folder = make_folder("bust_set");
+  write_file(folder / "set.yaml",
+             "mien: 1\nbusts: {all: tezuka, height: 40mm, plate: 90x90mm, triangles: 8000}\n");
+  const ProgramRun run = run_shell(folder, "mien bust set.yaml --quiet -o out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out, "");
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/plate_1.stl"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "out/plate_2.stl"));
+  const StlFacts plate = check_stl(folder / "out/plate_1.stl");
+  EXPECT_GT(plate.parts, 1U);
+  EXPECT_EQ(plate.open_edges, 0U);
+  EXPECT_GE(plate.box.low.x, 0);
+  EXPECT_LE(plate.box.high.x, 90);
+}
+
+TEST(bust, says_what_cannot_be_printed) {
+  const auto folder = make_folder("bust_wrong");
+  write_file(folder / "a.yaml", "mien: 1\nbusts: [{height: 30mm, hollow: true, wall: 15mm}]\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml -o out");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_THAT(run.err, HasSubstr("error: a wall of 15 mm leaves nothing to hollow"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/bust_neutral.stl"));
+  const ProgramRun low = run_shell(folder, "mien bust a.yaml --height 0 -o out");
+  EXPECT_EQ(low.status, 2);
+  EXPECT_EQ(low.err, "error: --height: '0' is outside 20mm..400mm\n");
+}
+
+// Each vertex's distance from the nearest of the other mesh; both ways.
+float find_furthest_mm(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
+  float furthest = 0;
+  for (const auto& [from, to] : {std::pair{&a, &b}, std::pair{&b, &a}})
+    for (const glm::vec3& p : *from) {
+      float nearest = 1e9f;
+      for (const glm::vec3& q : *to) nearest = std::min(nearest, glm::dot(p - q, p - q));
+      furthest = std::max(furthest, std::sqrt(nearest));
+    }
+  return furthest;
+}
+
+TEST(bust, openscad_poses_the_face_as_mien_does) {
+  const auto folder = make_folder("bust_pose");
+  const Figure figure = build_figure(HeadSpec{}, source_folder());
+  Pose laugh;
+  for (const auto& [area, move, value] :
+       {std::tuple{"chin", "down", 0.6}, std::tuple{"corner", "up", 0.9}, std::tuple{"lid", "lower", 0.6}})
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].area == area && kMoves[i].move == move) laugh.values[i] = value;
+  BustShop shop{figure, {{"neutral", Pose{}}, {"laugh", laugh}}, "A test", {}};
+  BustSpec spec;
+  spec.expression.name = "neutral";
+  write_file(folder / "bust.scad", build_openscad_bust(make_bust(shop, spec).source,
+                                                       std::filesystem::path(source_folder()) / "templates"));
+
+  struct Case {
+    std::string set;  // of the Customizer
+    Pose pose;
+    float bound_mm;
+  };
+  std::vector<Case> cases{{"\"expression\": \"laugh\"", laugh, 0.3f}};
+  for (const auto& [area, side, move, value] :
+       {std::tuple{"chin", Side::none, "down", 0.37}, std::tuple{"lid", Side::left, "upper", -1.0},
+        std::tuple{"eye", Side::right, "side", 0.6}, std::tuple{"corner", Side::left, "up", -0.7}}) {
+    Pose pose;
+    pose.values[find_move(area, side, move).value()] = value;
+    const std::string name = fmt::format("{}{}_{}", area,
+                                         side == Side::none   ? ""
+                                         : side == Side::left ? "_left"
+                                                              : "_right",
+                                         move);
+    cases.push_back({fmt::format("\"{}\": \"{}\"", name, value), pose, 0.05f});
+  }
+  for (const Case& c : cases) {
+    write_file(folder / "sets.json",
+               fmt::format("{{\"fileFormatVersion\": \"1\", \"parameterSets\": {{\"a\": {{{}}}}}}}", c.set));
+    const ProgramRun run = run_shell(
+        folder, "openscad --hardwarnings -p sets.json -P a --export-format binstl -o a.stl bust.scad 2>&1");
+    ASSERT_EQ(run.status, 0) << run.out;
+    spec.expression.pose = c.pose;
+    EXPECT_LT(find_furthest_mm(read_stl(folder / "a.stl").positions, make_bust(shop, spec).mesh.positions),
+              c.bound_mm)
+        << c.set;
+  }
+}
+
+}  // namespace
+}  // namespace mien
