@@ -16,9 +16,9 @@ namespace {
 
 constexpr double kBaseHeight = 8.0 / 80, kBaseRadius = 15.0 / 80;  // of the whole print's height
 constexpr double kPlinth = 18.5 / 80;     // half its side: a word such as "surprise" is to fit on 60 mm
-constexpr double kLeastFeature_mm = 0.8;                           // two lines of a common nozzle
-constexpr double kSource_mm = 0.02;  // how near the source's moves come to the face's own
-constexpr double kSlight_mm = 0.1;   // of an expression's offsets, what the source leaves out
+constexpr double kLeastFeature_mm = 0.8;  // two lines of a common nozzle
+constexpr double kSource_mm = 0.02;       // how near the source's moves come to the face's own
+constexpr double kSlight_mm = 0.1;        // of an expression's offsets, what the source leaves out
 
 BaseShape find_shape(const std::string& word) {
   if (word == "round") return BaseShape::round;

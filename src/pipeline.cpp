@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "bust_files.hpp"
 #include "busts.hpp"
 #include "clip.hpp"
 #include "clip_scenes.hpp"
@@ -21,10 +22,6 @@
 #include "render/video.hpp"
 #include "render/work_folder.hpp"
 #include "scene/mesh_files.hpp"
-#include "scene/openscad.hpp"
-#include "scene/openscad_check.hpp"
-#include "scene/povray_bust.hpp"
-#include "scene/three_mf.hpp"
 #include "scene/wavefront.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
@@ -80,70 +77,6 @@ void write_clip(const Clip& clip, const Options& options) {
       std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
   write_file(clip.files.folder / "poster.png", read_file(clip.files.picture(poster)));
   tell_result(options, "poster", clip.files.folder / "poster.png");
-}
-
-// The STL that OpenSCAD makes of the source, read back and compared with what we meant.
-void compare_with_openscad(const MadeBust& made, const fs::path& source, const Options& options) {
-  const WorkFolder work(source.parent_path());
-  const fs::path stl = work.path / "made.stl";
-  const auto command = list_openscad_command(fs::absolute(source), stl);
-  const ProcessResult result = run_process(command, work.path);
-  const std::string complaint = find_openscad_complaint(result.output);
-  if (result.exit_code != 0 || !complaint.empty())
-    throw RunError(
-        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
-                       quote_command(command), result.output));
-  verify_print(measure_stl(made.mesh), check_stl(stl),
-               fmt::format("what OpenSCAD makes of {}", source.string()));
-  const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
-  fs::rename(stl, kept);
-  tell_result(options, "openscad", kept);
-}
-
-void render_preview(const MadeBust& made, const fs::path& picture, const fs::path& data) {
-  constexpr int kWidth_px = 640, kHeight_px = 800;
-  const WorkFolder work(picture.parent_path());
-  write_file(work.path / "bust.pov",
-             build_plaster_scene(made.mesh, double(kWidth_px) / kHeight_px, data / "templates"));
-  RenderSettings settings;
-  settings.width_px = kWidth_px;
-  settings.height_px = kHeight_px;
-  settings.povray_options = list_quality_options(Quality::good);
-  settings.libraries = {work.path};
-  render_frames({{1, work.path / "bust.pov", picture, ""}}, settings, [](int, bool) {});
-}
-
-// The files of one bust, each complete or absent.
-void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& data, const Options& options) {
-  const fs::path source = folder / (made.stem + ".scad"), stl = folder / (made.stem + ".stl"),
-                 report = folder / (made.stem + ".txt");
-  write_file(source, build_openscad_bust(made.source, data / "templates"));
-  tell_result(options, "source", source);
-  write_file(stl, build_binary_stl(made.mesh, made.source.title));
-  tell_result(options, "stl", stl);
-  write_file(report, describe_report(made.report));
-  tell_result(options, "report", report);
-  if (!options.is_quiet && !options.is_json)
-    for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
-  if (options.has_3mf) {
-    const fs::path package = folder / (made.stem + ".3mf");
-    write_file(package, build_3mf(made.source.title, {{made.stem, made.mesh, made.colours}}));
-    tell_result(options, "3mf", package);
-  }
-  if (options.has_preview) {
-    const fs::path picture = folder / (made.stem + ".png");
-    render_preview(made, picture, data);
-    tell_result(options, "preview", picture);
-  }
-  if (options.has_openscad) compare_with_openscad(made, source, options);
-}
-
-void write_plates(const std::vector<Mesh>& plates, const fs::path& folder, const Options& options) {
-  for (std::size_t i = 0; i < plates.size(); ++i) {
-    const fs::path path = folder / fmt::format("plate_{}.stl", i + 1);
-    write_file(path, build_binary_stl(plates[i], fmt::format("plate {}", i + 1)));
-    tell_result(options, "plate", path);
-  }
 }
 
 // "bust_laugh", and "bust_laugh_2" for the file's second one of that name.
@@ -290,16 +223,17 @@ void write_busts(const Options& options) {
   BustShop shop{figure, list_bust_menu(clip.spec, busts),
                 clip.spec.title.empty() ? clip.spec.name : clip.spec.title, load_letters(data)};
   const fs::path folder = find_output(options, clip.spec);
+  const auto tell = [&](const std::string& kind, const fs::path& path) { tell_result(options, kind, path); };
   bool are_printable = true;
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < busts.size(); ++i) {
     MadeBust made = make_bust(shop, busts[i]);
     made.stem = stems[i];
-    write_bust(made, folder, data, options);
+    write_bust(made, folder, data, options, tell);
     if (!is_printable(made.report)) are_printable = false;
     if (clip.spec.plate_mm.x > 0) meshes.push_back(std::move(made.mesh));
   }
-  if (!meshes.empty()) write_plates(build_plates(meshes, clip.spec.plate_mm), folder, options);
+  if (!meshes.empty()) write_plates(build_plates(meshes, clip.spec.plate_mm), folder, tell);
   if (!are_printable) throw RunError("not every bust is printable; the reports say why");
 }
 

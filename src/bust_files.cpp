@@ -1,0 +1,89 @@
+#include "bust_files.hpp"
+
+#include <fmt/format.h>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "render/driver.hpp"
+#include "render/failure.hpp"
+#include "render/process.hpp"
+#include "render/work_folder.hpp"
+#include "scene/mesh_files.hpp"
+#include "scene/openscad.hpp"
+#include "scene/openscad_check.hpp"
+#include "scene/povray.hpp"
+#include "scene/povray_bust.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// The STL that OpenSCAD makes of the source, read back and compared with what we meant.
+void compare_with_openscad(const MadeBust& made, const fs::path& source, const TellFile& tell) {
+  const WorkFolder work(source.parent_path());
+  const fs::path stl = work.path / "made.stl";
+  const auto command = list_openscad_command(fs::absolute(source), stl);
+  const ProcessResult result = run_process(command, work.path);
+  const std::string complaint = find_openscad_complaint(result.output);
+  if (result.exit_code != 0 || !complaint.empty())
+    throw RunError(
+        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
+                       quote_command(command), result.output));
+  verify_print(measure_stl(made.mesh), check_stl(stl),
+               fmt::format("what OpenSCAD makes of {}", source.string()));
+  const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
+  fs::rename(stl, kept);
+  tell("openscad", kept);
+}
+
+void render_preview(const MadeBust& made, const fs::path& picture, const fs::path& data) {
+  constexpr int kWidth_px = 640, kHeight_px = 800;
+  const WorkFolder work(picture.parent_path());
+  write_file(work.path / "bust.pov",
+             build_plaster_scene(made.mesh, double(kWidth_px) / kHeight_px, data / "templates"));
+  RenderSettings settings;
+  settings.width_px = kWidth_px;
+  settings.height_px = kHeight_px;
+  settings.povray_options = list_quality_options(Quality::good);
+  settings.libraries = {work.path};
+  render_frames({{1, work.path / "bust.pov", picture, ""}}, settings, [](int, bool) {});
+}
+
+}  // namespace
+
+void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& data, const Options& options,
+                const TellFile& tell) {
+  const fs::path source = folder / (made.stem + ".scad"), stl = folder / (made.stem + ".stl"),
+                 report = folder / (made.stem + ".txt");
+  write_file(source, build_openscad_bust(made.source, data / "templates"));
+  tell("source", source);
+  write_file(stl, build_binary_stl(made.mesh, made.source.title));
+  tell("stl", stl);
+  write_file(report, describe_report(made.report));
+  tell("report", report);
+  if (!options.is_quiet && !options.is_json)
+    for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
+  if (options.has_3mf) {
+    const fs::path package = folder / (made.stem + ".3mf");
+    write_file(package, build_3mf(made.source.title, {{made.stem, made.mesh, made.colours}}));
+    tell("3mf", package);
+  }
+  if (options.has_preview) {
+    const fs::path picture = folder / (made.stem + ".png");
+    render_preview(made, picture, data);
+    tell("preview", picture);
+  }
+  if (options.has_openscad) compare_with_openscad(made, source, tell);
+}
+
+void write_plates(const std::vector<Mesh>& plates, const fs::path& folder, const TellFile& tell) {
+  for (std::size_t i = 0; i < plates.size(); ++i) {
+    const fs::path path = folder / fmt::format("plate_{}.stl", i + 1);
+    write_file(path, build_binary_stl(plates[i], fmt::format("plate {}", i + 1)));
+    tell("plate", path);
+  }
+}
+
+}  // namespace mien

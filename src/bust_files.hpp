@@ -1,0 +1,25 @@
+// The files of busts: sources, STL, 3MF, reports, previews, plates.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "busts.hpp"
+#include "pipeline.hpp"
+
+namespace mien {
+
+// Told of each file as it is complete: its kind ("stl") and its path.
+using TellFile = std::function<void(const std::string& kind, const std::filesystem::path& path)>;
+
+// The files of one bust, each complete or absent. Throws RunError if OpenSCAD or POV-Ray fail, or if what
+// OpenSCAD makes of the source is not what was meant.
+void write_bust(const MadeBust& made, const std::filesystem::path& folder, const std::filesystem::path& data,
+                const Options& options, const TellFile& tell);
+
+// plate_1.stl and so on.
+void write_plates(const std::vector<Mesh>& plates, const std::filesystem::path& folder, const TellFile& tell);
+
+}  // namespace mien
