@@ -63,8 +63,6 @@ void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& da
   tell("stl", stl);
   write_file(report, describe_report(made.report));
   tell("report", report);
-  if (!options.is_quiet && !options.is_json)
-    for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
   if (options.has_3mf) {
     const fs::path package = folder / (made.stem + ".3mf");
     write_file(package, build_3mf(made.source.title, {{made.stem, made.mesh, made.colours}}));

@@ -230,6 +230,8 @@ void write_busts(const Options& options) {
     MadeBust made = make_bust(shop, busts[i]);
     made.stem = stems[i];
     write_bust(made, folder, data, options, tell);
+    if (!options.is_quiet && !options.is_json)
+      for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
     if (!is_printable(made.report)) are_printable = false;
     if (clip.spec.plate_mm.x > 0) meshes.push_back(std::move(made.mesh));
   }
