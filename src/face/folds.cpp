@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "face/fold_tracks.hpp"
 #include "head/tubes.hpp"
@@ -33,7 +34,7 @@ FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
     const bool is_middle = skin.mirror[v] == v;
     const double own = is_middle ? 0.5 : find_left_share(set, adult[v].x);
     field.vertices.push_back(
-        {v, static_cast<float>(height_mm * own), static_cast<float>(height_mm * (1 - own))});
+        {v, v, static_cast<float>(height_mm * own), static_cast<float>(height_mm * (1 - own))});
   }
   return field;
 }
@@ -56,44 +57,58 @@ double read_driver(const Driver& driver, const Pose& pose, Side side) {
   return std::max(0.0, driver.sign * pose.values[*move]);
 }
 
-// Adds `area` times the slope of the heights over a triangle to its corners. Returns false where it is flat.
-bool find_slope(const std::array<float, 3>& heights, const std::array<glm::vec3, 3>& p, glm::vec4& slope) {
-  if (heights[0] == 0 && heights[1] == 0 && heights[2] == 0) return false;
-  const glm::vec3 normal = glm::cross(p[1] - p[0], p[2] - p[0]);
-  const float area = glm::length(normal);
-  if (area < 1e-9f) return false;
-  const glm::vec3 sum = heights[0] * (p[2] - p[1]) + heights[1] * (p[0] - p[2]) + heights[2] * (p[1] - p[0]);
-  slope = glm::vec4(glm::cross(normal, sum) / area, area);
-  return true;
+// The slope of the heights over a triangle of places with heights as their fourth, weighted by its area
+// squared (which needs no root), and that.
+Float4 find_slope(const std::vector<Float4>& places, const Triangle& t) {
+  const Float4 along = places[t[1]] - places[t[0]], beside = places[t[2]] - places[t[0]];
+  const Float4 normal = cross(along, beside);
+  Float4 slope = cross(along[3] * beside - beside[3] * along, normal);
+  slope[3] = dot(normal, normal);
+  return slope;
 }
 
 // The slopes of a left triangle and of its mirror image at their vertices. One of the mid-plane takes both at
 // once, so that the order of the sum is the same in the mirror.
-void add_slopes(const Folds& folds, std::uint32_t pair, const std::vector<glm::vec3>& positions,
-                FoldBuffers& buffers) {
-  std::array<glm::vec4, 2> slopes{glm::vec4(0), glm::vec4(0)};
-  const Triangle& left = folds.skin.triangles[pair];
-  for (int side = 0; side < 2; ++side) {
-    std::array<float, 3> heights{};
-    std::array<glm::vec3, 3> corners{};
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t v = side == 0 ? left[i] : folds.skin.mirror[left[i]];
-      heights[i] = buffers.heights[v];
-      corners[i] = positions[v];
-    }
-    find_slope(heights, corners, slopes[side]);
-    if (slopes[side].w == 0)
-      slopes[side].w = glm::length(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  }
-  for (const std::uint32_t v : left) {
-    const std::uint32_t image = folds.skin.mirror[v];
-    if (image == v) {
-      buffers.slopes[v] += slopes[0] + slopes[1];
+void add_slopes(const FoldPair& pair, FoldBuffers& buffers) {
+  const auto is_flat = [&](const Triangle& t) {
+    return buffers.places[t[0]][3] == 0 && buffers.places[t[1]][3] == 0 && buffers.places[t[2]][3] == 0;
+  };
+  if (is_flat(pair.left) && is_flat(pair.right)) return;
+  const Float4 here = find_slope(buffers.places, pair.left), there = find_slope(buffers.places, pair.right);
+  for (int i = 0; i < 3; ++i) {
+    if (pair.left[i] == pair.right[i]) {
+      buffers.slopes[pair.left[i]] += here + there;
     } else {
-      buffers.slopes[v] += slopes[0];
-      buffers.slopes[image] += slopes[1];
+      buffers.slopes[pair.left[i]] += here;
+      buffers.slopes[pair.right[i]] += there;
     }
   }
+}
+
+// Which triangles and vertices of folds.skin the folds need; from here on the fields name vertices by their
+// place among those.
+void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
+  std::map<std::uint32_t, std::uint32_t> place_of;
+  const auto take = [&](std::uint32_t v) {
+    const auto [entry, is_new] = place_of.try_emplace(v, static_cast<std::uint32_t>(folds.vertices.size()));
+    if (is_new) folds.vertices.push_back(v);
+    return entry->second;
+  };
+  for (std::uint32_t t = 0; t < folds.skin.triangles.size(); t += 2) {
+    const Triangle& left = folds.skin.triangles[t];
+    if (!is_folded[left[0]] && !is_folded[left[1]] && !is_folded[left[2]]) continue;
+    FoldPair& pair = folds.pairs.emplace_back();
+    for (int i = 0; i < 3; ++i) {
+      pair.left[i] = take(left[i]);
+      pair.right[i] = take(folds.skin.mirror[left[i]]);
+    }
+  }
+  for (FoldField& field : folds.fields)
+    for (FoldedVertex& folded : field.vertices) {
+      const std::uint32_t image = folds.skin.mirror[folded.vertex];
+      folded.image = take(image);
+      folded.vertex = take(folded.vertex);
+    }
 }
 
 }  // namespace
@@ -101,7 +116,7 @@ void add_slopes(const Folds& folds, std::uint32_t pair, const std::vector<glm::v
 Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::filesystem::path& file) {
   const FoldData data = load_fold_data(file);
   Mesh adult{{}, {}, head.skin.triangles};
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   pack_points(head.adult_points, packed);
   deform_surface(*head.surface, packed, adult.positions);
   update_surface_normals(*head.surface, adult.positions, adult.normals);
@@ -116,15 +131,7 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::file
     folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale));
     for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.vertex] = true;
   }
-  std::vector<bool> is_touched(folds.skin.vertex_count(), false);
-  for (std::uint32_t t = 0; t < folds.skin.triangles.size(); t += 2) {
-    const Triangle& left = folds.skin.triangles[t];
-    if (!is_folded[left[0]] && !is_folded[left[1]] && !is_folded[left[2]]) continue;
-    folds.pairs.push_back(t);
-    for (const std::uint32_t v : left) is_touched[v] = is_touched[folds.skin.mirror[v]] = true;
-  }
-  for (std::uint32_t v = 0; v < is_touched.size(); ++v)
-    if (is_touched[v]) folds.vertices.push_back(v);
+  find_touched(is_folded, folds);
   return folds;
 }
 
@@ -141,8 +148,8 @@ double find_fold_amount(const FoldField& field, const Pose& pose, Side side) {
 
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
                  std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals) {
-  buffers.heights.resize(folds.skin.vertex_count(), 0);
-  buffers.slopes.resize(folds.skin.vertex_count(), glm::vec4(0));
+  std::vector<Float4>& places = buffers.places;
+  places.assign(folds.vertices.size(), Float4{});
   bool is_smooth = true;
   for (const FoldField& field : folds.fields) {
     const auto left = static_cast<float>(find_fold_amount(field, pose, Side::left));
@@ -150,23 +157,21 @@ void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
     if (left == 0 && right == 0) continue;
     is_smooth = false;
     for (const FoldedVertex& folded : field.vertices) {
-      const std::uint32_t image = folds.skin.mirror[folded.vertex];
-      buffers.heights[folded.vertex] += folded.near_mm * left + folded.far_mm * right;
-      if (image != folded.vertex) buffers.heights[image] += folded.near_mm * right + folded.far_mm * left;
+      places[folded.vertex][3] += folded.near_mm * left + folded.far_mm * right;
+      if (folded.image != folded.vertex)
+        places[folded.image][3] += folded.near_mm * right + folded.far_mm * left;
     }
   }
   if (is_smooth) return;
-  for (const std::uint32_t pair : folds.pairs) add_slopes(folds, pair, positions, buffers);
-  for (const std::uint32_t v : folds.vertices) {
-    glm::vec3& n = normals[v];
-    positions[v] += kRelief * buffers.heights[v] * n;
-    const glm::vec4& slope = buffers.slopes[v];
-    if (glm::vec3(slope) != glm::vec3(0)) {
-      const glm::vec3 up = n - glm::vec3(slope) / slope.w;
-      n = up / std::sqrt(glm::dot(up, up));
-    }
-    buffers.heights[v] = 0;
-    buffers.slopes[v] = glm::vec4(0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    places[i] = pack(positions[folds.vertices[i]], places[i][3]);
+  buffers.slopes.assign(places.size(), Float4{});
+  for (const FoldPair& pair : folds.pairs) add_slopes(pair, buffers);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::uint32_t v = folds.vertices[i];
+    const Float4 slope = buffers.slopes[i], n = pack(normals[v]);
+    positions[v] = unpack(places[i] + kRelief * places[i][3] * n);
+    if (slope[3] > 1e-20f) normals[v] = unpack(normalize(n - slope * (1 / slope[3]), 0, n));
   }
 }
 

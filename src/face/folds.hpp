@@ -16,7 +16,7 @@ namespace mien {
 // How deep a vertex of the left half (or the mid-plane) lies in a set's whole folds, mm: of those of its own
 // side and of the other's.
 struct FoldedVertex {
-  std::uint32_t vertex = 0;
+  std::uint32_t vertex = 0, image = 0;  // indices into Folds::vertices
   float near_mm = 0, far_mm = 0;
 };
 
@@ -26,18 +26,23 @@ struct FoldField {
   std::vector<FoldedVertex> vertices;
 };
 
+// A triangle of the left half and its mirror image, corner by corner: indices into Folds::vertices.
+struct FoldPair {
+  Triangle left{}, right{};
+};
+
 // Folds of one head; built once.
 struct Folds {
   FineSkin skin;
   std::vector<FoldField> fields;
-  std::vector<std::uint32_t> pairs;     // left triangles of `skin` with a vertex in any fold: 2 * k
-  std::vector<std::uint32_t> vertices;  // of those, both sides
+  std::vector<FoldPair> pairs;          // with a vertex in any fold
+  std::vector<std::uint32_t> vertices;  // of those, both sides; of `skin`
 };
 
-// Buffers of one thread, all zero between calls.
+// Buffers of one thread; contents mean nothing between calls. One of each a vertex of Folds::vertices.
 struct FoldBuffers {
-  std::vector<float> heights;     // mm, a vertex
-  std::vector<glm::vec4> slopes;  // sum of area x slope, and of area
+  std::vector<Float4> places;  // mm, and the folds' height there
+  std::vector<Float4> slopes;  // sum of weight x slope, and of weight
 };
 
 // Solves `file` (templates/head/folds.yaml) for this head; `spec` tells its age and character. Throws

@@ -41,19 +41,27 @@ glm::mat4 find_transform(const Figure& figure, Mount mount, const Pose& pose, co
   return glm::mat4(head_turn);
 }
 
+std::vector<SkinFrame> find_frames(const HeadPart& bound, const NeutralHead& head,
+                                   const std::vector<glm::vec3>& positions,
+                                   const std::vector<glm::vec3>& normals) {
+  std::vector<SkinFrame> frames;
+  frames.reserve(bound.bindings.size());
+  for (const Binding& binding : bound.bindings)
+    frames.push_back(
+        find_skin_frame(positions, normals, head.skin.triangles[binding.triangle], binding.barycentric));
+  return frames;
+}
+
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
-void deform_strands(const HeadPart& bound, const Part& part, const Mesh& rest_skin, const PartShape& skin,
-                    PartShape& shape) {
+void deform_strands(const HeadPart& bound, const Part& part, const std::vector<SkinFrame>& rest,
+                    const std::vector<SkinFrame>& now, PartShape& shape) {
   shape.positions.resize(part.rest.positions.size());
   shape.normals.resize(part.rest.normals.size());
-  for (const Binding& binding : bound.bindings) {
-    const Triangle& triangle = rest_skin.triangles[binding.triangle];
-    const SkinFrame rest =
-        find_skin_frame(rest_skin.positions, rest_skin.normals, triangle, binding.barycentric);
-    const SkinFrame now = find_skin_frame(skin.positions, skin.normals, triangle, binding.barycentric);
-    const glm::mat3 turn = now.axes * glm::transpose(rest.axes);
+  for (std::size_t b = 0; b < bound.bindings.size(); ++b) {
+    const Binding& binding = bound.bindings[b];
+    const glm::mat3 turn = now[b].axes * glm::transpose(rest[b].axes);
     for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
-      shape.positions[i] = now.origin + turn * (part.rest.positions[i] - rest.origin);
+      shape.positions[i] = now[b].origin + turn * (part.rest.positions[i] - rest[b].origin);
       shape.normals[i] = turn * part.rest.normals[i];
     }
   }
@@ -80,6 +88,9 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
   for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
+  for (const HeadPart& part : figure.parts)
+    figure.roots.push_back(
+        find_frames(part, figure.head, figure.head.skin.positions, figure.head.skin.normals));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   refine_part(figure.folds.skin, figure.model.parts.front());
   return figure;
@@ -109,7 +120,8 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;
     } else {
-      deform_strands(bound, part, figure.head.skin, skin, shape);
+      deform_strands(bound, part, figure.roots[i],
+                     find_frames(bound, figure.head, skin.positions, skin.normals), shape);
     }
   }
   // Last: hairs stand on the smooth skin, whose normals do not shake.

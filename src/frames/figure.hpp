@@ -20,6 +20,7 @@ struct Figure {
   Folds folds;
   LimitShares limits;           // of `head.limits`
   std::vector<HeadPart> parts;  // their `part` is moved into `model`: parts[i] carries model.parts[i]
+  std::vector<std::vector<SkinFrame>> roots;  // of parts[i]'s bindings, at rest
   Model model;
 };
 
@@ -28,7 +29,7 @@ struct DeformBuffers {
   bool has_folds = true;
   FoldBuffers folds;
   std::vector<glm::dvec3> points;
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
 };
 
 // About 0.2 s on two cores. Throws RunError for broken data in `data_folder`.

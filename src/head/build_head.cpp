@@ -35,7 +35,7 @@ NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path
 
   // The adult decides how quads are cut, so that all heads have the same triangles: an age can change in a
   // clip.
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   pack_points(head.adult_points, packed);
   deform_surface(*head.surface, packed, head.skin.positions);
   head.skin.triangles = split_quads(*head.surface, head.skin.positions);

@@ -138,12 +138,11 @@ void append_fine_points(const FineSkin& fine, std::vector<glm::vec3>& positions,
   normals.resize(fine.vertex_count());
   for (std::size_t i = 0; i < fine.parents.size(); ++i) {
     const auto [a, b] = fine.parents[i];
-    const glm::vec3 way = positions[b] - positions[a], na = normals[a], nb = normals[b];
-    const glm::vec3 lift = glm::dot(way, nb) * nb - glm::dot(way, na) * na;
-    positions[fine.base_count + i] = 0.5f * (positions[a] + positions[b]) + 0.125f * lift;
-    const glm::vec3 sum = na + nb;
-    const float square = glm::dot(sum, sum);
-    normals[fine.base_count + i] = square > 1e-12f ? sum / std::sqrt(square) : na;
+    const Float4 pa = pack(positions[a]), pb = pack(positions[b]);
+    const Float4 na = pack(normals[a]), nb = pack(normals[b]);
+    const Float4 lift = dot(pb - pa, nb) * nb - dot(pb - pa, na) * na;
+    positions[fine.base_count + i] = unpack(0.5f * (pa + pb) + 0.125f * lift);
+    normals[fine.base_count + i] = unpack(normalize(na + nb, 1e-12f, na));
   }
 }
 

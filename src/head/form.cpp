@@ -70,7 +70,7 @@ NeutralHead build_bare_head(const HeadStock& stock, const std::vector<glm::dvec3
   head.cage = stock.adult;
   head.cage.points = points;
   head.hairline = kAdultHairline;
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   pack_points(points, packed);
   deform_surface(*stock.surface, packed, head.skin.positions);
   return head;

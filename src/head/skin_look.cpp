@@ -91,7 +91,7 @@ glm::vec2 unroll(const glm::vec3& p) {
 // Where each vertex lies on the adult. Pores and patches belong to a place of the skin and not of the room:
 // on a head that grows they must not crawl.
 std::vector<glm::vec3> find_places_on_adult(const NeutralHead& head) {
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   pack_points(head.adult_points, packed);
   std::vector<glm::vec3> places;
   deform_surface(*head.surface, packed, places);

@@ -189,42 +189,6 @@ Surface build_surface(const Cage& cage) {
   return surface;
 }
 
-namespace {
-
-// A vertex of the mid-plane: mirror images are added to each other first, so that a mirrored pose gives the
-// same sum.
-glm::vec4 sum_on_midline(const Surface& surface, std::size_t v, const std::vector<glm::vec4>& points) {
-  glm::vec4 sum(0);
-  for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k) {
-    const std::uint32_t point = surface.point[k];
-    if (surface.mirror[point] == point) {
-      sum += surface.weight[k] * points[point];
-    } else {  // the next one is its image; see pair_row
-      sum += surface.weight[k] * (points[point] + points[surface.point[k + 1]]);
-      ++k;
-    }
-  }
-  return sum;
-}
-
-}  // namespace
-
-void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points,
-                    std::vector<glm::vec3>& positions) {
-  const std::size_t count = surface.vertex_count();
-  positions.resize(count);
-  for (std::size_t v = 0; v < count; ++v) {
-    if (surface.mirror[v] == v) {
-      positions[v] = glm::vec3(sum_on_midline(surface, v, points));
-      continue;
-    }
-    glm::vec4 sum(0);
-    for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k)
-      sum += surface.weight[k] * points[surface.point[k]];
-    positions[v] = glm::vec3(sum);
-  }
-}
-
 std::vector<float> spread_over_surface(const Surface& surface, const std::vector<double>& values) {
   std::vector<float> spread(surface.vertex_count());
   for (std::size_t v = 0; v < spread.size(); ++v) {
@@ -258,37 +222,6 @@ std::vector<Triangle> split_quads(const Surface& surface, const std::vector<glm:
     }
   }
   return triangles;
-}
-
-void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>& positions,
-                            std::vector<glm::vec3>& normals) {
-  normals.assign(positions.size(), glm::vec3(0));
-  // Twice the quad's area vector: the cross product of its diagonals.
-  const auto find_area = [&](const Quad& q) {
-    return glm::cross(positions[q[2]] - positions[q[0]], positions[q[3]] - positions[q[1]]);
-  };
-  for (std::size_t q = 0; q < surface.quads.size(); q += 2) {
-    const Quad &left = surface.quads[q], &right = surface.quads[q + 1];
-    const glm::vec3 here = find_area(left), there = find_area(right);
-    for (std::size_t i = 0; i < 4; ++i) {
-      const std::uint32_t v = left[i], image = right[(4 - i) % 4];
-      if (v == image) {  // on the mid-plane: both at once, as a mirrored pose adds them
-        normals[v] += here + there;
-      } else {
-        normals[v] += here;
-        normals[image] += there;
-      }
-    }
-  }
-  for (glm::vec3& n : normals) {
-    const float square = glm::dot(n, n);
-    n = square > 1e-20f ? n / std::sqrt(square) : glm::vec3(0, 0, 1);
-  }
-}
-
-void pack_points(const std::vector<glm::dvec3>& points, std::vector<glm::vec4>& packed) {
-  packed.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) packed[i] = glm::vec4(glm::vec3(points[i]), 0.0f);
 }
 
 }  // namespace mien

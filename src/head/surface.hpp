@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/float4.hpp"
 #include "head/head.hpp"
 
 namespace mien {
@@ -28,7 +29,7 @@ struct Surface {
 Surface build_surface(const Cage& cage);
 
 // The skin of `points` (the cage's, deformed), into `positions` (resized).
-void deform_surface(const Surface& surface, const std::vector<glm::vec4>& points,
+void deform_surface(const Surface& surface, const std::vector<Float4>& points,
                     std::vector<glm::vec3>& positions);
 
 // The same for one number a control point: a mask, a weight. Values are averages of neighbours, so a mask
@@ -43,6 +44,6 @@ void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>
                             std::vector<glm::vec3>& normals);
 
 // Control points as the four-float rows that deform_surface wants, into `packed` (resized).
-void pack_points(const std::vector<glm::dvec3>& points, std::vector<glm::vec4>& packed);
+void pack_points(const std::vector<glm::dvec3>& points, std::vector<Float4>& packed);
 
 }  // namespace mien

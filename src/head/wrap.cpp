@@ -181,7 +181,7 @@ void turn_scan(Problem& problem, const Skin& skin, const std::array<Matches, 2>&
 }
 
 Skin build_skin(const Surface& surface, const std::vector<glm::dvec3>& points) {
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   Skin skin;
   pack_points(points, packed);
   deform_surface(surface, packed, skin.positions);

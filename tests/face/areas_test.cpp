@@ -48,7 +48,7 @@ const std::vector<Subject>& subjects() {
 
 std::vector<glm::vec3> draw_skin(const Subject& s, const Pose& pose) {
   std::vector<glm::dvec3> points;
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   std::vector<glm::vec3> skin;
   pose_cage(s.head, s.face, pose, points);
   pack_points(points, packed);

@@ -143,7 +143,7 @@ TEST(face, mirrored_poses_give_mirrored_heads_to_the_last_bit) {
 
 // Where the cage's points come to lie on the skin: lids meet there, their control points stay apart or cross.
 std::vector<glm::dvec3> find_on_skin(const Subject& s, const std::vector<glm::dvec3>& points) {
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   std::vector<glm::vec3> skin;
   pack_points(points, packed);
   deform_surface(*s.head.surface, packed, skin);
@@ -185,7 +185,7 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
 TEST(face, lids_never_enter_the_ball) {
   std::mt19937 random(21);
   std::vector<glm::dvec3> points;
-  std::vector<glm::vec4> packed;
+  std::vector<Float4> packed;
   std::vector<glm::vec3> skin;
   const Subject& s = adult();
   for (int round = 0; round < 100; ++round) {
