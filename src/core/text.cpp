@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <cstring>
 #include <fstream>
+#include <limits>
 #include <set>
 #include <sstream>
 #include <vector>
@@ -24,6 +25,36 @@ namespace mien {
 namespace {
 
 constexpr std::array<double, 10> kPowersOfTen{1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+
+constexpr std::array<std::uint32_t, 10> kWholePowersOfTen{1,      10,      100,      1000,      10000,
+                                                          100000, 1000000, 10000000, 100000000, 1000000000};
+
+// "00" to "99" in a row.
+constexpr std::array<char, 200> build_pairs() {
+  std::array<char, 200> pairs{};
+  for (int i = 0; i < 100; ++i) {
+    pairs[2 * i] = static_cast<char>('0' + i / 10);
+    pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
+  }
+  return pairs;
+}
+constexpr std::array<char, 200> kPairs = build_pairs();
+
+// The digits of `value`, at least one, so that they end before `end`; returns where they begin.
+char* write_digits(std::uint32_t value, char* end) {
+  while (value >= 100) {
+    end -= 2;
+    std::memcpy(end, &kPairs[2 * (value % 100)], 2);
+    value /= 100;
+  }
+  if (value < 10) {
+    *--end = static_cast<char>('0' + value);
+    return end;
+  }
+  end -= 2;
+  std::memcpy(end, &kPairs[2 * value], 2);
+  return end;
+}
 
 [[noreturn]] void fail_write(const std::filesystem::path& path, int error) {
   throw RunError(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
@@ -53,32 +84,45 @@ int write_flushed(const std::string& path, std::string_view content) {
 
 }  // namespace
 
-void append_number(std::string& text, double value, int decimals) {
+char* write_number(char* text, double value, int decimals) {
   if (!std::isfinite(value) || std::abs(value) >= 1e9)
     throw RunError(fmt::format("internal: {} is not a number that can be written", value));
   const bool is_negative = value < 0;
   // Half away from zero, as std::llround; the cast is several times quicker, and scenes hold millions of
   // numbers.
-  auto rest = static_cast<std::uint64_t>(std::abs(value) * kPowersOfTen[decimals] + 0.5);
+  const auto rest = static_cast<std::uint64_t>(std::abs(value) * kPowersOfTen[decimals] + 0.5);
   if (rest == 0) {
-    text += '0';
-    return;
+    *text = '0';
+    return text + 1;
   }
-  int fraction_digits = decimals;
-  for (; fraction_digits > 0 && rest % 10 == 0; --fraction_digits) rest /= 10;
-
-  // Written from the back: fraction digits, point, then the whole digits, at least one.
-  std::array<char, 24> digits;
-  char* const end = digits.data() + digits.size();
+  // Written from the back, two digits at a time: fraction digits without zeros at their end, point, then the
+  // whole digits, at least one.
+  const std::uint32_t power = kWholePowersOfTen[decimals];
+  const bool is_short = rest <= std::numeric_limits<std::uint32_t>::max();  // divided in a third of the time
+  const auto whole =
+      static_cast<std::uint32_t>(is_short ? static_cast<std::uint32_t>(rest) / power : rest / power);
+  auto fraction = static_cast<std::uint32_t>(rest - std::uint64_t{whole} * power);
+  std::array<char, 2 * kLongestNumber> digits;  // the rest is there to be copied along, at a fixed size
+  char* const end = digits.data() + kLongestNumber;
   char* begin = end;
-  for (int i = 0; i < fraction_digits; ++i, rest /= 10) *--begin = static_cast<char>('0' + rest % 10);
-  if (fraction_digits > 0) *--begin = '.';
-  do {
-    *--begin = static_cast<char>('0' + rest % 10);
-    rest /= 10;
-  } while (rest != 0);
+  if (fraction != 0) {
+    int count = decimals;
+    for (; fraction % 10 == 0; --count) fraction /= 10;
+    char* const point = end - count;
+    begin = write_digits(fraction, end);
+    while (begin > point) *--begin = '0';
+    *--begin = '.';
+  }
+  begin = write_digits(whole, begin);
   if (is_negative) *--begin = '-';
-  text.append(begin, static_cast<std::size_t>(end - begin));
+  std::memcpy(text, begin, kLongestNumber);
+  return text + (end - begin);
+}
+
+void append_number(std::string& text, double value, int decimals) {
+  std::array<char, kLongestNumber> number;
+  text.append(number.data(),
+              static_cast<std::size_t>(write_number(number.data(), value, decimals) - number.data()));
 }
 
 std::string format_number(double value, int decimals) {

@@ -13,6 +13,11 @@ namespace mien {
 // -0.001 with two decimals -> "0". Never depends on the locale. |value| must be below 1e9; throws RunError if
 // it is not finite.
 void append_number(std::string& text, double value, int decimals);
+
+// The same into a buffer that has room for kLongestNumber more, all of which may be written over; returns
+// where the number ends.
+constexpr int kLongestNumber = 24;
+char* write_number(char* text, double value, int decimals);
 std::string format_number(double value, int decimals);
 
 // The whole file; throws RunError "cannot read PATH: reason".

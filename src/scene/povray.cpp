@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/conventions.hpp"
@@ -40,11 +41,13 @@ constexpr double kSteepest_deg = 89.5;
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
 
 void append_numbers(std::string& text, const glm::vec3& v, int decimals) {
-  append_number(text, v.x, decimals);
-  text += ',';
-  append_number(text, v.y, decimals);
-  text += ',';
-  append_number(text, v.z, decimals);
+  std::array<char, 4 * kLongestNumber> numbers;
+  char* end = write_number(numbers.data(), v.x, decimals);
+  *end++ = ',';
+  end = write_number(end, v.y, decimals);
+  *end++ = ',';
+  end = write_number(end, v.z, decimals);
+  text.append(numbers.data(), static_cast<std::size_t>(end - numbers.data()));
 }
 
 void append_vector(std::string& text, const glm::vec3& v, int decimals) {
