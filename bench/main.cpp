@@ -69,6 +69,22 @@ std::vector<Pose> build_random_poses() {
   return poses;
 }
 
+// Blender's shape keys on a skin of as many vertices, one a move; says so if there is no Blender.
+void measure_blender(const fs::path& folder, std::size_t vertices) {
+  const std::string name = "heads by Blender";
+  const ProcessResult found = run_process({"sh", "-c", "command -v blender"}, folder);
+  if (found.exit_code != 0) return print_row(name, "-", "Blender is not installed");
+  const ProcessResult result = run_process(
+      {"blender", "-b", "-t", "1", "--factory-startup", "-P", MIEN_BENCH_DIR "/blender_shape_keys.py", "--",
+       std::to_string(vertices), std::to_string(kMoveCount)},
+      folder);
+  const std::size_t at = result.output.find("heads ");
+  if (at == std::string::npos) throw RunError(format_failure("Blender failed", "blender", result.output));
+  print_row(
+      name, fmt::format("{:.0f} /s", std::stod(result.output.substr(at + 6))),
+      fmt::format("one core; {} shape keys on as many vertices, all moving, normals included", kMoveCount));
+}
+
 void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
   Figure figure;
   double built_s = 1e9;
@@ -90,8 +106,10 @@ void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
       measure_rate([&](int i) { deform_figure(figure, poses[i % kPoses], {}, buffers, drawing); });
   print_row(
       "heads deformed", fmt::format("{:.0f} /s", heads),
-      fmt::format("one core; {} vertices of skin, {} with hairs and mouth, normals included (target 400)",
-                  figure.head.skin.positions.size(), all));
+      fmt::format("one core; {} vertices of skin, {} with hairs, all moves, normals included (target 400)",
+                  figure.folds.skin.vertex_count(), all));
+
+  measure_blender(folder, figure.folds.skin.vertex_count());
 
   std::string text;
   const double scenes = measure_rate([&](int i) {
