@@ -6,7 +6,8 @@
 
 #include "core/error.hpp"
 #include "print/base.hpp"
-#include "print/hollow.hpp"
+#include "print/cavity.hpp"
+#include "print/cavity_plan.hpp"
 #include "print/plates.hpp"
 #include "print/thicken.hpp"
 
@@ -69,38 +70,39 @@ BustShop::Shelf& find_shelf(BustShop& shop, const BustSpec& bust) {
   shelf.size = size;
   shelf.body = build_bust_body(shop.figure, size);
   thicken(shop.figure, shelf.body);
-  add_bust_controls(shelf.body, shop.figure, shop.menu, kSource_mm, kSlight_mm, shelf.source);
+  shelf.surfaces = join_poses(shelf.body.triangles, add_bust_controls(shelf.body, shop.figure, shop.menu,
+                                                                      kSource_mm, kSlight_mm, shelf.source));
   shelf.source.height_mm = size.whole_mm;
   shelf.source.figure_mm = size.figure_mm;
   return shelf;
 }
 
-// The figure on its base, closed.
-Mesh build_solid(const BustBody& body, std::vector<glm::vec3> positions, const Base& base,
-                 const Letters& letters, const Cavity* cavity) {
-  Mesh mesh = build_figure_mesh(body, std::move(positions), base.height_mm);
-  std::vector<Loop> holes;
-  if (cavity != nullptr) {
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    append_mesh(mesh, cavity->wall);
-    holes = cavity->holes;
-    for (Loop& hole : holes)
-      for (std::uint32_t& v : hole) v += first;
-  }
-  append_base(mesh, body.foot, base, holes, letters);
-  return mesh;
+// Where a cavity has room in every pose: for the wall asked for and some others, which the source offers.
+const CavityPlan& find_cavity_plan(BustShop::Shelf& shelf, double wall_mm) {
+  constexpr double kWalls[] = {0.0125, 0.025, 0.045};  // of the height
+  constexpr double kBeside = 0.1;                      // of the wall asked for: nearer ones say nothing new
+  constexpr double kStraight = 0.06;  // of the figure: the drain goes straight up so far at least
+  const auto [place, is_new] = shelf.cavities.try_emplace(wall_mm);
+  if (!is_new) return place->second;
+  const Loop& foot = shelf.body.foot;
+  CavityRequest request;
+  for (std::size_t i = 0; i < foot.size(); i += foot.size() % 2 == 0 ? 2 : 1)
+    request.directions.push_back(glm::normalize(glm::dvec2(shelf.source.rest[foot[i]])));
+  request.low_mm = std::min(0.0, shelf.source.other_foot_mm);
+  request.straight_mm = std::max(0.0, shelf.source.other_foot_mm) + kStraight * shelf.size.figure_mm;
+  request.walls_mm = {wall_mm};
+  for (const double share : kWalls)
+    if (const double other = share * shelf.size.whole_mm; std::abs(other - wall_mm) > kBeside * wall_mm)
+      request.walls_mm.push_back(other);
+  std::sort(request.walls_mm.begin(), request.walls_mm.end());
+  return place->second = plan_cavity(shelf.surfaces, request);
 }
 
-// What the source can be hollowed with: closed, and turned to be taken away.
-void add_source_cavity(const Mesh& solid, Hollow hollow, PosableBust& source) {
-  hollow.is_open = false;
-  const Cavity cavity = build_cavity(solid, hollow);
-  source.cavity = cavity.wall;
-  for (Triangle& t : source.cavity.triangles) std::swap(t[1], t[2]);
-  for (const Drain& drain : cavity.drains) {
-    source.drains.emplace_back(drain.at);
-    source.drain_tops_mm.push_back(drain.top_mm);
-  }
+Hollow find_hollow(const BustSpec& bust, const Base& base) {
+  Hollow hollow{bust.wall_mm, bust.drain_mm, base.height_mm};
+  hollow.pocket_mm = base.magnet_diameter_mm;
+  hollow.pocket_depth_mm = base.magnet_diameter_mm > 0 ? base.magnet_depth_mm : 0;
+  return hollow;
 }
 
 glm::vec3 find_colour(const Model& model, std::string_view part, const glm::vec3& otherwise) {
@@ -132,6 +134,48 @@ std::vector<ColourRange> list_colours(const BustBody& body, const Model& model) 
                                   find_range(body, body.mouth, "mouth", red)};
   ranges[0].count = ranges[1].first;  // and all that is in no range
   return ranges;
+}
+
+// What the source says beyond its body.
+PosableBust describe_source(const BustShop& shop, const PosableBust& body, const BustSpec& bust,
+                            const Base& base) {
+  PosableBust source = body;
+  source.title = fmt::format("{}: {}", shop.title, bust.expression.name);
+  source.expression = bust.expression.name;
+  source.base_shape = bust.base;
+  source.base_height_mm = base.shape == BaseShape::none ? kBaseHeight * bust.height_mm : base.height_mm;
+  source.base_radius_mm = base.radius_mm;
+  source.label = base.shape == BaseShape::none ? "" : bust.label;
+  source.letters = build_openscad_letters(shop.letters);
+  source.magnet_diameter_mm = bust.magnet_mm.x;
+  source.magnet_depth_mm = bust.magnet_mm.x > 0 ? bust.magnet_mm.y : 2;
+  source.is_hollow = bust.is_hollow;
+  source.wall_mm = bust.wall_mm;
+  source.drain_mm = bust.drain_mm;
+  return source;
+}
+
+// The figure on its base, closed but for the drain's loop in the underside.
+Loop build_outside(const BustBody& body, const std::vector<glm::vec3>& positions, const Base& base,
+                   const Letters& letters, double drain_mm, Mesh& mesh) {
+  mesh = build_figure_mesh(body, positions, base.height_mm);
+  return append_base(mesh, body.foot, base, letters, drain_mm);
+}
+
+void hollow_out(const BustBody& body, const std::vector<glm::vec3>& positions, const Base& base,
+                const Letters& letters, const Cavity& cavity, double drain_mm, MadeBust& made) {
+  const Mesh solid = std::move(made.mesh);
+  const Loop drain = build_outside(body, positions, base, letters, cavity.drain_mm, made.mesh);
+  const std::size_t first = append_cavity(made.mesh, cavity, drain);
+  made.report = measure_print(made.mesh, first, made.mesh.triangles.size() - first);
+  made.report.least_wall_mm = measure_wall_mm(solid, cavity);
+  update_warnings(made.report);
+  if (cavity.drain_mm < drain_mm - 0.05)
+    made.report.warnings.push_back(
+        fmt::format("Its drain is {:.1f} mm wide instead of {} mm: there is no room for more above the base; "
+                    "a thinner wall "
+                    "or base: none has it.",
+                    cavity.drain_mm, drain_mm));
 }
 
 // What was left of a label that is too long for its base.
@@ -180,43 +224,19 @@ std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2&
 }
 
 MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
-  const BustShop::Shelf& shelf = find_shelf(shop, bust);
+  BustShop::Shelf& shelf = find_shelf(shop, bust);
   const Base base = find_base(bust);
-  Hollow hollow;
-  hollow.wall_mm = bust.wall_mm;
-  hollow.drain_diameter_mm = bust.drain_mm;
-  if (bust.drain_mm == 0) hollow.drains = 0;
-
-  MadeBust made;
-  made.source = shelf.source;
-  made.source.title = fmt::format("{}: {}", shop.title, bust.expression.name);
-  made.source.expression = bust.expression.name;
-  made.source.base_shape = bust.base;
-  made.source.base_height_mm = base.shape == BaseShape::none ? kBaseHeight * bust.height_mm : base.height_mm;
-  made.source.base_radius_mm = base.radius_mm;
-  made.source.label = base.shape == BaseShape::none ? "" : bust.label;
-  made.source.letters = build_openscad_letters(shop.letters);
-  made.source.magnet_diameter_mm = bust.magnet_mm.x;
-  made.source.magnet_depth_mm = bust.magnet_mm.x > 0 ? bust.magnet_mm.y : 2;
-  made.source.is_hollow = bust.is_hollow;
-  made.source.wall_mm = bust.wall_mm;
-  made.source.drain_mm = bust.drain_mm;
-
-  made.colours = list_colours(shelf.body, shop.figure.model);
   const std::vector<glm::vec3> positions = place_bust(shelf.body, shop.figure, bust.expression.pose);
-  const Mesh solid = build_solid(shelf.body, positions, base, shop.letters, nullptr);
-  if (!bust.is_hollow) {
-    made.mesh = solid;
+  MadeBust made;
+  made.source = describe_source(shop, shelf.source, bust, base);
+  made.source.cavity = find_cavity_plan(shelf, bust.wall_mm);
+  made.colours = list_colours(shelf.body, shop.figure.model);
+  build_outside(shelf.body, positions, base, shop.letters, 0, made.mesh);
+  if (bust.is_hollow)
+    hollow_out(shelf.body, positions, base, shop.letters,
+               build_cavity(made.source.cavity, find_hollow(bust, base)), bust.drain_mm, made);
+  else
     made.report = measure_print(made.mesh);
-    tell_label(base, shelf.body, positions, shop.letters, made.report);
-    return made;
-  }
-  add_source_cavity(solid, hollow, made.source);
-  const Cavity cavity = build_cavity(solid, hollow);
-  made.mesh = build_solid(shelf.body, positions, base, shop.letters, &cavity);
-  made.report = measure_print(made.mesh, shelf.body.triangles.size(), cavity.wall.triangles.size());
-  made.report.least_wall_mm = measure_wall_mm(solid, cavity, hollow);
-  update_warnings(made.report);
   tell_label(base, shelf.body, positions, shop.letters, made.report);
   return made;
 }

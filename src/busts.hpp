@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct BustShop {
     BustSize size;
     BustBody body;
     PosableBust source;
+    Mesh surfaces;                               // of all poses: what a cavity keeps away from
+    std::map<double, CavityPlan> cavities = {};  // by the wall asked for
   };
   std::deque<Shelf> shelves = {};
 };
@@ -47,7 +50,8 @@ std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSp
 // 100 x 100 mm".
 std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2& plate_mm);
 
-// One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and the like.
+// One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and
+// the like.
 MadeBust make_bust(BustShop& shop, const BustSpec& bust);
 
 }  // namespace mien

@@ -66,6 +66,21 @@ struct BustMouth {
   glm::vec2 jaw_forward{0};   // (z, forward) at its limit
 };
 
+// How far a cavity may reach for some thicknesses of its wall, the same in every pose: rows of places, one
+// above the other, in columns around each row's middle.
+struct CavityPlan {
+  struct Wall {
+    double wall_mm = 2;
+    double top_mm = 0;               // the cavity's highest place, above the last middle
+    std::vector<double> reaches_mm;  // from the middle, row after row; a row of zeros holds no cavity
+  };
+
+  std::vector<glm::dvec2> directions;  // of the columns as seen from above, unit, in the foot's order
+  std::vector<double> heights_mm;      // of the rows, rising, from the figure's foot
+  std::vector<double> middles_mm;      // y of the rows' middles; their x is 0
+  std::vector<Wall> walls;             // from the thinnest on
+};
+
 // A bust whose file can pose it. All lengths at the height asked for.
 struct PosableBust {
   std::string title;       // written as a comment only, after it was cleaned
@@ -80,9 +95,7 @@ struct PosableBust {
   double magnet_diameter_mm = 0, magnet_depth_mm = 2;
   bool is_hollow = false;
   double wall_mm = 2, drain_mm = 4;
-  Mesh cavity;                    // closed; empty: the file cannot be hollowed
-  std::vector<glm::vec2> drains;  // straight up into the cavity
-  std::vector<double> drain_tops_mm;
+  CavityPlan cavity;  // without walls: too small to be hollow
 
   std::vector<Triangle> triangles;  // open at the foot alone
   Loop foot;                        // the open edge; at rest its z is 0

@@ -18,6 +18,7 @@ struct Work {
   const Figure& figure;
   std::vector<bool> is_placed;  // by a patch's formula
   PosableBust& controls;
+  std::vector<std::vector<glm::vec3>> shapes;  // all that matters of what was sampled
 };
 
 std::vector<bool> list_placed(const BustBody& body) {
@@ -115,6 +116,8 @@ void add_moves(Work& work, double tolerance_mm) {
       move.values.push_back(sample.value);
       move.states.push_back(add_state(work, find_state(work, work.controls.rest, sample.shape, kNothing_mm)));
     }
+    if (info.low < 0) work.shapes.push_back(std::move(samples[m].front().shape));
+    work.shapes.push_back(std::move(samples[m].back().shape));
     move.reach_high = find_reach(work.figure, m, 1);
     move.reach_low = kMoves[m].low < 0 ? find_reach(work.figure, m, -1) : 1;
   }
@@ -123,6 +126,7 @@ void add_moves(Work& work, double tolerance_mm) {
 void add_expressions(Work& work, const std::vector<NamedPose>& expressions, double slight_mm) {
   std::vector<BustState> states(expressions.size());
   std::vector<BustExpression> added(expressions.size());
+  std::vector<Shape> shapes(expressions.size());
   for_each_index(expressions.size(), count_cores(), [&](std::size_t i, int) {
     const Pose& pose = expressions[i].pose;
     BustExpression& expression = added[i];
@@ -130,7 +134,8 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
     for (std::size_t m = 0; m < kMoveCount; ++m)
       expression.values.push_back(std::clamp(pose.values[m], kMoves[m].low, kMoves[m].high));
     const Shape sum = sum_bust_states(work.controls, expression.values);
-    states[i] = find_state(work, sum, place_bust(work.body, work.figure, pose), slight_mm);
+    shapes[i] = place_bust(work.body, work.figure, pose);
+    states[i] = find_state(work, sum, shapes[i], slight_mm);
     const Pose held = apply_limits(work.figure.limits, pose);
     const std::size_t chin = find_move("chin", Side::none, "down").value();
     expression.open = stiffen_pose(work.figure.face, held).values[chin];
@@ -140,6 +145,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
   });
   for (std::size_t i = 0; i < expressions.size(); ++i) {
     added[i].state = add_state(work, std::move(states[i]));
+    work.shapes.push_back(std::move(shapes[i]));
     work.controls.expressions.push_back(std::move(added[i]));
   }
 }
@@ -213,24 +219,28 @@ std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::v
   return sum;
 }
 
-void add_bust_controls(const BustBody& body, const Figure& figure, const std::vector<NamedPose>& expressions,
-                       double tolerance_mm, double slight_mm, PosableBust& bust) {
-  Work work{body, figure, list_placed(body), bust};
+std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
+                                     const std::vector<NamedPose>& expressions, double tolerance_mm,
+                                     double slight_mm, PosableBust& bust) {
+  Work work{body, figure, list_placed(body), bust, {}};
   bust.triangles = body.triangles;
   bust.foot = body.foot;
   bust.mm_per_head_mm = body.print_per_head;
   bust.rest = place_bust(body, figure, Pose{});
+  work.shapes.push_back(bust.rest);
   add_moves(work, tolerance_mm);
   add_expressions(work, expressions, slight_mm);
   const Stand other = body.stand == Stand::foot ? Stand::flat : Stand::foot;
-  const Shape shape = place_bust(body, figure, Pose{}, other);
+  Shape shape = place_bust(body, figure, Pose{}, other);
   bust.other_stand = add_state(work, find_state(work, bust.rest, shape, kNothing_mm));
   bust.other_foot_mm = shape[body.foot.front()].z;
+  work.shapes.push_back(std::move(shape));
   for (std::size_t i = 0; i < 2; ++i) bust.eyes[i] = find_eye(body, i);
   bust.mouth = find_mouth(body, figure);
   bust.gaze_side_rad = figure.face.eye_side_rad;
   bust.gaze_up_rad = figure.face.eye_up_rad;
   bust.gaze_down_rad = figure.face.eye_down_rad;
+  return std::move(work.shapes);
 }
 
 }  // namespace mien

@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "core/error.hpp"
-#include "print/flat_cap.hpp"
 #include "print/label_panel.hpp"
 
 namespace mien {
@@ -35,9 +33,8 @@ constexpr double kSquareness = 8;
 constexpr double kSpread = 1.12;  // the outline is at least so much wider than the foot, or there is no step
 // The upright front, by the number of its lower ring from the bottom; the label's place.
 constexpr std::size_t kFront = 2;
-constexpr double kLeastLetter_mm = 3;  // smaller ones run together under the thinnest pen
-constexpr double kMostLetter_mm = 8;   // unless larger ones are asked for
-constexpr int kPocketSides = 48;
+constexpr double kLeastLetter_mm = 3;   // smaller ones run together under the thinnest pen
+constexpr double kMostLetter_mm = 8;    // unless larger ones are asked for
 constexpr double kPocketRoof_mm = 0.8;  // two walls of a nozzle's width; thinner, the pocket breaks through
 
 std::span<const ProfilePoint> find_profile(BaseShape shape) {
@@ -78,22 +75,19 @@ Loop append_ring(Mesh& mesh, const std::vector<glm::vec3>& ring) {
   return loop;
 }
 
-// A blind hole from below; returns its loop in the underside.
-Loop append_pocket(Mesh& mesh, const Base& base) {
-  // Round it, not in it, so that a magnet of this diameter goes in.
-  const double radius = base.magnet_diameter_mm / 2 / std::cos(std::numbers::pi / kPocketSides);
-  std::vector<glm::vec3> low;
-  for (int i = 0; i < kPocketSides; ++i) {
-    const double turn = 2 * std::numbers::pi * (i + 0.5) / kPocketSides;
-    low.emplace_back(radius * std::cos(turn), radius * std::sin(turn), 0);
+// A circle about the axis with a point in the direction of each of `around`, so wide that what is as thick as
+// `diameter_mm` goes through the polygon.
+std::vector<glm::vec3> build_circle(const std::vector<glm::vec3>& around, double diameter_mm, double z) {
+  double closest = 1;  // the cosine of half the widest gap
+  for (std::size_t i = 0; i < around.size(); ++i) {
+    const glm::dvec2 a = glm::normalize(glm::dvec2(around[i])),
+                     b = glm::normalize(glm::dvec2(around[(i + 1) % around.size()]));
+    closest = std::min(closest, std::sqrt((1 + glm::dot(a, b)) / 2));
   }
-  std::vector<glm::vec3> high = low;
-  for (glm::vec3& p : high) p.z = float(base.magnet_depth_mm);
-  const Loop rim = append_ring(mesh, low), top = append_ring(mesh, high);
-  const Loop back_rim(rim.rbegin(), rim.rend()), back_top(top.rbegin(), top.rend());
-  append_band(mesh, back_rim, back_top);
-  append_fan_cap(mesh, back_top, {0, 0, float(base.magnet_depth_mm)});
-  return rim;
+  std::vector<glm::vec3> circle;
+  for (const glm::vec3& p : around)
+    circle.emplace_back(glm::normalize(glm::dvec2(p)) * (diameter_mm / 2 / closest), z);
+  return circle;
 }
 
 void require_pocket(const Base& base, const std::vector<glm::vec3>& underside) {
@@ -142,8 +136,8 @@ Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Lett
                    room.width_mm);
 }
 
-void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains,
-                 const Letters& letters) {
+Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Letters& letters,
+                 double drain_mm) {
   std::vector<glm::vec3> foot;
   for (const std::uint32_t v : foot_loop) foot.push_back(body.positions[v]);
   const Label label = fit_label(base, foot, letters);
@@ -159,12 +153,24 @@ void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std:
     last = ring;
     foot = rings[i];
   }
-  std::vector<Loop> holes = drains;
+  const auto append_circle = [&](double diameter_mm, double z) {
+    const Loop circle = append_ring(body, build_circle(foot, diameter_mm, z));
+    append_band(body, last, circle);
+    last = circle;
+  };
+  double ceiling = 0;
   if (base.magnet_diameter_mm > 0 && base.magnet_depth_mm > 0) {
     require_pocket(base, foot);
-    holes.push_back(append_pocket(body, base));
+    ceiling = base.magnet_depth_mm;
+    append_circle(base.magnet_diameter_mm, 0);
+    append_circle(base.magnet_diameter_mm, ceiling);
   }
-  append_flat_cap(body, last, holes);
+  if (drain_mm > 0) {
+    append_circle(drain_mm, ceiling);
+    return last;
+  }
+  append_fan_cap(body, last, {0, 0, ceiling});
+  return {};
 }
 
 }  // namespace mien

@@ -1,4 +1,4 @@
-// What a figure stands on: rings from its foot down to the bed, a label, a pocket for a magnet, holes to
+// What a figure stands on: rings from its foot down to the bed, a label, a pocket for a magnet, a hole to
 // drain. Print coordinates: mm, z up, the bed at z = 0, the front toward -y, the character's left at +x.
 #pragma once
 
@@ -41,11 +41,12 @@ std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std:
 // read. Without strokes if there is no label, no front, or no room at all.
 Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Letters& letters);
 
-// Joins the base to `body`, which is open along `foot_loop` (as find_boundary_loops gives it) and along
-// `drains`, loops in the plane z = 0; closed afterwards. The label is what fit_label makes of it. Normals are
-// dropped. Throws RunError "the base's height of 0 mm is not above 0", "the magnet's pocket of 20 mm does not
-// fit the base" and the like.
-void append_base(Mesh& body, const Loop& foot_loop, const Base& base, const std::vector<Loop>& drains,
-                 const Letters& letters = {});
+// Joins the base to `body`, which is open along `foot_loop` (as find_boundary_loops gives it); closed
+// afterwards, but for a round hole of `drain_mm` in the middle of the underside, or of the ceiling of the
+// magnet's pocket, if that is above 0: its loop is returned, a vertex for each of the foot's and in their
+// order. The label is what fit_label makes of it. Normals are dropped. Throws RunError "the base's height of
+// 0 mm is not above 0", "the magnet's pocket of 20 x 2 mm does not fit the base" and the like.
+Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Letters& letters = {},
+                 double drain_mm = 0);
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <string_view>
 
 #include "core/error.hpp"
@@ -157,27 +158,10 @@ std::string build_label_settings(const PosableBust& bust) {
       quote_scad(bust.label));
 }
 
-std::string read_base_functions(const std::filesystem::path& path, const std::string& letters) {
-  std::string text = fill_template(read_file(path), {{"letters", letters}}, path.string());
+// A template that becomes a part of another one.
+std::string read_part(const std::filesystem::path& path, const std::map<std::string, std::string>& values) {
+  std::string text = fill_template(read_file(path), values, path.string());
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  return text;
-}
-
-constexpr std::string_view kMagnetModule = R"(module magnet_pocket() translate([0, 0, -1])
-  cylinder(h = magnet_depth_mm + 1, d = magnet_diameter_mm, $fn = hole_sides);
-
-)";
-
-std::string build_assembly(const PosableBust& bust) {
-  const bool can_hollow = !bust.cavity.triangles.empty();
-  std::string text = "module whole() {\n  body();\n";
-  text += "  if (base != \"none\" && label != \"\")\n";
-  text += "    base_label(label, label_size_mm, 0.8, base, base_height_mm, base_radius_mm);\n";
-  text += "}\n\n";
-  const std::string condition = can_hollow ? "hollow || magnet_diameter_mm > 0" : "magnet_diameter_mm > 0";
-  text += fmt::format("if ({}) difference() {{\n  whole();\n", condition);
-  if (can_hollow) text += "  if (hollow) cavity();\n  if (hollow && drain_mm > 0) drain_holes();\n";
-  text += "  if (magnet_diameter_mm > 0) magnet_pocket();\n} else whole();\n\n";
   return text;
 }
 
@@ -195,7 +179,6 @@ void require_closed(const PosableBust& bust) {
 std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::path& templates_folder) {
   require_closed(bust);
   const std::filesystem::path folder = templates_folder / "openscad", origin = folder / "bust.scad";
-  const ScadHollow hollow = build_scad_hollow(bust);
   const BustGrid& mouth = bust.mouth.grid;
   const std::size_t chest =
       mouth.first + (2 * mouth.upper.size() - 3) * static_cast<std::size_t>(mouth.rows - 1);
@@ -210,7 +193,9 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"label_settings", build_label_settings(bust)},
        {"magnet_diameter_mm", number(bust.magnet_diameter_mm)},
        {"magnet_depth_mm", number(bust.magnet_depth_mm)},
-       {"hollow_settings", hollow.settings},
+       {"is_hollow", bust.is_hollow ? "true" : "false"},
+       {"wall_mm", number(bust.wall_mm)},
+       {"drain_mm", number(bust.drain_mm)},
        {"expression", find_menu_name(bust.expression)},
        {"expression_names", list_expression_names(bust)},
        {"sliders", list_sliders(bust)},
@@ -218,9 +203,8 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"own_is_flat", bust.base_shape == "none" ? "true" : "false"},
        {"other_foot_mm", number(bust.other_foot_mm)},
        {"mm_per_head_mm", number(bust.mm_per_head_mm, 6)},
-       {"base_functions", read_base_functions(folder / "base.scad", bust.letters)},
-       {"modules", std::string(kMagnetModule) + hollow.modules},
-       {"assembly", build_assembly(bust)},
+       {"base_functions", read_part(folder / "base.scad", {{"letters", bust.letters}})},
+       {"hollow_functions", read_part(folder / "hollow.scad", {})},
        {"moves", list_moves(bust)},
        {"expressions", list_expressions(bust)},
        {"chin_down", fmt::format("{}", find_move_index(bust, "chin", "down"))},
@@ -244,7 +228,7 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"skin_rows", list_scad_vertices(bust, 0, bust.eyes[0].grid.first)},
        {"chest_rows", list_scad_vertices(bust, chest, bust.rest.size())},
        {"triangles", list_scad_triangles(bust.triangles)},
-       {"cavity", hollow.numbers}},
+       {"cavity", list_scad_cavity(bust.cavity)}},
       origin.string());
 }
 

@@ -30,49 +30,6 @@ std::vector<Moved> list_moved(const PosableBust& bust) {
   return moved;
 }
 
-std::string build_settings(const PosableBust& bust) {
-  if (bust.cavity.triangles.empty()) return "";
-  return fmt::format(
-      "// Hollow, with an inner wall and holes to drain it\nhollow = {};\n"
-      "// Thickness of the wall in mm\nwall_mm = {}; // [0.8:0.1:10]\n"
-      "// Diameter of the holes in mm; 0: none\ndrain_mm = {}; // [0:0.5:12]\n",
-      bust.is_hollow ? "true" : "false", format_number(bust.wall_mm, kScadDecimals),
-      format_number(bust.drain_mm, kScadDecimals));
-}
-
-std::string build_numbers(const PosableBust& bust) {
-  if (bust.cavity.triangles.empty()) return "";
-  Mesh cavity = bust.cavity;
-  update_normals(cavity);
-  const auto points = list_rows(cavity.positions.size(), kRowsPerLine, [&](std::string& text, std::size_t i) {
-    text += '[';
-    append_scad_vector(text, cavity.positions[i]);
-    text += ',';
-    append_scad_vector(text, cavity.normals[i]);
-    text += ']';
-  });
-  const auto drains = list_rows(bust.drains.size(), 4, [&](std::string& text, std::size_t i) {
-    text += fmt::format("[{}, {}, {}]", format_number(bust.drains[i].x, kScadDecimals),
-                        format_number(bust.drains[i].y, kScadDecimals),
-                        format_number(bust.drain_tops_mm[i], kScadDecimals));
-  });
-  return fmt::format(
-      "// The cavity: places and the way outward; drains: where and how high they reach.\n"
-      "cavity_rows = [{}];\ncavity_triangles = [{}];\ndrains = [{}];\nown_wall_mm = {};\n",
-      points, list_scad_triangles(cavity.triangles), drains, format_number(bust.wall_mm, kScadDecimals));
-}
-
-constexpr std::string_view kHollowModules =
-    R"(// The cavity grows with the bust; a wall that is asked for otherwise moves it along its own normals.
-cavity_growth = height_mm / own_height_mm;
-module cavity() polyhedron(convexity = 12,
-  points = [for (r = cavity_rows) r[0] * cavity_growth + r[1] * (own_wall_mm * cavity_growth - wall_mm)],
-  faces = cavity_triangles);
-module drain_holes() for (d = drains) translate([d[0] * cavity_growth, d[1] * cavity_growth, -1])
-  cylinder(h = d[2] * cavity_growth + 1, d = drain_mm, $fn = hole_sides);
-
-)";
-
 }  // namespace
 
 void append_scad_vector(std::string& text, const glm::vec3& p) {
@@ -112,9 +69,35 @@ std::string list_scad_triangles(const std::vector<Triangle>& triangles) {
   });
 }
 
-ScadHollow build_scad_hollow(const PosableBust& bust) {
-  if (bust.cavity.triangles.empty()) return {};
-  return {build_settings(bust), std::string(kHollowModules), build_numbers(bust)};
+std::string list_scad_cavity(const CavityPlan& plan) {
+  constexpr int kDecimals = 2;  // nobody sees the inside
+  const auto number = [](double value) { return format_number(value, kDecimals); };
+  const std::size_t columns = plan.directions.size();
+  const auto rows = list_rows(plan.heights_mm.size(), 8, [&](std::string& text, std::size_t k) {
+    text += fmt::format("[{}, {}]", format_number(plan.heights_mm[k], kScadDecimals),
+                        format_number(plan.middles_mm[k], kScadDecimals));
+  });
+  const auto walls = list_rows(plan.walls.size(), 1, [&](std::string& text, std::size_t w) {
+    const CavityPlan::Wall& wall = plan.walls[w];
+    text += fmt::format("[{}, {}, [", format_number(wall.wall_mm, kScadDecimals),
+                        format_number(wall.top_mm, kScadDecimals));
+    text += list_rows(plan.heights_mm.size(), 1, [&](std::string& row, std::size_t k) {
+      row += '[';
+      for (std::size_t j = 0; j < columns; ++j)
+        row += (j > 0 ? "," : "") + number(wall.reaches_mm[k * columns + j]);
+      row += ']';
+    });
+    text += "]]";
+  });
+  const auto ways = list_rows(columns, 8, [&](std::string& text, std::size_t j) {
+    text += fmt::format("[{}, {}]", format_number(plan.directions[j].x, kScadFine),
+                        format_number(plan.directions[j].y, kScadFine));
+  });
+  return fmt::format(
+      "// The hollow: the ways of its columns; rows as [height, middle]; walls as [thickness, top, how far "
+      "each row reaches all around].\n"
+      "cavity_ways = [{}];\ncavity_rows = [{}];\ncavities = [{}];\n",
+      ways, rows, walls);
 }
 
 }  // namespace mien

@@ -35,10 +35,7 @@ std::string list_scad_vertices(const PosableBust& bust, std::size_t first, std::
 // Clockwise seen from outside, as OpenSCAD wants them: the second and third corner change places.
 std::string list_scad_triangles(const std::vector<Triangle>& triangles);
 
-// What a bust with a cavity has in its file: settings, modules and numbers. Empty without one.
-struct ScadHollow {
-  std::string settings, modules, numbers;
-};
-ScadHollow build_scad_hollow(const PosableBust& bust);
+// The plan of the cavity as the variables that templates/openscad/hollow.scad reads.
+std::string list_scad_cavity(const CavityPlan& plan);
 
 }  // namespace mien

@@ -22,6 +22,13 @@ function base_rings(foot, shape, height, radius) =
   : [for (k = shape == "plinth" ? base_block : base_socle)
       [for (p = foot) base_point(p, shape, height, radius, k[0], k[1])]];
 
+// A circle with a point in the direction of each of `around`; what is as thick as the diameter goes through its sides.
+function base_circle(around, diameter, z) = let (
+    n = len(around),
+    ways = [for (p = around) [p[0], p[1]] / norm([p[0], p[1]])],
+    narrow = min([for (i = [0:n - 1]) sqrt((1 + ways[i] * ways[(i + 1) % n]) / 2)]))
+  [for (w = ways) [w[0] * diameter / 2 / narrow, w[1] * diameter / 2 / narrow, z]];
+
 // The label: letters drawn with a round pen as lines on a grid (capitals are 6 units high), so that no font is needed.
 // [letter, width, lines]; small letters are drawn as capitals, the last one stands for all that is not here.
 {{letters}}
@@ -37,36 +44,92 @@ function label_starts(text, size, i = 0, x = 0) = i >= len(text) ? [x]
   : concat([x], label_starts(text, size, i + 1,
       x + letter_of(text[i])[1] * label_unit(size) + label_pen(size) + label_gap(size)));
 function label_width(text, size) = let (s = label_starts(text, size)) s[len(s) - 1] - label_gap(size);
+function label_trim(text) = len(text) > 0 && text[len(text) - 1] == " " ? label_trim(label_head(text, len(text) - 1)) : text;
 function label_head(text, count) = chr([for (i = [0:1:count - 1]) ord(text[i])]);
 function label_cut(text, size, room) = len(text) == 0 || label_width(text, size) <= room ? text
   : label_cut(label_head(text, len(text) - 1), size, room);
 function label_fit(text, size, least, room) = label_width(text, size) <= room || size * 0.98 < least ? size
   : label_fit(text, size * 0.98, least, room);
 
-// Raised on the front of a base, to be united with it: smaller and then cut if it is too long. size 0 is as large as the
-// front allows. front_mm is how far the front is from the axis.
-module base_label(text, size, raise, shape, height, front_mm) {
-  low = 0.04 * height;
-  high = (shape == "plinth" ? 0.96 : 0.57) * height;
-  room = (shape == "round" ? 2 * front_mm * asin(0.8) * PI / 180 : 1.6 * front_mm) - 0.9;
-  asked = size > 0 ? size : 8;
-  least = min(asked, 3);
-  head = label_head(text, min(len(text), floor(room / 1.3) + 1));
-  fit = label_fit(head, min(asked, high - low - 0.3), least, room);
-  line = label_cut(head, fit, room);
-  starts = label_starts(line, fit);
-  pen = label_pen(fit);
-  unit = label_unit(fit);
-  sink = 1;  // into the wall, which curves behind a flat letter
-  if (shape != "none" && fit >= least && len(line) > 0)
-    for (i = [0:1:len(line) - 1]) {
-      glyph = letter_of(line[i]);
-      middle = starts[i] + (glyph[1] * unit + pen) / 2 - label_width(line, fit) / 2;
-      if (len(glyph[2]) > 0)
-        rotate([0, 0, shape == "round" ? middle / front_mm * 180 / PI : 0])
-          translate([shape == "round" ? 0 : middle, -front_mm + sink, (low + high - fit) / 2 + pen / 2])
-            rotate([90, 0, 0]) linear_extrude(sink + raise) for (stroke = glyph[2], k = [1:1:len(stroke) - 1]) hull()
-              for (p = [stroke[k - 1], stroke[k]])
-                translate([(p[0] - glyph[1] / 2) * unit, p[1] * unit]) circle(d = pen, $fn = 12);
-    }
-}
+// The middle lines of a text's strokes as [from, to] in mm, from the middle of its lower edge.
+function label_lines(text, size) = let (
+    starts = label_starts(text, size), pen = label_pen(size), unit = label_unit(size),
+    left = pen / 2 - label_width(text, size) / 2)
+  [for (i = [0:1:len(text) - 1]) for (stroke = letter_of(text[i])[2], k = [1:1:len(stroke) - 1])
+    [for (p = [stroke[k - 1], stroke[k]]) [left + starts[i] + p[0] * unit, pen / 2 + p[1] * unit]]];
+function label_distance(p, line) = let (
+    way = line[1] - line[0], to = p - line[0], square = way * way,
+    share = square > 0 ? min(max(to * way / square, 0), 1) : 0)
+  norm(to - share * way);
+
+// A strip of triangles between two lines of vertices that run the same way, the second to the left of the first.
+function strip(right, left) = let (n = len(right) - 1, m = len(left) - 1)
+  concat([for (i = [0:n - 1]) [right[i], left[ceil((i + 1) * m / n) - 1], right[i + 1]]],
+         [for (j = [0:m - 1]) [right[floor((j + 1) * n / m)], left[j], left[j + 1]]]);
+
+// The upright band between two rings of vertices with a text raised from its front: [new points, faces]. The letters
+// become smaller, and are then cut, if the front is too narrow; size 0 is as large as it allows. The new points'
+// numbers begin at `first`.
+function label_band(text, size, raise, step, points, high, low, first) = let (
+    margin = 0.15, slope = 0.25, n = len(low),
+    // The front from the character's right to its left: places in the rings, unrolled.
+    back = max([for (v = low) points[v][1]]),
+    start = [for (i = [0:n - 1]) if (points[low[i]][1] == back) i][0],
+    broad = max([for (v = low) abs(points[v][0])]),
+    front = [for (k = [0:n - 1]) let (i = (start + n - k) % n, p = points[low[i]])
+      if (p[1] < 0 && abs(p[0]) <= 0.8 * broad) i],
+    at = [for (i = front) [points[low[i]][0], points[low[i]][1]]],
+    last = len(at) - 1,
+    lengths = [for (i = 0, sum = 0; i <= last; sum = sum + (i < last ? norm(at[i + 1] - at[i]) : 0), i = i + 1) sum],
+    zero = lookup(0, [for (i = [0:last]) [at[i][0], lengths[i]]]),
+    along = [for (l = lengths) l - zero],
+    outward = [for (i = front) let (way = points[low[(i + n - 1) % n]] - points[low[(i + 1) % n]]) [way[1], -way[0]] / norm(way)],
+    // The letters.
+    low_z = points[low[0]][2], high_z = points[high[0]][2],
+    room = 2 * (min(-along[0], along[last]) - 3 * margin),
+    asked = size > 0 ? size : 8,
+    least = min(asked, 3),
+    head = label_head(label_trim(text), min(len(label_trim(text)), floor(max(room, 0) / 1.3) + 1)),
+    fit = label_fit(head, min(asked, high_z - low_z - 2 * margin), least, room),
+    line = fit < least ? "" : label_cut(head, fit, room))
+  len(line) == 0 ? [[], band(high, low)] : let (
+    lines = label_lines(line, fit), pen = label_pen(fit),
+    half = label_width(line, fit) / 2 + margin,
+    bottom = (low_z + high_z - fit) / 2,
+    floor_z = bottom - 0.8 * margin, top_z = bottom + fit + 0.8 * margin,
+    columns = ceil(min(2 * half / step, 400)), rows = max(2, ceil((top_z - floor_z) / step)),
+    reach = pen / 2 + slope,
+    // A grid in front of the wall: how far it is raised.
+    grid = [for (i = [0:columns]) let (
+        a = -half + 2 * half * i / columns,
+        x = lookup(a, [for (k = [0:last]) [along[k], at[k][0]]]), y = lookup(a, [for (k = [0:last]) [along[k], at[k][1]]]),
+        o = [lookup(a, [for (k = [0:last]) [along[k], outward[k][0]]]), lookup(a, [for (k = [0:last]) [along[k], outward[k][1]]])],
+        way = o / norm(o),
+        near = [for (l = lines) if (min(l[0][0], l[1][0]) - reach < a && a < max(l[0][0], l[1][0]) + reach) l])
+      for (j = [0:rows]) let (
+        z = floor_z + (top_z - floor_z) * j / rows,
+        is_wall = i == 0 || i == columns || j == 0 || j == rows || len(near) == 0,
+        out = is_wall ? 0 : pen / 2 - min([for (l = near) label_distance([a, z - bottom], l)]),
+        up = is_wall ? 0 : raise * min(max(0.5 + out / slope, 0), 1))
+      [x + up * way[0], y + up * way[1], z]],
+    // As few columns of the wall as hold the label are replaced.
+    wide = half + margin,
+    begin = max([0, for (i = [0:last]) if (along[i] < -wide) i]),
+    end = min([last, for (i = [0:last]) if (along[i] > wide) i]),
+    replaced = [for (i = [begin + 1:end]) front[i]],
+    under = [for (i = [begin:end]) low[front[i]]], over = [for (i = [end:-1:begin]) high[front[i]]])
+  [grid, concat(
+    [for (i = [0:n - 1]) let (j = (i + 1) % n) if (len([for (r = replaced) if (r == i) r]) == 0)
+      each [[high[i], low[j], high[j]], [high[i], low[i], low[j]]]],
+    [for (i = [0:columns - 1], j = [0:rows - 1]) let (
+        p = i * (rows + 1) + j, a = first + p, b = a + rows + 1, c = b + 1, d = a + 1)
+      each norm(grid[p] - grid[p + rows + 2]) <= norm(grid[p + rows + 1] - grid[p + 1])
+        ? [[a, c, b], [a, d, c]] : [[a, d, b], [b, d, c]]],
+    strip(under, [for (i = [0:columns]) first + i * (rows + 1)]),
+    strip([under[len(under) - 1], over[0]], [for (j = [0:rows]) first + columns * (rows + 1) + j]),
+    strip(over, [for (i = [columns:-1:0]) first + i * (rows + 1) + rows]),
+    strip([over[len(over) - 1], under[0]], [for (j = [rows:-1:0]) first + j]))];
+
+// Faces between two rings of as many vertices.
+function band(above, below) = [for (i = [0:len(above) - 1]) let (j = (i + 1) % len(above))
+  each [[above[i], below[j], above[j]], [above[i], below[i], below[j]]]];

@@ -16,14 +16,20 @@ base_radius_mm = {{base_radius_mm}}; // [4:0.5:120]
 magnet_diameter_mm = {{magnet_diameter_mm}}; // [0:0.5:30]
 // Depth of the pocket in mm
 magnet_depth_mm = {{magnet_depth_mm}}; // [0.5:0.5:20]
-{{hollow_settings}}
+// Hollow: inside a wall that no expression and no slider below makes thinner
+hollow = {{is_hollow}};
+// Thickness of the wall in mm
+wall_mm = {{wall_mm}}; // [0.8:0.1:10]
+// Diameter in mm of the hole to drain the hollow; with a magnet it is in the pocket; 0: the hollow stays closed
+drain_mm = {{drain_mm}}; // [0:0.5:12]
+
 /* [Expression] */
 // The expression to begin with; the sliders add to it
 expression = "{{expression}}"; // [{{expression_names}}]
 {{sliders}}
 /* [Quality] */
-// Sides of holes and pockets
-hole_sides = 48; // [12:4:120]
+// How fine the letters of the label are, in mm
+letter_step_mm = 0.2; // [0.1:0.05:0.5]
 
 /* [Hidden] */
 own_height_mm = {{height_mm}};  // what the numbers below were computed for
@@ -46,6 +52,8 @@ foot_mm = is_flat == own_is_flat ? 0 : other_foot_mm;
 growth = (height_mm - stand_mm) / (figure_mm - foot_mm);
 
 {{base_functions}}
+
+{{hollow_functions}}
 
 // The face in its pose on its base, one closed polyhedron.
 module body() {
@@ -179,22 +187,51 @@ module body() {
   figure = [for (p = concat(skin, eye_points(eyes[0], gaze_angle(0, left_gaze_move)),
                             eye_points(eyes[1], gaze_angle(1, right_gaze_move)), mouth_points(mouth), chest))
     [p[0] * growth, p[1] * growth, (p[2] - foot_mm) * growth + stand_mm]];
+  // --- One ring after the other: from the foot down the base, under it, up the drain, to the top of the hollow
+
+  sides = len(foot);
   foot_points = [for (i = foot) let (p = figure[i]) [p[0], p[1], stand_mm]];
   base_points = base_rings(foot_points, base, stand_mm, base_radius_mm);
+  outline = len(base_points) > 0 ? base_points[len(base_points) - 1] : foot_points;
+  has_magnet = magnet_diameter_mm > 0 && base != "none";
+  ceiling = has_magnet ? magnet_depth_mm : 0;
+  pocket = !has_magnet ? [] : [for (z = [0, ceiling]) base_circle(outline, magnet_diameter_mm, z)];
 
-  function band(above, below) = [for (i = [0:len(above) - 1]) let (j = (i + 1) % len(above))
-    each [[above[i], below[j], above[j]], [above[i], below[i], below[j]]]];
-  rings = concat([foot], [for (k = [0:1:len(base_points) - 1])
-    [for (i = [0:len(foot) - 1]) len(figure) + k * len(foot) + i]]);
-  bottom = rings[len(rings) - 1];
+  inner = hollow ? cavity_rings(ceiling) : [];
+  drain = hollow && drain_mm > 0
+    ? min(concat([drain_mm, 2 * cavity_inside(inner[0])], has_magnet ? [magnet_diameter_mm - 1.6] : [])) : 0;
+  assert(!hollow || drain >= min(drain_mm, 1), str("a wall of ", wall_mm,
+    " mm leaves no room for a drain; a thinner wall, base none or a greater height have it, and drain_mm 0 does without"));
+  tube = drain > 0 ? [for (z = [ceiling, inner[0][0][2]]) base_circle(outline, drain, z)] : [];
+
+  outer = concat(base_points, pocket, tube);  // rings of as many points as the foot
+  function ring(k) = k == 0 ? foot : [for (i = [0:sides - 1]) len(figure) + (k - 1) * sides + i];
+  bottom = ring(len(outer));
+  columns = hollow ? len(inner[0]) : 1;
+  inner_first = len(figure) + len(outer) * sides;
+  function inner_ring(k) = [for (i = [0:columns - 1]) inner_first + k * columns + i];
+  top = inner_first + len(inner) * columns;
+  outer_points = concat(figure, [for (r = outer) each r]);
+  inner_points = concat([for (r = inner) each r], hollow ? [cavity_top()] : []);
+
+  front = base == "none" || label == "" ? -1 : len(base_points) - 2;  // of the rings, the upper one of the label's
+  labelled = front < 0 ? [[], []]
+    : label_band(label, label_size_mm, 0.8, letter_step_mm, outer_points, ring(front), ring(front + 1),
+                 len(outer_points) + len(inner_points));
 
   polyhedron(convexity = 12,
-    points = concat(figure, [for (r = base_points) each r]),
-    faces = concat(triangles, [for (k = [0:1:len(rings) - 2]) each band(rings[k], rings[k + 1])],
-                   [[for (i = [len(bottom) - 1:-1:0]) bottom[i]]]));
+    points = concat(outer_points, inner_points, labelled[0]),
+    faces = concat(triangles, labelled[1],
+      [for (k = [0:1:len(outer) - 1]) if (k != front) each band(ring(k), ring(k + 1))],
+      drain > 0 ? collar(bottom, inner_ring(0))
+        : concat([[for (i = [sides - 1:-1:0]) bottom[i]]], hollow ? [inner_ring(0)] : []),
+      [for (k = [0:1:len(inner) - 2]) each band(inner_ring(k), inner_ring(k + 1))],
+      hollow ? let (last = inner_ring(len(inner) - 1))
+        [for (i = [0:columns - 1]) [last[i], top, last[(i + 1) % columns]]] : []));
 }
 
-{{modules}}{{assembly}}
+body();
+
 // --- The numbers ---
 
 // Moves: lowest and highest value, what -1 and 1 come to on this head, the values of their states.

@@ -89,6 +89,14 @@ float find_furthest_mm(const std::vector<glm::vec3>& a, const std::vector<glm::v
   return furthest;
 }
 
+// What the Customizer of a bust's source makes: bytes of an STL, or OpenSCAD's complaint.
+ProgramRun pose_in_openscad(const std::filesystem::path& folder, const std::string& set) {
+  write_file(folder / "sets.json",
+             fmt::format("{{\"fileFormatVersion\": \"1\", \"parameterSets\": {{\"a\": {{{}}}}}}}", set));
+  return run_shell(
+      folder, "openscad --hardwarnings -p sets.json -P a --export-format binstl -o a.stl bust.scad 2>&1");
+}
+
 TEST(bust, openscad_poses_the_face_as_mien_does) {
   const auto folder = make_folder("bust_pose");
   const Figure figure = build_figure(HeadSpec{}, source_folder());
@@ -122,16 +130,68 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
     cases.push_back({fmt::format("\"{}\": \"{}\"", name, value), pose, 0.05f});
   }
   for (const Case& c : cases) {
-    write_file(folder / "sets.json",
-               fmt::format("{{\"fileFormatVersion\": \"1\", \"parameterSets\": {{\"a\": {{{}}}}}}}", c.set));
-    const ProgramRun run = run_shell(
-        folder, "openscad --hardwarnings -p sets.json -P a --export-format binstl -o a.stl bust.scad 2>&1");
+    const ProgramRun run = pose_in_openscad(folder, c.set);
     ASSERT_EQ(run.status, 0) << run.out;
     spec.expression.pose = c.pose;
     EXPECT_LT(find_furthest_mm(read_stl(folder / "a.stl").positions, make_bust(shop, spec).mesh.positions),
               c.bound_mm)
         << c.set;
   }
+}
+
+TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
+  const auto folder = make_folder("bust_hollow");
+  const Figure figure = build_figure(HeadSpec{}, source_folder());
+  Pose open;
+  open.values[find_move("chin", Side::none, "down").value()] = 0.8;
+  BustShop shop{figure, {{"neutral", Pose{}}, {"open", open}}, "A test", load_letters(source_folder())};
+  BustSpec spec;
+  spec.expression.name = "neutral";
+  spec.triangles = 8000;
+  write_file(folder / "bust.scad", build_openscad_bust(make_bust(shop, spec).source,
+                                                       std::filesystem::path(source_folder()) / "templates"));
+  const auto compare = [&](const BustSpec& asked, const std::string& set) {
+    const ProgramRun run = pose_in_openscad(folder, set);
+    ASSERT_EQ(run.status, 0) << run.out;
+    const Mesh meant = make_bust(shop, asked).mesh;
+    const StlFacts facts = check_stl(folder / "a.stl");
+    EXPECT_EQ(facts.open_edges, 0u) << set;
+    EXPECT_EQ(facts.parts, asked.drain_mm > 0 ? 1u : 2u) << set;
+    EXPECT_NEAR(facts.volume_mm3, compute_volume_mm3(meant), 0.002 * compute_volume_mm3(meant)) << set;
+    const Box box = find_bounds(meant.positions);
+    EXPECT_LT(glm::distance(facts.box.low, box.low), 0.02) << set;
+    EXPECT_LT(glm::distance(facts.box.high, box.high), 0.02) << set;
+  };
+  spec.is_hollow = true;
+  compare(spec, R"("hollow": "true")");
+  spec.drain_mm = 0;
+  compare(spec, R"("hollow": "true", "drain_mm": "0")");
+  spec.drain_mm = 4;
+  spec.wall_mm = 1;  // one of those that the plan holds besides
+  spec.expression = {"open", "", open, 1, {}};
+  spec.magnet_mm = {6, 2};
+  spec.label = "Oh, \"no\"! \\ \u00e9";
+  compare(spec, R"("hollow": "true", "wall_mm": "1", "expression": "open", "magnet_diameter_mm": "6",)"
+                R"("magnet_depth_mm": "2", "label": "Oh, \"no\"! \\ \u00e9")");
+  const ProgramRun thick = pose_in_openscad(folder, R"("hollow": "true", "wall_mm": "6")");
+  EXPECT_EQ(thick.status, 1);
+  EXPECT_THAT(thick.out, HasSubstr("wall_mm can be 3.6 at most in a bust of this height"));
+}
+
+TEST(bust, no_expression_makes_the_wall_thinner) {
+  const auto folder = make_folder("bust_wall");
+  write_file(folder / "a.yaml",
+             "mien: 1\nbusts: {all: tezuka, hollow: true, wall: 2.2mm, triangles: 8000}\n");
+  ASSERT_EQ(run_shell(folder, "mien bust a.yaml --quiet -o out").status, 0);
+  int reports = 0;
+  for (const std::string& name : list_files(folder / "out")) {
+    if (!name.ends_with(".txt")) continue;
+    const std::string report = read_file(folder / "out" / name);
+    const std::size_t at = report.find("\nwall ");
+    EXPECT_GE(std::stod(report.substr(at + 6)), 0.97 * 2.2) << name;
+    ++reports;
+  }
+  EXPECT_EQ(reports, 10);
 }
 
 }  // namespace

@@ -5,7 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "print/base.hpp"
-#include "print/hollow.hpp"
+#include "print/cavity.hpp"
+#include "print/cavity_plan.hpp"
 #include "print/shapes.hpp"
 #include "solids.hpp"
 
@@ -69,22 +70,25 @@ TEST(report, overhang_is_what_is_steeper_than_45_degrees) {
   Base none;
   none.shape = BaseShape::none;
   none.height_mm = 0;
-  append_base(cone, find_boundary_loops(cone.triangles).front(), none, {});
+  append_base(cone, find_boundary_loops(cone.triangles).front(), none);
   EXPECT_LT(measure_print(cone).overhang_mm2, 1);  // 44.4 degrees
 }
 
 TEST(report, the_cavity_is_told_apart) {
   Mesh solid = build_ball_on_neck(30, 14, 8, 12);
-  const Mesh open = solid;
+  Mesh mesh = solid, figure = solid;
   const Loop foot = find_boundary_loops(solid.triangles).front();
   Base base;
   base.radius_mm = 20;
-  append_base(solid, foot, base, {});
-  const Cavity cavity = build_cavity(solid, {});
-  Mesh mesh = open;
-  const std::size_t first = mesh.triangles.size();
-  append_base(mesh, foot, base, append_cavity(mesh, cavity));
-  const PrintReport report = measure_print(mesh, first, cavity.wall.triangles.size());
+  append_base(solid, foot, base);
+  CavityRequest request;
+  for (const std::uint32_t v : foot)
+    request.directions.push_back(glm::normalize(glm::dvec2(mesh.positions[v])));
+  request.walls_mm = {2};
+  for (glm::vec3& p : figure.positions) p.z -= 8;
+  const Cavity cavity = build_cavity(plan_cavity(figure, request), {2, 4, 8});
+  const std::size_t first = append_cavity(mesh, cavity, append_base(mesh, foot, base, {}, cavity.drain_mm));
+  const PrintReport report = measure_print(mesh, first, mesh.triangles.size() - first);
   EXPECT_EQ(report.sealed_cavities, 0u);
   EXPECT_EQ(report.parts, 1u);
   EXPECT_NEAR(report.least_wall_mm, 2, 0.1);

@@ -80,16 +80,21 @@ TEST(openscad, refuses_an_open_bust) {
   }
 }
 
-TEST(openscad, hollow_is_offered_with_a_cavity_only) {
+TEST(openscad, hollow_is_always_offered) {
   PosableBust bust = build_small_bust();
-  EXPECT_THAT(build_openscad_bust(bust, kTemplates), Not(HasSubstr("wall_mm")));
-  bust.cavity = {
-      {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, {}, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {0, 3, 2}}};
-  bust.drains = {{0.2f, 0.2f}};
-  bust.drain_tops_mm = {0.5};
+  EXPECT_EQ(find_line(build_openscad_bust(bust, kTemplates), "hollow ="), "hollow = false;");
+  bust.cavity.directions = {{1, 0}, {0, -1}};
+  bust.cavity.heights_mm = {0, 1.5};
+  bust.cavity.middles_mm = {0, 0.25};
+  bust.cavity.walls = {{2, 1.4, {1, 0.5, 0.125, 0}}};
+  bust.is_hollow = true;
   const std::string source = build_openscad_bust(bust, kTemplates);
-  EXPECT_EQ(find_line(source, "hollow ="), "hollow = false;");
-  EXPECT_EQ(find_line(source, "drains ="), "drains = [");
+  EXPECT_EQ(find_line(source, "hollow ="), "hollow = true;");
+  EXPECT_EQ(find_line(source, "wall_mm ="), "wall_mm = 2; // [0.8:0.1:10]");
+  EXPECT_EQ(find_line(source, "drain_mm ="), "drain_mm = 4; // [0:0.5:12]");
+  EXPECT_THAT(source,
+              HasSubstr("cavity_ways = [\n  [1, 0], [0, -1]];\ncavity_rows = [\n  [0, 0], [1.5, 0.25]];\n"
+                        "cavities = [\n  [2, 1.4, [\n  [1,0.5],\n  [0.13,0]]]];\n"));
 }
 
 TEST(openscad, hears_every_complaint) {

@@ -1,0 +1,161 @@
+// Cavities: a wall as thick as asked in every pose, a drain through the base, and a solid again at the end.
+#include "print/cavity.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "core/error.hpp"
+#include "crossings.hpp"
+#include "print/base.hpp"
+#include "print/cavity_plan.hpp"
+#include "print/shapes.hpp"
+
+namespace mien {
+namespace {
+
+struct Figure {
+  Mesh open;  // at its foot, which is `lift` above the bed
+  Loop foot;
+  Base base;
+
+  Mesh build_solid() const {
+    Mesh solid = open;
+    append_base(solid, foot, base);
+    return solid;
+  }
+};
+
+Figure build_figure(const Base& base, float radius = 30, float squash = 0.9f) {
+  Figure figure{
+      build_ball_on_neck(radius, 0.45f * radius, float(base.height_mm), 0.4f * radius, 64, squash), {}, base};
+  figure.foot = find_boundary_loops(figure.open.triangles).front();
+  return figure;
+}
+
+Base build_base(BaseShape shape, double height, double radius) {
+  Base base;
+  base.shape = shape;
+  base.height_mm = height;
+  base.radius_mm = radius;
+  return base;
+}
+
+Mesh lower(Mesh mesh, double lift_mm) {
+  for (glm::vec3& p : mesh.positions) p.z -= static_cast<float>(lift_mm);
+  return mesh;
+}
+
+CavityPlan build_plan(const Figure& figure, std::vector<double> walls_mm) {
+  CavityRequest request;
+  for (std::size_t i = 0; i < figure.foot.size(); i += 2)
+    request.directions.push_back(glm::normalize(glm::dvec2(figure.open.positions[figure.foot[i]])));
+  request.straight_mm = 4;
+  request.walls_mm = std::move(walls_mm);
+  return plan_cavity(lower(figure.open, figure.base.height_mm), request);
+}
+
+Hollow build_hollow(const Figure& figure, double wall_mm, double drain_mm = 4) {
+  return {wall_mm, drain_mm, figure.base.height_mm, figure.base.magnet_depth_mm,
+          figure.base.magnet_diameter_mm};
+}
+
+void expect_hollow(const Figure& figure, double wall_mm, double drain_mm, const std::string& what) {
+  const Mesh solid = figure.build_solid();
+  const Cavity cavity = build_cavity(build_plan(figure, {wall_mm}), build_hollow(figure, wall_mm, drain_mm));
+  const double least_mm = measure_wall_mm(solid, cavity);
+  EXPECT_GE(least_mm, 0.97 * wall_mm) << what;
+  EXPECT_LE(least_mm, 1.03 * wall_mm) << what;
+  EXPECT_NEAR(cavity.drain_mm, drain_mm, 1e-9) << what;
+  Mesh mesh = figure.open;
+  const Loop drain = append_base(mesh, figure.foot, figure.base, {}, cavity.drain_mm);
+  append_cavity(mesh, cavity, drain);
+  EXPECT_EQ(count_open_edges(mesh.triangles), 0u) << what;
+  EXPECT_EQ(split_pieces(mesh).size(), drain_mm > 0 ? 1u : 2u) << what;
+  EXPECT_EQ(find_crossings(mesh.positions, mesh.triangles).size(), 0u) << what;
+  EXPECT_LT(compute_volume_mm3(mesh), 0.75 * compute_volume_mm3(solid)) << what;
+}
+
+TEST(cavity, wall_is_as_thick_as_asked_on_every_base) {
+  for (const BaseShape shape : {BaseShape::none, BaseShape::round, BaseShape::square, BaseShape::plinth})
+    for (const double wall : {1.2, 3.0})
+      for (const double drain : {0.0, 4.0})
+        expect_hollow(build_figure(build_base(shape, shape == BaseShape::none ? 0 : 8, 18)), wall, drain,
+                      fmt::format("{} {} {}", int(shape), wall, drain));
+}
+
+TEST(cavity, small_and_large_figures_are_hollowed_too) {
+  expect_hollow(build_figure(build_base(BaseShape::round, 5, 14), 14), 1.2, 4, "40 mm");
+  expect_hollow(build_figure(build_base(BaseShape::round, 15, 40), 55), 3, 5, "150 mm");
+}
+
+TEST(cavity, drains_through_the_magnets_pocket) {
+  Base base = build_base(BaseShape::round, 8, 22);
+  base.magnet_diameter_mm = 8;
+  base.magnet_depth_mm = 3;
+  const Figure figure = build_figure(base);
+  expect_hollow(figure, 2, 4, "magnet");
+  const CavityPlan plan = build_plan(figure, {2});
+  EXPECT_DOUBLE_EQ(build_cavity(plan, build_hollow(figure, 2, 8)).drain_mm, 6.4);  // a ledge is left
+  base.magnet_depth_mm = 7;  // the floor rises with the pocket
+  const Figure deep = build_figure(base);
+  EXPECT_NEAR(build_cavity(plan, build_hollow(deep, 2)).rings[0][0].z, 9, 1e-5);
+}
+
+TEST(cavity, is_the_same_in_every_pose_and_inside_all) {
+  const Figure figure = build_figure(build_base(BaseShape::round, 8, 18));
+  Figure dented = figure;  // on one side, by 6 mm
+  for (glm::vec3& p : dented.open.positions)
+    if (p.y < 0 && p.z > 40) p.y += 6 * std::exp(-(p.x * p.x + (p.z - 50) * (p.z - 50)) / 60);
+  CavityRequest request;
+  for (const std::uint32_t v : figure.foot)
+    request.directions.push_back(glm::normalize(glm::dvec2(figure.open.positions[v])));
+  request.walls_mm = {2};
+  const Mesh both =
+      lower(join_poses(figure.open.triangles, {figure.open.positions, dented.open.positions}), 8);
+  EXPECT_LT(both.triangles.size(), 1.5 * double(figure.open.triangles.size()));  // what stays is there once
+  const Cavity cavity = build_cavity(plan_cavity(both, request), build_hollow(figure, 2));
+  EXPECT_GE(measure_wall_mm(figure.build_solid(), cavity), 0.97 * 2);
+  EXPECT_GE(measure_wall_mm(dented.build_solid(), cavity), 0.97 * 2);
+}
+
+TEST(cavity, what_does_not_drain_stays_solid) {
+  // A second ball beside the head that only a thin rod joins would make a cavity without a hole.
+  const Mesh mesh = build_turned(
+      {{8, 58}, {14, 50}, {8, 41}, {1.9f, 40}, {1.9f, 36}, {14, 30}, {20, 20}, {20, 8}, {20, 0}}, 60, 48);
+  Figure figure{mesh, find_boundary_loops(mesh.triangles).front(), build_base(BaseShape::none, 0, 0)};
+  try {
+    build_cavity(build_plan(figure, {2}), build_hollow(figure, 2));
+    FAIL();
+  } catch (const RunError& e) {
+    EXPECT_STREQ(e.what(),
+                 "a wall of 2 mm leaves no room for a drain; a thinner wall, base: none or a greater height "
+                 "have it, and drain: 0mm does without");
+  }
+}
+
+TEST(cavity, says_what_cannot_be) {
+  const Figure figure = build_figure(build_base(BaseShape::round, 8, 20));
+  const CavityPlan plan = build_plan(figure, {2, 35});
+  ASSERT_EQ(plan.walls.size(), 1u);
+  const auto complaint = [&](double wall_mm) -> std::string {
+    try {
+      build_cavity(plan, build_hollow(figure, wall_mm));
+    } catch (const RunError& e) {
+      return e.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(complaint(2), "");
+  EXPECT_EQ(complaint(35), "a wall of 35 mm leaves nothing to hollow");
+  EXPECT_EQ(complaint(0), "a wall of 0 mm is not above 0");
+  // A drain is never wider than the wall at the foot allows.
+  EXPECT_NEAR(build_cavity(plan, build_hollow(figure, 2, 38)).drain_mm, 2 * (0.9 * 13.5 - 2), 0.4);
+}
+
+TEST(cavity, is_always_the_same) {
+  const Figure figure = build_figure(build_base(BaseShape::square, 8, 20));
+  EXPECT_EQ(build_plan(figure, {2}).walls[0].reaches_mm, build_plan(figure, {2}).walls[0].reaches_mm);
+}
+
+}  // namespace
+}  // namespace mien
