@@ -79,8 +79,13 @@ void stop_under_nose(const Face& face, std::vector<glm::dvec3>& points) {
   }
 }
 
-// Lips that are pushed apart slide a little past each other as well, and lie higher and lower there.
-constexpr double kPart = 1.1;
+// Lips that are pushed apart slide a little past each other as well, and lie higher and lower there: they
+// part by a share more than they overlap. Pressed ones hardly do, or light would come in.
+constexpr double kPart = 0.1, kPressed = 0.8;
+
+// Resting lips leave a slit with the dark behind it. Rolled in they lie before the teeth, and close most of
+// it.
+constexpr double kSlit = 0.7;
 
 // How much of a gap pressed lips close: all of a small one, none from `seal_until_mm` on, and no jump
 // between.
@@ -102,11 +107,14 @@ double find_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& point
 // leaves open.
 void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
   const double press = value_of(pose, "lips", Side::none, "press");
+  const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
   for (const LipColumn& column : face.lips) {
     const double gap = find_gap_mm(column, points);
     double closing = 0;
-    if (gap < 0) closing = kPart * gap / 2;
-    if (gap > 0) closing = press * find_seal(gap / face.seal_until_mm) * gap / 2;
+    if (gap < 0) closing = part * gap / 2;
+    const double seal = press * find_seal(std::max(0.0, gap) / face.seal_until_mm);
+    if (gap > 0) closing = seal * gap / 2;
+    closing += seal * kSlit * column.rest_skin_gap_mm / 2;
     if (closing == 0) continue;
     for (const auto& [point, share] : column.upper) points[point].y -= closing * share;
     for (const auto& [point, share] : column.lower) points[point].y += closing * share;
