@@ -33,8 +33,8 @@ void load_scan(const YamlValue& value, std::optional<FileReference>& into);
 // `ann.yaml`: the head of that file.
 bool load_head_file(const YamlValue& value, const HeadSource& source, HeadSpec& head);
 
-// `mix: {a.yaml: 0.5, b.yaml: 0.5}`: the heads of the files, and their colours mixed as the look to begin
-// with.
+// `mix: {a.yaml: 0.5, b.yaml: 0.5}`: the heads of the files, their limits mixed, and their colours as the
+// look to begin with.
 void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& head);
 
 // `sculpt: [{at: chin, move: [0, -2mm, 3mm], radius: 25mm}]`. `at` loses its _l or _r.

@@ -69,6 +69,19 @@ void mix_looks(HeadSpec& head) {
   head.look = sum;
 }
 
+// A head that says nothing of a limit has its own.
+void mix_limits(HeadSpec& head) {
+  for (const HeadShare& named : head.mix)
+    for (const auto& [name, ignored] : named.head.limits) {
+      double sum = 0;
+      for (const auto& [other, share] : head.mix) {
+        const auto limit = other.limits.find(name);
+        sum += share * (limit == other.limits.end() ? 1 : limit->second);
+      }
+      head.limits[name] = sum;
+    }
+}
+
 // "ch_l" to "ch"; false if no such place is known.
 bool find_bare_place(const HeadWords& words, std::string& place, bool& is_middle) {
   is_middle = std::ranges::find(words.middle, place) != words.middle.end();
@@ -131,6 +144,7 @@ void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& h
   if (head.mix.empty()) return;
   for (HeadShare& share : head.mix) share.weight /= sum;
   mix_looks(head);
+  mix_limits(head);
 }
 
 void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<SculptStroke>& into) {

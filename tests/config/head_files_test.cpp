@@ -46,6 +46,16 @@ TEST(head_files, looks_are_mixed_and_can_be_changed) {
   EXPECT_EQ(look.lips, glm::vec3(0, 1, 0)) << "only one head has lips of its own";
 }
 
+TEST(head_files, limits_are_mixed_and_can_be_changed) {
+  const auto folder = make_test_folder();
+  write_head(folder / "a.yaml", "{limits: {brow.left.up: 0.5, chin.down: 2}}");
+  write_head(folder / "b.yaml", "{limits: {lips.press: 0}}");
+  write_head(folder / "c.yaml", "{mix: {a.yaml: 3, b.yaml: 1}, limits: {chin.down: 0.25}}");
+  EXPECT_EQ(
+      load_spec(folder / "c.yaml", *find_language()).head.limits,
+      (std::map<std::string, double>{{"brow.left.up", 0.625}, {"chin.down", 0.25}, {"lips.press", 0.75}}));
+}
+
 TEST(head_files, heads_mix_no_circle) {
   const auto folder = make_test_folder();
   write_head(folder / "a.yaml", "{mix: {b.yaml: 1}}");
