@@ -45,14 +45,14 @@ void load_values(const YamlMapping& entries, const ClipReader& reader, TurnKey& 
   settle(key.at_s, kTurnBounds, key.live, {&key.turn_deg, &key.nod_deg, &key.tilt_deg});
 }
 
-// Four numbers of a curve, as in CSS.
+constexpr const char* kCurve = "four numbers x1, y1, x2, y2 such as [0.3, 0, 0.2, 1]";  // as in CSS
+
 void load_bezier(const YamlValue& value, Ease& into) {
-  constexpr const char* kExpected = "four numbers x1, y1, x2, y2 such as [0.3, 0, 0.2, 1]";
   constexpr double kMostPast = 2;  // how far y may pass the way at either end: further is no ease
-  const std::vector<YamlValue> items = load_list(value, kExpected);
+  const std::vector<YamlValue> items = load_list(value, kCurve);
   if (items.size() != 4) {
     add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
-                                   items.size() == 1 ? "" : "s", kExpected));
+                                   items.size() == 1 ? "" : "s", kCurve));
     return;
   }
   Ease ease(Easing::bezier);
@@ -61,6 +61,19 @@ void load_bezier(const YamlValue& value, Ease& into) {
     is_right &= i % 2 == 0 ? load_number(items[i], 0, 1, ease.handles[i])
                            : load_number(items[i], -kMostPast, 1 + kMostPast, ease.handles[i]);
   if (is_right) into = ease;
+}
+
+// A word, or the four numbers of a curve.
+void load_ease(const YamlValue& value, Ease& into) {
+  if (find_node(value).kind == NodeKind::list) return load_bezier(value, into);
+  std::string name;
+  if (!load_text(value, fmt::format("one of: {}, or {}", join_names(kEasings), kCurve), name)) return;
+  const auto found = std::ranges::find(kEasings, name);
+  if (found != kEasings.end())
+    into = static_cast<Easing>(found - kEasings.begin());
+  else
+    add_mistake(value, describe_unknown("ease", name, kEasings) +
+                           (suggest_name(name, kEasings).empty() ? fmt::format(", or {}", kCurve) : ""));
 }
 
 }  // namespace
@@ -94,11 +107,7 @@ void load_way(const YamlMapping& entries, const ClipReader& reader, Ease& ease, 
     add_mistake(*beside, fmt::format("{} is '{}' and there is an 'ease' beside it; expected one of them",
                                      describe_subject(*beside), find_node(*beside).text));
   between = Between::ease;
-  std::string name;
-  if (find_node(*value).kind == NodeKind::list)
-    load_bezier(*value, ease);
-  else if (load_name(*value, "ease", kEasings, name))
-    ease = static_cast<Easing>(std::ranges::find(kEasings, name) - kEasings.begin());
+  load_ease(*value, ease);
 }
 
 Express load_pose(const YamlMapping& entries, const ClipReader& reader, PoseKey& key) {
