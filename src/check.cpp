@@ -13,6 +13,7 @@
 #include "render/terminal.hpp"
 #include "timeline/advice.hpp"
 #include "timeline/chart.hpp"
+#include "timeline/drawings.hpp"
 
 namespace mien {
 
@@ -41,25 +42,34 @@ std::string format_json(const Diagnostic& advice) {
 }
 
 // A line each: "file:line:col: warning: ..." or JSON.
-void tell_advice(const Options& options, const Performance& performance, const Figure& figure,
-                 const fs::path& data_folder) {
-  for (const Diagnostic& advice : advise_clip(performance, find_reach(figure, data_folder)))
+void tell_advice(const Options& options, const Performance& performance, const Rehearsal& rehearsal,
+                 const Figure& figure, const fs::path& data_folder) {
+  for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, find_reach(figure, data_folder)))
     fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
 }
 
 // As wide as the terminal and in its letters; plain ASCII in 80 columns into a pipe or a file, since nobody
 // knows what will read it and the same clip shall be the same text.
-void tell_chart(const Performance& performance) {
+void tell_chart(const ClipSpec& clip, const Rehearsal& rehearsal) {
   ChartStyle style{kPlainWidth, true};
   if (is_terminal(stdout)) style = {find_terminal_width(stdout, kWidestChart), !has_utf8()};
-  fmt::print("\n{}", build_chart(performance, style));
+  fmt::print("\n{}", build_chart(clip, rehearsal.shown, style));
+}
+
+// As plan_clip finds them.
+std::vector<int> find_clip_drawings(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
+  std::vector<std::vector<std::string>> keys;
+  for (const Rehearsal& rehearsal : rehearsals) keys.push_back(rehearsal.drawings);
+  if (!clip.spec.actors.empty()) keys.push_back(list_drawing_keys(clip.performance));
+  return find_drawings(clip.spec.clip, keys);
 }
 
 }  // namespace
 
 void check_file(const Options& options) {
   const fs::path data = find_data_folder();
-  const Clip clip = plan_clip(options, data);
+  Clip clip = open_clip(options, data);
+  clip.frame_count = count_frames(clip.spec.clip);
   // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
   // built.
   const Cast cast = build_cast(clip, data);
@@ -67,9 +77,13 @@ void check_file(const Options& options) {
   for (std::size_t i = 0; i < figures.size(); ++i)
     if (!figures[i]) figures[i] = std::make_shared<const Figure>(build_figure(clip.actors[i].head, data));
   const std::vector<Performance> performances = list_performances(clip, cast, data);
-  tell_held(options, clip.spec, performances);
+  std::vector<Rehearsal> rehearsals;
+  for (const Performance& performance : performances) rehearsals.push_back(rehearse(performance));
+  clip.plan = plan_frames(find_clip_drawings(clip, rehearsals), options.frames);
+  tell_held(options, list_held(clip.spec, rehearsals));
   if (options.is_quiet) return;
-  for (std::size_t i = 0; i < figures.size(); ++i) tell_advice(options, performances[i], *figures[i], data);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    tell_advice(options, performances[i], rehearsals[i], *figures[i], data);
   const RenderSpec& render = clip.spec.render;
   if (options.is_json) {
     nlohmann::json summary{{"file", options.file.string()},
@@ -88,7 +102,7 @@ void check_file(const Options& options) {
              render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
   for (std::size_t i = 0; i < performances.size(); ++i) {
     if (!clip.actors[i].name.empty()) fmt::print("\n{}:", clip.actors[i].name);
-    tell_chart(performances[i]);
+    tell_chart(performances[i].clip, rehearsals[i]);
   }
 }
 

@@ -42,11 +42,18 @@ Clip open_clip(const Options& options, const fs::path& data_folder) {
   return clip;
 }
 
+std::vector<const Performance*> list_players(const Clip& clip) {
+  std::vector<const Performance*> players{&clip.performance};
+  if (clip.spec.actors.empty()) return players;  // the only one, who plays the clip itself
+  for (const Actor& actor : clip.actors) players.push_back(&actor.performance);
+  return players;
+}
+
 Clip plan_clip(const Options& options, const fs::path& data_folder) {
   Clip clip = open_clip(options, data_folder);
-  std::vector<const Performance*> performances{&clip.performance};
-  for (const Actor& actor : clip.actors) performances.push_back(&actor.performance);
-  clip.plan = plan_frames(find_drawings(performances), options.frames);
+  std::vector<std::vector<std::string>> keys;
+  for (const Performance* performance : list_players(clip)) keys.push_back(list_drawing_keys(*performance));
+  clip.plan = plan_frames(find_drawings(clip.spec.clip, keys), options.frames);
   clip.files = {find_output(options, clip.spec), clip.spec.name};
   clip.frame_count = count_frames(clip.spec.clip);
   return clip;

@@ -45,6 +45,9 @@ struct Clip {
 // The file's people without a plan of frames: for one moment.
 Clip open_clip(const Options& options, const std::filesystem::path& data_folder);
 
+// Whose drawings the clip's frames are: the clip itself, which has the camera, and its actors.
+std::vector<const Performance*> list_players(const Clip& clip);
+
 Clip plan_clip(const Options& options, const std::filesystem::path& data_folder);
 
 // The one whom --actor names, else the only one. Throws InputError if there are several and none is named.

@@ -14,6 +14,7 @@
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "timeline/head_track.hpp"
+#include "timeline/parts.hpp"
 
 namespace mien {
 
@@ -254,15 +255,22 @@ std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const 
   return keys;
 }
 
-std::string build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
-                              const fs::path& data_folder, std::string& include) {
+StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
+                             const fs::path& data_folder) {
   const Heads heads = build_heads(clip, cast, still.time_s, data_folder);
-  include = build_povray_stage(build_fixed_parts(cast, data_folder) + heads.parts, clip.spec.render,
-                               data_folder / "templates", list_sets(clip.spec.clip));
+  StillScene scene;
+  scene.include = build_povray_stage(build_fixed_parts(cast, data_folder) + heads.parts, clip.spec.render,
+                                     data_folder / "templates", list_sets(clip.spec.clip));
   SceneBuffers buffers;
   append_povray_start(buffers.text, build_start(clip, cast, still.camera, still.stage));
   append_actors(heads, still.time_s, still.pose, buffers);
-  return std::move(buffers.text);
+  scene.text = std::move(buffers.text);
+  for (const Performance& performance : heads.performances) {
+    if (still.pose) break;
+    const std::vector<Held> held = list_held_at(performance, still.time_s);
+    scene.held.insert(scene.held.end(), held.begin(), held.end());
+  }
+  return scene;
 }
 
 }  // namespace mien

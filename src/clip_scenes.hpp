@@ -43,8 +43,13 @@ struct Still {
   StageMoment stage;
 };
 
-// Its scene as one text, which includes a head.inc; `include` becomes that one's text.
-std::string build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
-                              const std::filesystem::path& data_folder, std::string& include);
+// Its scene as one text, which includes a head.inc with the other text, and what limits hold back in it: not
+// of `pose`.
+struct StillScene {
+  std::string text, include;
+  std::vector<Held> held;
+};
+StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
+                             const std::filesystem::path& data_folder);
 
 }  // namespace mien

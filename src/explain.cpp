@@ -90,10 +90,8 @@ Story tell_moment(const Spec& spec, const Performance& performance, double at_s)
   story.pose = sample_performance(performance, at_s).pose;
   story.blink = find_blink_closure(performance.idle.blinks, at_s);
   story.parts = list_parts(performance, at_s);
-  for (const MomentPart& part : story.parts) {
-    story.reach = std::max(story.reach, part.reach);
-    story.held.insert(story.held.end(), part.held.begin(), part.held.end());
-  }
+  for (const MomentPart& part : story.parts) story.reach = std::max(story.reach, part.reach);
+  story.held = list_held_at(performance, at_s);
   return story;
 }
 
@@ -228,16 +226,18 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
 
 }  // namespace
 
-void tell_held(const Options& options, const Spec& spec, const std::vector<Performance>& performances) {
+void tell_held(const Options& options, std::vector<Held> ledger) {
   if (options.is_quiet) return;
-  std::vector<Held> ledger = list_held(spec);
-  for (const Performance& performance : performances) {
-    const std::vector<Held> in_time = list_held_in_time(performance);
-    ledger.insert(ledger.end(), in_time.begin(), in_time.end());
-  }
   sort_ledger(ledger);
   for (const HeldNote& note : build_notes(ledger))
     fmt::print("{}\n", options.is_json ? build_json(note).dump() : format_note(note));
+}
+
+std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {
+  std::vector<Held> ledger = list_held(spec);
+  for (const Rehearsal& rehearsal : rehearsals)
+    ledger.insert(ledger.end(), rehearsal.held.begin(), rehearsal.held.end());
+  return ledger;
 }
 
 void explain_pose(const Options& options) {

@@ -26,6 +26,7 @@
 #include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
 #include "timeline/drawings.hpp"
+#include "timeline/parts.hpp"
 
 namespace mien {
 
@@ -41,12 +42,28 @@ void tell_result(const Options& options, const std::string& kind, const fs::path
     fmt::print("{:<7} {}\n", kind, path.string());
 }
 
-// The pose that --express asks for, else the actor's at --at or at the clip's beginning.
-Moment find_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure) {
-  if (options.express) return {take_expression(clip.spec, *options.express).pose, {}, {}};
+// The pose that --express asks for, else the actor's at --at or at the clip's beginning; `held` becomes what
+// limits hold back of it.
+Moment find_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure,
+                   std::vector<Held>& held) {
+  if (options.express) {
+    const Expression expression = take_expression(clip.spec, *options.express);
+    held = expression.held;
+    return {expression.pose, {}, {}};
+  }
   Performance performance = actor.performance;
   performance.idle.eyes = find_eyes(figure, clip.spec.render);
+  held = list_held_at(performance, find_time_s(clip, options));
   return sample_performance(performance, find_time_s(clip, options));
+}
+
+// Of the whole clip, however few of its frames are asked for.
+void tell_clip_held(const Options& options, const Clip& clip, const Cast& cast, const fs::path& data) {
+  if (options.is_quiet) return;
+  std::vector<Rehearsal> rehearsals;
+  for (const Performance& performance : list_performances(clip, cast, data))
+    rehearsals.push_back(rehearse(performance));
+  tell_held(options, list_held(clip.spec, rehearsals));
 }
 
 Drawing draw_moment(const Figure& figure, const Moment& moment, bool has_folds = true) {
@@ -103,7 +120,7 @@ std::vector<BustSpec> find_busts(const Options& options, const Clip& clip, const
   if (options.express) return {build_bust_spec(take_expression(spec, *options.express))};
   if (options.at_s || options.at_frames) {
     Expression moment{fmt::format("{:.4g}s", find_time_s(clip, options)), "", {}, 1, {}};
-    moment.pose = find_moment(options, clip, actor, figure).pose;
+    moment.pose = find_moment(options, clip, actor, figure, moment.held).pose;
     return {build_bust_spec(std::move(moment))};
   }
   if (spec.busts.empty()) return {build_bust_spec(find_expression(spec, "neutral"))};
@@ -129,7 +146,7 @@ void render_clip(const Options& options) {
   const Clip clip = plan_clip(options, data);
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
   const Cast cast = build_cast(clip, data);
-  tell_held(options, clip.spec, list_performances(clip, cast, data));
+  tell_clip_held(options, clip, cast, data);
   const std::vector<std::string> keys = write_scenes(clip, cast, options, data);
   render_pictures(clip, keys, options);
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
@@ -139,7 +156,9 @@ void render_clip(const Options& options) {
 void write_frames(const Options& options) {
   const fs::path data = find_data_folder();
   const Clip clip = plan_clip(options, data);
-  write_scenes(clip, build_cast(clip, data), options, data);
+  const Cast cast = build_cast(clip, data);
+  tell_clip_held(options, clip, cast, data);
+  write_scenes(clip, cast, options, data);
   tell_result(options, "scenes", clip.files.scenes());
 }
 
@@ -162,14 +181,21 @@ void render_still(const Options& options) {
     clip.actors = {std::move(actor)};
   }
   if (options.camera_angle_deg) still.camera.angle_deg = *options.camera_angle_deg;
-  if (options.express) still.pose = take_expression(spec, *options.express).pose;
+  std::vector<Held> held;
+  if (options.express) {
+    const Expression expression = take_expression(spec, *options.express);
+    still.pose = expression.pose;
+    held = expression.held;
+  }
   require_programs({{"povray", "povray"}});
   const Cast cast = build_cast(clip, data);
   const fs::path picture = options.output.value_or(fs::path("out") / spec.name / "still.png");
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
-  std::string include;
-  write_file(work.path / "still.pov", build_still_scene(clip, cast, still, data, include));
-  write_file(work.path / "head.inc", include);
+  const StillScene scene = build_still_scene(clip, cast, still, data);
+  held.insert(held.end(), scene.held.begin(), scene.held.end());
+  tell_held(options, std::move(held));
+  write_file(work.path / "still.pov", scene.text);
+  write_file(work.path / "head.inc", scene.include);
 
   RenderSettings settings;
   settings.width_px = spec.render.width_px;
@@ -198,7 +224,9 @@ void write_mesh(const Options& options) {
                                  path.string(), ending, options.is_half ? ".obj" : ".obj, .ply or .stl"));
   if (options.is_half) return write_half(options, head, data, path);
   const Figure figure = build_figure(head, data);
-  const Drawing drawing = draw_moment(figure, find_moment(options, clip, actor, figure));
+  std::vector<Held> held;
+  const Drawing drawing = draw_moment(figure, find_moment(options, clip, actor, figure, held));
+  tell_held(options, std::move(held));
   write_file(path,
              build_mesh_file(ending, figure.model, drawing, spec.title.empty() ? spec.name : spec.title));
   tell_result(options, "mesh", path);
@@ -219,6 +247,10 @@ void write_busts(const Options& options) {
   const Figure figure = build_figure(has_time ? find_asked_head(clip, actor, options) : actor.head, data);
   std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
   for (BustSpec& bust : busts) bust.height_mm = options.height_mm.value_or(bust.height_mm);
+  std::vector<Held> held;
+  for (const BustSpec& bust : busts)
+    held.insert(held.end(), bust.expression.held.begin(), bust.expression.held.end());
+  tell_held(options, std::move(held));
   const std::vector<std::string> stems = name_busts(busts);
   BustShop shop{figure, list_bust_menu(clip.spec, busts),
                 clip.spec.title.empty() ? clip.spec.name : clip.spec.title, load_letters(data)};

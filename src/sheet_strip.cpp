@@ -83,7 +83,7 @@ std::string find_label(const ClipSpec& clip, int frame) {
 }
 
 void fill_rows(const Performance& performance, StripPage& page) {
-  for (ChartRow& row : list_chart_rows(performance))
+  for (ChartRow& row : list_chart_rows(rehearse(performance).shown))
     page.rows.push_back({std::move(row.name), std::move(row.moves), std::move(row.values)});
   for (const PoseKey& key : performance.clip.keys) page.keys.push_back({key.at_s, key.label});
   for (const Blink& blink : performance.idle.blinks) page.blinks_s.push_back(blink.at_s);

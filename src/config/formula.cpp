@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 #include <muParser.h>
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <cmath>
-#include <mutex>
 #include <numbers>
+#include <span>
+#include <thread>
 
 #include "config/findings.hpp"
 #include "config/words.hpp"
@@ -109,43 +112,59 @@ int find_fault(const std::string& text, const mu::Parser::exception_type& error)
 
 }  // namespace
 
+// Readers that no thread uses now. A thread looks into one place only, so that it waits for nobody; with more
+// threads than places some make a reader anew.
+struct IdleReaders {
+  std::array<std::atomic<Reader*>, 8> places{};
+
+  IdleReaders() = default;
+  IdleReaders(const IdleReaders&) = delete;
+  IdleReaders& operator=(const IdleReaders&) = delete;
+  ~IdleReaders() {
+    for (std::atomic<Reader*>& place : places) delete place.load();
+  }
+
+  std::atomic<Reader*>& find_place() {
+    return places[std::hash<std::thread::id>()(std::this_thread::get_id()) % places.size()];
+  }
+  std::unique_ptr<Reader> take() { return std::unique_ptr<Reader>(find_place().exchange(nullptr)); }
+  void give(std::unique_ptr<Reader> reader) { delete find_place().exchange(reader.release()); }
+};
+
 struct Formula {
   std::string text;
   Inputs inputs;
   std::vector<bool> is_used;  // input by input: by the formula, or by an input that it uses
   double start_s = 0;
-  double more = 0;                                    // that its number is greater by
-  mutable std::mutex mutex;                           // of `idle`
-  mutable std::vector<std::unique_ptr<Reader>> idle;  // readers that no thread uses now
+  double more = 0;  // that its number is greater by
+  mutable IdleReaders idle;
 };
 
 namespace {
 
 std::unique_ptr<Reader> take_reader(const Formula& formula) {
-  {
-    const std::lock_guard lock(formula.mutex);
-    if (!formula.idle.empty()) {
-      auto reader = std::move(formula.idle.back());
-      formula.idle.pop_back();
-      return reader;
-    }
-  }
-  return std::make_unique<Reader>(formula.text, formula.inputs);
+  auto reader = formula.idle.take();
+  return reader ? std::move(reader) : std::make_unique<Reader>(formula.text, formula.inputs);
 }
 
-double evaluate_with(const Formula& formula, double time_s, const std::vector<double>& inputs) {
-  auto reader = take_reader(formula);
+// With the inputs' numbers in the reader; gives it back.
+double evaluate_with(const Formula& formula, double time_s, std::unique_ptr<Reader> reader) {
   reader->values[0] = time_s - formula.start_s;
-  std::copy_n(inputs.begin(), formula.inputs.size(), reader->values.begin() + 1);
   double value = NAN;
   try {
     value = reader->parser.Eval();
   } catch (const mu::Parser::exception_type&) {
     // A division that muParser refuses has no value either.
   }
-  const std::lock_guard lock(formula.mutex);
-  formula.idle.push_back(std::move(reader));
+  formula.idle.give(std::move(reader));
   return value;
+}
+
+// The same for an input, which uses those before it.
+double evaluate_input(const Formula& input, double time_s, std::span<const double> before) {
+  auto reader = take_reader(input);
+  std::copy_n(before.begin(), input.inputs.size(), reader->values.begin() + 1);
+  return evaluate_with(input, time_s, std::move(reader));
 }
 
 }  // namespace
@@ -203,19 +222,22 @@ FormulaPointer build_formula(const std::string& text, const Inputs& inputs, doub
     if (formula->is_used[i] && inputs[i].formula)
       for (std::size_t j = 0; j < i && j < inputs[i].formula->is_used.size(); ++j)
         if (inputs[i].formula->is_used[j]) formula->is_used[j] = true;
-  formula->idle.push_back(std::move(reader));
+  formula->idle.give(std::move(reader));
   return formula;
 }
 
 double evaluate(const Formula& formula, double time_s) {
+  auto reader = take_reader(formula);
+  const std::span<double> values = std::span(reader->values).subspan(1);
   // Each input once, in order: one may use another many times over.
-  std::vector<double> values(formula.inputs.size(), 0);
   for (std::size_t i = 0; i < values.size(); ++i) {
-    if (!formula.is_used[i]) continue;
     const Input& input = formula.inputs[i];
-    values[i] = input.formula ? evaluate_with(*input.formula, time_s, values) : input.value;
+    if (!formula.is_used[i])
+      values[i] = 0;
+    else
+      values[i] = input.formula ? evaluate_input(*input.formula, time_s, values) : input.value;
   }
-  return evaluate_with(formula, time_s, values) + formula.more;
+  return evaluate_with(formula, time_s, std::move(reader)) + formula.more;
 }
 
 FormulaPointer shift_formula(const Formula& formula, double more) {

@@ -1,6 +1,8 @@
 // A pose whose numbers are formulas of time, in place of one that was worked out when the file was read.
 #pragma once
 
+#include <array>
+#include <bitset>
 #include <vector>
 
 #include "config/formula.hpp"
@@ -38,5 +40,12 @@ struct LivePose {
 
 // The pose at a time, held within its limits, as hold_pose tells.
 HeldPose evaluate_pose(const LivePose& live, double time_s);
+
+// The same without a ledger, of some moves; the others mean nothing. Returns its reach.
+double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kMoveCount>& only,
+                     std::array<double, kMoveCount>& into);
+
+// Whether a limit may ever hold it: never a law, which is held within its own range before.
+bool can_be_held(const LivePose& live);
 
 }  // namespace mien

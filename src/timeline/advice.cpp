@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 #include "config/quantity.hpp"
+#include "timeline/easing.hpp"
 
 namespace mien {
 namespace {
@@ -15,35 +15,38 @@ constexpr double kReached = 0.9;      // of a face: less is another face
 constexpr double kLeastChange = 0.1;  // of a limit: a smaller change has no apex to miss
 constexpr double kSameTime_s = 1e-6;
 
-// One frame of the clip.
-struct Shown {
-  double time_s = 0;  // of its drawing
-  Pose pose;
+// The frames of the clip, by time, and what each asks for.
+struct Frames {
+  const std::vector<double>& drawn_s;
+  const std::vector<Pose>& poses;
+
+  std::size_t count() const { return poses.size(); }
+  // The first at a time or later, and the first that is later.
+  std::size_t find_at(double time_s) const {
+    return static_cast<std::size_t>(std::ranges::lower_bound(drawn_s, time_s) - drawn_s.begin());
+  }
+  std::size_t find_after(double time_s) const {
+    return static_cast<std::size_t>(std::ranges::upper_bound(drawn_s, time_s) - drawn_s.begin());
+  }
 };
-using Frames = std::vector<Shown>;  // by time
+
+// The moves of one area of one side lie side by side.
+struct Group {
+  std::size_t begin = 0, end = 0;
+};
 
 bool is_quick_by_nature(const MoveInfo& info) { return info.area == "lid" || info.area == "eye"; }
 
-// Without what blinks, looks and drifts, which is not what keys ask for.
-Frames sample_asked(Performance performance) {
-  performance.idle = {};
-  Frames frames;
-  for (const Moment& moment : sample_frames(performance))
-    frames.push_back({find_drawing_time_s(performance.clip, static_cast<int>(frames.size())), moment.pose});
-  return frames;
-}
-
-// What keys come to where no cue covers them.
-Frames sample_keys(const Performance& performance) {
-  ClipSpec clip = performance.clip;
-  clip.cues.clear();
-  return sample_asked(build_performance(clip));
-}
-
-// The frames from a time to another one.
-std::span<const Shown> find_frames(const Frames& frames, double from_s, double to_s) {
-  const auto first = std::ranges::lower_bound(frames, from_s, {}, &Shown::time_s);
-  return {first, std::ranges::upper_bound(first, frames.end(), to_s, {}, &Shown::time_s)};
+std::vector<Group> list_groups() {
+  std::vector<Group> groups;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    const bool is_new =
+        i == 0 || kMoves[i].area != kMoves[i - 1].area || kMoves[i].side != kMoves[i - 1].side;
+    if (is_new) groups.push_back({i, i});
+    groups.back().end = i + 1;
+  }
+  std::erase_if(groups, [](const Group& group) { return is_quick_by_nature(kMoves[group.begin]); });
+  return groups;
 }
 
 std::string show_time(const ClipSpec& clip, double time_s) {
@@ -69,14 +72,14 @@ void judge_hold(const ClipSpec& clip, std::size_t i, std::vector<Diagnostic>& ad
 }
 
 // The move of one area of one side, mm, combined over its moves.
-double find_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, std::size_t first) {
+double find_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, const Group& group) {
   double squares = 0;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
-    if (kMoves[i].area != kMoves[first].area || kMoves[i].side != kMoves[first].side) continue;
+  for (std::size_t i = group.begin; i < group.end; ++i) {
     const auto place_mm = [&](double value) {
       return value * (value > 0 ? reach.plus_mm[i] : reach.minus_mm[i]);
     };
-    squares += std::pow(place_mm(to.values[i]) - place_mm(from.values[i]), 2);
+    const double step_mm = place_mm(to.values[i]) - place_mm(from.values[i]);
+    squares += step_mm * step_mm;
   }
   return std::sqrt(squares);
 }
@@ -84,23 +87,23 @@ double find_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, st
 void judge_speed(const ClipSpec& clip, std::size_t key, const Frames& frames, const MoveReach& reach,
                  std::vector<Diagnostic>& advice) {
   if (key == 0) return;
+  static const std::vector<Group> groups = list_groups();
   const PoseKey &from = clip.keys[key - 1], &to = clip.keys[key];
   double worst_mm = kFastest_mm, worst_s = 0;
   std::string_view area;
-  const auto on_way = std::ranges::lower_bound(frames, from.at_s + kSameTime_s, {}, &Shown::time_s);
-  for (auto f = std::max(on_way, frames.begin() + 1); f < frames.end(); ++f) {
-    const Shown &before = *(f - 1), &now = *f;
-    if (now.time_s <= before.time_s) continue;
-    if (before.time_s > to.at_s - kSameTime_s) break;
-    const double held_frames = (now.time_s - before.time_s) * clip.fps;
-    for (std::size_t i = 0; i < kMoveCount; ++i) {
-      if (is_quick_by_nature(kMoves[i])) continue;
-      const double step_mm = find_step_mm(before.pose, now.pose, reach, i) / held_frames;
+  for (std::size_t f = std::max<std::size_t>(frames.find_at(from.at_s + kSameTime_s), 1); f < frames.count();
+       ++f) {
+    const double before_s = frames.drawn_s[f - 1], now_s = frames.drawn_s[f];
+    if (now_s <= before_s) continue;
+    if (before_s > to.at_s - kSameTime_s) break;
+    const double held_frames = (now_s - before_s) * clip.fps;
+    for (const Group& group : groups) {
+      const double step_mm = find_step_mm(frames.poses[f - 1], frames.poses[f], reach, group) / held_frames;
       constexpr double kSame_mm = 1e-6;  // of two equal steps the first one is told
       if (step_mm <= worst_mm + kSame_mm) continue;
       worst_mm = step_mm;
-      worst_s = now.time_s;
-      area = kMoves[i].area;
+      worst_s = now_s;
+      area = kMoves[group.begin].area;
     }
   }
   if (area.empty()) return;
@@ -121,7 +124,7 @@ double find_distance(const Pose& a, const Pose& b) {
 void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::vector<Diagnostic>& advice) {
   const std::vector<PoseKey>& keys = clip.keys;
   const PoseKey& key = keys[i];
-  const double end_s = frames.back().time_s;
+  const double end_s = frames.drawn_s.back();
   // The frame at the end would be the first of the next second: whoever loops a clip puts a key there.
   if (i == 0 || key.at_s > end_s - kSameTime_s) {
     if (i == 0 || key.at_s < clip.length_s + kSameTime_s) return;
@@ -134,12 +137,12 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::
   if (whole < kLeastChange) return;
   const double until_s = i + 1 < keys.size() ? keys[i + 1].at_s : end_s;
   double nearest = whole;
-  for (const Shown& shown : find_frames(frames, keys[i - 1].at_s - kSameTime_s, until_s + kSameTime_s))
-    nearest = std::min(nearest, find_distance(shown.pose, key.pose));
-  const auto next = std::ranges::upper_bound(frames, key.at_s, {}, &Shown::time_s);
-  const auto here = std::ranges::lower_bound(frames, key.at_s, {}, &Shown::time_s);
-  const double after_s = next == frames.end() ? end_s : next->time_s;
-  const double before_s = here == frames.begin() ? 0 : (here - 1)->time_s;
+  const std::size_t last = frames.find_after(until_s + kSameTime_s);
+  for (std::size_t f = frames.find_at(keys[i - 1].at_s - kSameTime_s); f < last; ++f)
+    nearest = std::min(nearest, find_distance(frames.poses[f], key.pose));
+  const std::size_t next = frames.find_after(key.at_s), here = frames.find_at(key.at_s);
+  const double after_s = next == frames.count() ? end_s : frames.drawn_s[next];
+  const double before_s = here == 0 ? 0 : frames.drawn_s[here - 1];
   const double share = 1 - nearest / whole;
   if (share >= kReached) return;
   add_advice(
@@ -149,18 +152,48 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::
       advice);
 }
 
+// How much of a cue there is at a time, whatever its areas' lead: 0..1.
+double find_presence(const CueSpec& cue, double time_s) {
+  if (time_s < cue.from_s || time_s >= cue.end_s) return 0;
+  const double come = time_s >= cue.full_s ? 1 : (time_s - cue.from_s) / (cue.full_s - cue.from_s);
+  const double stays = time_s <= cue.ebb_s ? 1 : (cue.end_s - time_s) / (cue.end_s - cue.ebb_s);
+  return ease(Easing::in_out, come) * ease(Easing::in_out, stays);
+}
+
+void judge_cue(const ClipSpec& clip, const CueSpec& cue, const Frames& frames,
+               std::vector<Diagnostic>& advice) {
+  const std::string begin = fmt::format("the cue '{}'", cue.what.label);
+  if (cue.from_s > frames.drawn_s.back() - kSameTime_s)
+    return add_advice(cue.what,
+                      fmt::format("{} comes at {}, after the clip's last drawing at {}", begin,
+                                  show_time(clip, cue.from_s), show_time(clip, frames.drawn_s.back())),
+                      advice);
+  double most = 0;
+  const std::size_t last = frames.find_after(std::min(cue.end_s, clip.length_s));
+  for (std::size_t f = frames.find_at(cue.from_s); f < last && most < kReached; ++f)
+    most = std::max(most, find_presence(cue, frames.drawn_s[f]));
+  if (most >= kReached) return;
+  add_advice(cue.what,
+             fmt::format("{} is never fully drawn, {:.0f} % of it at most; it is all there from {} {}", begin,
+                         100 * most, show_time(clip, cue.full_s),
+                         cue.ebb_s < kForever_s ? "to " + show_time(clip, cue.ebb_s) : "on"),
+             advice);
+}
+
 }  // namespace
 
-std::vector<Diagnostic> advise_clip(const Performance& performance, const MoveReach& reach) {
-  const Frames frames = sample_asked(performance);
-  const Frames keys_alone = performance.clip.cues.empty() ? frames : sample_keys(performance);
-  const ClipSpec& clip = performance.clip;
+std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehearsal,
+                                    const MoveReach& reach) {
+  const Frames frames{rehearsal.drawn_s, rehearsal.asked};
+  const Frames keys_alone{rehearsal.drawn_s, rehearsal.keys.empty() ? rehearsal.asked : rehearsal.keys};
   std::vector<Diagnostic> advice;
   for (std::size_t i = 0; i < clip.keys.size(); ++i) {
     judge_hold(clip, i, advice);
     judge_speed(clip, i, frames, reach, advice);
     judge_apex(clip, i, keys_alone, advice);
   }
+  for (const CueSpec& cue : clip.cues)
+    if (cue.layer == Layer::cue) judge_cue(clip, cue, frames, advice);
   return advice;
 }
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "timeline/performance.hpp"
+#include "timeline/rehearsal.hpp"
 
 namespace mien {
 
@@ -22,10 +22,12 @@ inline constexpr int kLeastHold_frames = 6;
 // face, comes to about as much.
 inline constexpr double kFastest_mm = 12;
 
-// Warnings at the keys they speak of, in their order:
+// Of a clip whose keys are by time, and of what it comes to. Warnings at the keys they speak of, in their
+// order:
 //   a face that is held for less than kLeastHold_frames and left again
 //   areas that move more than kFastest_mm a frame on their way to a key (lids and eyes may)
 //   keys whose face no drawing shows in full: after the end, between two drawings, given no time
-std::vector<Diagnostic> advise_clip(const Performance& performance, const MoveReach& reach);
+// then at the cues that no drawing shows in full, as they are in the clip
+std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehearsal, const MoveReach& reach);
 
 }  // namespace mien

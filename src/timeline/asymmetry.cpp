@@ -6,6 +6,7 @@
 
 #include "config/pose_mix.hpp"
 #include "timeline/seeded.hpp"
+#include "timeline/track.hpp"
 
 namespace mien {
 namespace {
@@ -14,6 +15,25 @@ constexpr double kLeastDelay_s = 0.02, kMostDelay_s = 0.06;
 constexpr double kLeftIsStronger = 0.59;
 // The most that a delay may take of the way between two keys: more would make a quick move a jump.
 constexpr double kMostOfWay = 0.3;
+
+// Between two neighbours of the keys; of no length before the first and after the last.
+struct Way {
+  double from_s = 0, length_s = 0;
+};
+
+Way find_way(const std::vector<double>& keys_s, double time_s) {
+  const auto next = std::upper_bound(keys_s.begin(), keys_s.end(), time_s);
+  if (next == keys_s.begin() || next == keys_s.end()) return {};
+  return {*(next - 1), *next - *(next - 1)};
+}
+
+double find_side_time_s(const Way& way, double time_s, double delay_s, bool is_late) {
+  if (way.length_s == 0) return time_s;
+  const double waited_s = std::min(delay_s, kMostOfWay * way.length_s);
+  const double moving_s = way.length_s - waited_s;
+  const double gone_s = time_s - way.from_s - (is_late ? waited_s : 0);
+  return way.from_s + way.length_s * std::clamp(gone_s / moving_s, 0.0, 1.0);
+}
 
 }  // namespace
 
@@ -35,27 +55,23 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
 }
 
 double find_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late) {
-  const auto next = std::upper_bound(keys_s.begin(), keys_s.end(), time_s);
-  if (next == keys_s.begin() || next == keys_s.end()) return time_s;
-  const double from_s = *(next - 1), way_s = *next - from_s;
-  const double waited_s = std::min(delay_s, kMostOfWay * way_s), moving_s = way_s - waited_s;
-  const double gone_s = time_s - from_s - (is_late ? waited_s : 0);
-  return from_s + way_s * std::clamp(gone_s / moving_s, 0.0, 1.0);
+  return find_side_time_s(find_way(keys_s, time_s), time_s, delay_s, is_late);
 }
 
 Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample) {
   Pose pose = sample(time_s, std::bitset<kMoveCount>().set());
+  if (asymmetry.areas.empty()) return pose;
+  const Way way = find_way(asymmetry.keys_s, time_s);
   for (const AreaLean& lean : asymmetry.areas) {
     for (const Side side : {Side::left, Side::right}) {
-      const double side_s = find_side_time_s(asymmetry.keys_s, time_s, lean.delay_s, side == lean.late);
+      const double side_s = find_side_time_s(way, time_s, lean.delay_s, side == lean.late);
       const std::bitset<kMoveCount>& moves = lean.moves[side == Side::left ? 0 : 1];
       const Pose other = side_s == time_s ? pose : sample(side_s, moves);
-      for (std::size_t i = 0; i < kMoveCount; ++i) {
-        if (!moves[i]) continue;
+      for_each_move(moves, [&](std::size_t i) {
         const bool is_shutting = kIsUpperLid[i] && other.values[i] < 0;
         const double weakness = side == lean.weak && !is_shutting ? lean.weakness : 0;
         pose.values[i] = other.values[i] * (1 - weakness);
-      }
+      });
     }
   }
   return pose;

@@ -25,34 +25,38 @@ constexpr std::string_view kLetters = ".:-=+*#%@";
 // Sides this near, as of eyes that meet at a point, look the same in so few steps.
 constexpr double kSameSide = 1.0 / 8;
 
-ChartRow build_area_row(const std::vector<Moment>& moments, const AreaKey& key) {
+ChartRow build_area_row(const std::vector<Shown>& frames, const AreaKey& key) {
   ChartRow row{std::string(key.key), {}, {}};
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     const MoveInfo& info = kMoves[i];
     if (info.area != key.area || info.side != (key.is_both ? Side::left : key.side)) continue;
     row.moves.emplace_back(info.move);
     std::vector<double>& values = row.values.emplace_back();
-    for (const Moment& moment : moments) values.push_back(moment.pose.values[i]);
+    values.reserve(frames.size());
+    for (const Shown& frame : frames) values.push_back(frame.pose.values[i]);
   }
   return row;
 }
 
-ChartRow build_head_row(const std::vector<Moment>& moments) {
+ChartRow build_head_row(const std::vector<Shown>& frames) {
   ChartRow row{"head", {"turn", "nod", "tilt"}, std::vector<std::vector<double>>(3)};
-  for (const Moment& moment : moments) {
-    row.values[0].push_back(moment.turn.turn_deg / kMaxTurn_deg);
-    row.values[1].push_back(moment.turn.nod_deg / kMaxNod_deg);
-    row.values[2].push_back(moment.turn.tilt_deg / kMaxTilt_deg);
+  for (const Shown& frame : frames) {
+    row.values[0].push_back(frame.turn_deg / kMaxTurn_deg);
+    row.values[1].push_back(frame.nod_deg / kMaxNod_deg);
+    row.values[2].push_back(frame.tilt_deg / kMaxTilt_deg);
   }
   return row;
 }
 
-double find_greatest_difference(const ChartRow& a, const ChartRow& b) {
-  double greatest = 0;
-  for (std::size_t move = 0; move < a.values.size(); ++move)
-    for (std::size_t i = 0; i < a.values[move].size(); ++i)
-      greatest = std::max(greatest, std::abs(a.values[move][i] - b.values[move][i]));
-  return greatest;
+// Whether the sides of an area are ever further apart than that.
+bool are_apart(const std::vector<Shown>& frames, std::string_view area, double apart) {
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    if (kMoves[i].area != area || kMoves[i].side != Side::left) continue;
+    const std::size_t other = *find_move(area, Side::right, kMoves[i].move);
+    for (const Shown& frame : frames)
+      if (std::abs(frame.pose.values[i] - frame.pose.values[other]) > apart) return true;
+  }
+  return false;
 }
 
 // Where the clip's frames and times stand in the chart.
@@ -130,21 +134,18 @@ std::string build_key_lines(const std::vector<PoseKey>& keys, const Columns& col
 
 }  // namespace
 
-std::vector<ChartRow> list_chart_rows(const Performance& performance, double apart) {
-  const std::vector<Moment> moments = sample_frames(performance);
+std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double apart) {
   std::vector<ChartRow> rows;
   for (const AreaKey& key : kAreaKeys) {
     if (!key.is_both && key.side != Side::none) continue;  // comes with its plural
-    rows.push_back(build_area_row(moments, key));
-    if (!key.is_both) continue;
-    std::vector<ChartRow> sides;
+    if (!key.is_both || !are_apart(frames, key.area, apart)) {
+      rows.push_back(build_area_row(frames, key));
+      continue;
+    }
     for (const AreaKey& side : kAreaKeys)
-      if (side.area == key.area && !side.is_both) sides.push_back(build_area_row(moments, side));
-    if (find_greatest_difference(sides.at(0), sides.at(1)) <= apart) continue;
-    rows.pop_back();
-    rows.insert(rows.end(), sides.begin(), sides.end());
+      if (side.area == key.area && !side.is_both) rows.push_back(build_area_row(frames, side));
   }
-  rows.push_back(build_head_row(moments));
+  rows.push_back(build_head_row(frames));
   return rows;
 }
 
@@ -155,11 +156,11 @@ double find_amount(const ChartRow& row, int frame) {
   return std::min(amount, 1.0);
 }
 
-std::string build_chart(const Performance& performance, const ChartStyle& style) {
+std::string build_chart(const ClipSpec& clip, const std::vector<Shown>& frames, const ChartStyle& style) {
   const int width = std::max(style.width, kLeastWidth) - kNameWidth - 1;
-  const Columns columns{width, count_frames(performance.clip), performance.clip.fps};
-  std::string text = build_ruler(columns) + build_key_lines(performance.clip.keys, columns, style.is_ascii);
-  for (const ChartRow& row : list_chart_rows(performance, kSameSide)) {
+  const Columns columns{width, static_cast<int>(frames.size()), clip.fps};
+  std::string text = build_ruler(columns) + build_key_lines(clip.keys, columns, style.is_ascii);
+  for (const ChartRow& row : list_chart_rows(frames, kSameSide)) {
     text += fmt::format("{:<{}} ", row.name, kNameWidth);
     for (int column = 0; column < columns.count; ++column) {
       const std::size_t level = find_level(find_column_amount(row, columns, column));

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "timeline/performance.hpp"
+#include "timeline/rehearsal.hpp"
 
 namespace mien {
 
@@ -17,7 +17,7 @@ struct ChartRow {
 
 // In the order of kMoves, the head's turning last. Two sides that are never further apart than `apart` share
 // a row, with the left one's values.
-std::vector<ChartRow> list_chart_rows(const Performance& performance, double apart = 0);
+std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double apart = 0);
 
 // How far the row's furthest move is at `frame`: 0..1, whatever the direction.
 double find_amount(const ChartRow& row, int frame);
@@ -27,8 +27,8 @@ struct ChartStyle {
   bool is_ascii = true;  // else UTF-8 blocks, whose height is the amount
 };
 
-// Lines that end with '\n': seconds, the keys' names and marks, then a row for each area. A column shows the
-// greatest amount of its frames. Narrower than 40 is taken as 40.
-std::string build_chart(const Performance& performance, const ChartStyle& style);
+// Of a clip whose keys are by time. Lines that end with '\n': seconds, the keys' names and marks, then a row
+// for each area. A column shows the greatest amount of its frames. Narrower than 40 is taken as 40.
+std::string build_chart(const ClipSpec& clip, const std::vector<Shown>& frames, const ChartStyle& style);
 
 }  // namespace mien

@@ -59,10 +59,10 @@ void freeze_cues(std::span<Cue> cues) {
   }
 }
 
-// What a cue shows now.
-FaceState show(const Cue& cue, Ticks time) {
+// What a cue shows now, of some moves.
+FaceState show(const Cue& cue, Ticks time, const Moves& only) {
+  if (cue.script) return sample_layers(*cue.script, find_script_time(cue, time), only);
   FaceState shown;
-  if (cue.script) return sample_layers(*cue.script, find_script_time(cue, time));
   if (!cue.table.keys.empty()) {
     std::array<double, kMaxChannels> row;
     const auto& moves = cue.spec.table->moves;
@@ -70,9 +70,7 @@ FaceState show(const Cue& cue, Ticks time) {
     for (std::size_t i = 0; i < moves.size(); ++i) shown.values[moves[i]] = row[i];
     shown.reach.fill(cue.spec.what.reach);
   } else if (cue.spec.what.live) {
-    const HeldPose held = evaluate_pose(*cue.spec.what.live, find_seconds(time));
-    shown.values = held.pose.values;
-    shown.reach.fill(held.reach);
+    shown.reach.fill(evaluate_pose(*cue.spec.what.live, find_seconds(time), only, shown.values));
   } else {
     shown.values = cue.spec.what.pose.values;
     shown.reach.fill(cue.spec.what.reach);
@@ -131,18 +129,23 @@ void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, const Moves& o
   const Moves moves = cue.spec.owns & only;
   const bool turns = cue.script != nullptr && only.all();
   if (moves.none() && !turns) return;
-  const FaceState shown = show(cue, time);
+  const FaceState shown = show(cue, time, turns ? only : moves);
   for (std::size_t i = 0; turns && i < shown.turn_deg.size(); ++i)
     face.turn_deg[i] += find_envelope(cue, 0, 0, time) * shown.turn_deg[i];
-  for (std::size_t move = 0; move < kMoveCount; ++move) {
-    if (!moves[move]) continue;
-    const double weight = find_weight(stack, cue, move, time);
-    if (weight == 0) continue;
+  // Most cues come and go with all their moves, or with a few together.
+  const bool is_even = cue.freezes.empty();
+  Ticks known_after = -1;
+  double weight = 0;
+  for_each_move(moves, [&](std::size_t move) {
+    const Ticks after = cue.spec.has_lead ? stack.after[move] : 0;
+    if (!is_even || after != known_after) weight = find_weight(stack, cue, move, time);
+    known_after = after;
+    if (weight == 0) return;
     if (cue.spec.rule == Rule::share)
       shares.add(move, weight, shown);
     else
       lay(cue.spec.rule, move, weight, shown, face);
-  }
+  });
 }
 
 // The cues of one layer that are there at a time: first those that share, then the others upon them.
@@ -199,6 +202,8 @@ CueStack build_cue_stack(const ClipSpec& clip) {
   for (std::size_t i = 0; i + 1 < stack.layer_begins.size(); ++i) {
     const std::size_t begin = stack.layer_begins[i], end = stack.layer_begins[i + 1];
     freeze_cues(std::span(stack.cues).subspan(begin, end - begin));
+    Moves& moves = stack.layer_moves.emplace_back();
+    for (std::size_t cue = begin; cue < end; ++cue) moves |= stack.cues[cue].spec.owns;
     for (std::size_t cue = begin; cue < end; ++cue)
       stack.latest_end.push_back(
           std::max(stack.cues[cue].gone, cue == begin ? stack.cues[cue].gone : stack.latest_end.back()));
@@ -212,7 +217,7 @@ void apply_cues(const CueStack& stack, Ticks time, FaceState& face) {
 
 void apply_cues(const CueStack& stack, Ticks time, const Moves& only, FaceState& face) {
   for (std::size_t layer = 0; layer < count_layers(stack); ++layer)
-    apply_layer(stack, layer, time, only, face);
+    if (only.all() || (only & stack.layer_moves[layer]).any()) apply_layer(stack, layer, time, only, face);
 }
 
 std::size_t count_layers(const CueStack& stack) { return stack.layer_begins.size() - 1; }

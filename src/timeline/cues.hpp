@@ -35,6 +35,7 @@ struct CueStack {
   std::vector<Cue> cues;
   std::vector<Ticks> latest_end;          // of this one and all before it, within its layer
   std::vector<std::size_t> layer_begins;  // where each layer begins, and the end
+  std::vector<Moves> layer_moves;         // what the cues of each may move
   std::array<Ticks, kMoveCount> after{};  // the clip's lead, move by move
   Ticks widest = 0;
 };
@@ -46,8 +47,6 @@ struct FaceState {
   std::array<double, kMoveCount> values{}, reach{};
   std::array<double, 3> turn_deg{};  // of scripts, on top of the head's own
 };
-
-using Moves = std::bitset<kMoveCount>;
 
 // Lays the cues upon the face. With `only` some of the moves: the others and the head's turn are left as they
 // are.

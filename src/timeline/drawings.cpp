@@ -18,6 +18,7 @@ namespace {
 // All numbers of a moment as bytes.
 std::string key_of(const Moment& moment) {
   std::string bytes;
+  bytes.reserve(sizeof(double) * (kMoveCount + 6));
   for (const double value : moment.pose.values) append_bytes(bytes, value);
   for (const double value : {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg,
                              moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})
@@ -27,34 +28,38 @@ std::string key_of(const Moment& moment) {
 
 }  // namespace
 
-std::vector<int> find_drawings(const Performance& performance) {
-  const std::vector<const Performance*> alone{&performance};
-  return find_drawings(alone);
+std::string find_drawing_key(const Performance& performance, double time_s, Moment unlooking) {
+  // Eyes that no limit holds: two looks that these eyes cannot tell apart may differ on another head.
+  EyeRig eyes;
+  eyes.left = eyes.right = {180, 180, 180, 180};
+  add_looks_and_blinks(performance.idle, eyes, time_s, unlooking.camera, unlooking.turn, unlooking.pose);
+  const std::vector<HeadKey>& heads = performance.clip.head;
+  return key_of(unlooking) + (heads.empty() ? "" : find_head_key(sample_head(heads, time_s)));
 }
 
-std::vector<int> find_drawings(const std::vector<const Performance*>& performances) {
-  const ClipSpec& clip = performances.front()->clip;
-  const int count = count_frames(clip);
-  std::vector<int> first(count);
-  std::unordered_map<std::string, int> seen;
-  // Eyes that no limit holds: two looks that these eyes cannot tell apart may differ on another head.
-  std::vector<Performance> unheld;
-  for (const Performance* performance : performances) {
-    unheld.push_back(*performance);
-    unheld.back().idle.eyes.left = unheld.back().idle.eyes.right = {180, 180, 180, 180};
-  }
-  std::vector<std::string> keys(static_cast<std::size_t>(count));
+std::vector<std::string> list_drawing_keys(const Performance& performance) {
+  std::vector<std::string> keys(static_cast<std::size_t>(count_frames(performance.clip)));
   for_each_index(keys.size(), count_cores(), [&](std::size_t frame, int) {
-    const double time_s = find_drawing_time_s(clip, static_cast<int>(frame));
-    std::string& key = keys[frame] = find_stage_key(sample_stage(clip, time_s));
-    for (const Performance& performance : unheld) {
-      key += key_of(sample_performance(performance, time_s));
-      if (const auto& heads = performance.clip.head; !heads.empty())
-        key += find_head_key(sample_head(heads, time_s));
-    }
+    const double time_s = find_drawing_time_s(performance.clip, static_cast<int>(frame));
+    const FaceState asked = sample_layers(*performance.layers, find_ticks(time_s));
+    keys[frame] = find_drawing_key(performance, time_s, sample_unlooking(performance, time_s, asked));
   });
-  for (int frame = 0; frame < count; ++frame)
-    first[frame] = seen.emplace(keys[static_cast<std::size_t>(frame)], frame).first->second;
+  return keys;
+}
+
+std::vector<int> find_drawings(const Performance& performance) {
+  return find_drawings(performance.clip, {list_drawing_keys(performance)});
+}
+
+std::vector<int> find_drawings(const ClipSpec& clip, const std::vector<std::vector<std::string>>& everybody) {
+  const int count = count_frames(clip);
+  std::vector<int> first(static_cast<std::size_t>(count));
+  std::unordered_map<std::string, int> seen;
+  for (int frame = 0; frame < count; ++frame) {
+    std::string key = find_stage_key(sample_stage(clip, find_drawing_time_s(clip, frame)));
+    for (const std::vector<std::string>& keys : everybody) key += keys.at(static_cast<std::size_t>(frame));
+    first[static_cast<std::size_t>(frame)] = seen.emplace(std::move(key), frame).first->second;
+  }
   return first;
 }
 

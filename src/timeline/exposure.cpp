@@ -71,8 +71,9 @@ int find_key_frame(const ClipSpec& clip, double time_s) {
 }
 
 std::vector<ExposureLine> build_exposure(const Performance& performance) {
-  const std::vector<int> first = find_drawings(performance);
-  const std::vector<ChartRow> rows = list_chart_rows(performance);
+  const Rehearsal rehearsal = rehearse(performance);
+  const std::vector<int> first = find_drawings(performance.clip, {rehearsal.drawings});
+  const std::vector<ChartRow> rows = list_chart_rows(rehearsal.shown);
   const std::map<int, std::string> labels = find_key_labels(performance.clip);
   std::map<int, int> numbers;  // of drawings, by their first frames
   std::vector<ExposureLine> lines;

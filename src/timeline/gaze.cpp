@@ -22,6 +22,10 @@ constexpr double kWanderSide_deg = 8, kWanderUp_deg = 4;
 constexpr double kLeastFixation_s = 0.2, kMeanFixation_s = 1.1;
 constexpr double kFixationSpread = 0.6;  // of the logarithm: many short ones, a few long
 
+// From one end of what angles there are to the other (find_saccade_s): whoever is to arrive later than that
+// has not set out.
+constexpr double kLongestSaccade_s = 1;
+
 constexpr double kQuickTurn_degps = 25;  // a head that turns more slowly takes no blink along
 
 // Yaw to the character's left and pitch upward, degrees in the head's own frame.
@@ -47,20 +51,33 @@ glm::dvec3 find_camera_mm(const EyeRig& rig, const CameraKey& camera) {
          rig.camera_mm * camera.distance * find_direction(camera.angle_deg, camera.height_deg);
 }
 
-// One key's aim, seen from the head as it is turned.
-EyesAim find_aim(const GazeKey& key, const EyeRig& rig, const TurnKey& turn, const CameraKey& camera) {
+// The eyes of a head as it is turned, and the camera.
+struct EyesNow {
+  const EyeRig& rig;
+  const CameraKey& camera;
+  glm::dmat4 world_from_head;
+  glm::dmat3 head_from_world;
+
+  EyesNow(const EyeRig& rig_, const TurnKey& turn, const CameraKey& camera_)
+      : rig(rig_),
+        camera(camera_),
+        world_from_head(find_turn(rig_.pivot_mm, turn, 1)),
+        head_from_world(glm::transpose(glm::dmat3(world_from_head))) {}  // of a rotation
+};
+
+// One key's aim, seen from the head.
+EyesAim find_aim(const GazeKey& key, const EyesNow& eyes) {
   if (key.look == LookAt::ahead) return {};
-  const glm::dmat4 world_from_head = find_turn(rig.pivot_mm, turn, 1);
-  const glm::dmat3 head_from_world = glm::transpose(glm::dmat3(world_from_head));  // of a rotation
   if (key.look == LookAt::direction) {
-    const EyeAim aim = find_aim(head_from_world * find_direction(key.side_deg, key.up_deg));
+    const EyeAim aim = find_aim(eyes.head_from_world * find_direction(key.side_deg, key.up_deg));
     return {aim, aim};
   }
-  const glm::dvec3 place = key.look == LookAt::camera ? find_camera_mm(rig, camera) : key.point_mm;
+  const glm::dvec3 place = key.look == LookAt::camera ? find_camera_mm(eyes.rig, eyes.camera) : key.point_mm;
   const auto aim_from = [&](const glm::dvec3& centre) {
-    return find_aim(head_from_world * (place - glm::dvec3(world_from_head * glm::dvec4(centre, 1))));
+    return find_aim(eyes.head_from_world *
+                    (place - glm::dvec3(eyes.world_from_head * glm::dvec4(centre, 1))));
   };
-  return {aim_from(rig.left_mm), aim_from(rig.left_mm * glm::dvec3(-1, 1, 1))};
+  return {aim_from(eyes.rig.left_mm), aim_from(eyes.rig.left_mm * glm::dvec3(-1, 1, 1))};
 }
 
 double find_amplitude_deg(const EyeAim& from, const EyeAim& to) {
@@ -97,9 +114,11 @@ KeysAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const Tu
   if (keys.empty()) return {};
   const auto next = find_next(keys, time_s);
   const GazeKey& now = next == keys.begin() ? *next : *(next - 1);
-  const EyesAim from = find_aim(now, rig, turn, camera);
-  if (next == keys.begin() || next == keys.end()) return {from, &now};
-  const EyesAim to = find_aim(*next, rig, turn, camera);
+  const EyesNow eyes(rig, turn, camera);
+  const EyesAim from = find_aim(now, eyes);
+  if (next == keys.begin() || next == keys.end() || next->at_s - time_s > kLongestSaccade_s)
+    return {from, &now};
+  const EyesAim to = find_aim(*next, eyes);
   // One time for both eyes, though one of them may have further to go.
   const double amplitude_deg =
       std::max(find_amplitude_deg(from.left, to.left), find_amplitude_deg(from.right, to.right));
@@ -211,9 +230,10 @@ std::vector<Shift> list_shifts(const GazeSpec& gaze, const std::vector<TurnKey>&
                                const std::vector<CameraKey>& camera) {
   std::vector<Shift> shifts;
   const CameraKey view = camera.empty() ? CameraKey{} : camera.front();
+  const EyeRig rig;
+  const EyesNow eyes(rig, TurnKey{}, view);
   for (std::size_t i = 1; i < gaze.keys.size(); ++i) {
-    const EyeAim from = find_aim(gaze.keys[i - 1], EyeRig{}, TurnKey{}, view).left;
-    const EyeAim to = find_aim(gaze.keys[i], EyeRig{}, TurnKey{}, view).left;
+    const EyeAim from = find_aim(gaze.keys[i - 1], eyes).left, to = find_aim(gaze.keys[i], eyes).left;
     const double amplitude_deg = find_amplitude_deg(from, to);
     shifts.push_back({gaze.keys[i].at_s - find_saccade_s(amplitude_deg) / 2, amplitude_deg});
   }

@@ -12,9 +12,9 @@ Idle build_idle(const ClipSpec& clip) {
           place_blinks(clip)};
 }
 
-void add_idle(const Idle& idle, double time_s, const CameraKey& camera, Pose& pose, TurnKey& turn) {
-  add_drift(idle.drift, time_s, pose, turn);
-  aim_eyes(idle.gaze, idle.eyes, time_s, turn, camera, pose);
+void add_looks_and_blinks(const Idle& idle, const EyeRig& eyes, double time_s, const CameraKey& camera,
+                          const TurnKey& turn, Pose& pose) {
+  aim_eyes(idle.gaze, eyes, time_s, turn, camera, pose);
   close_lids(pose, find_blink_closure(idle.blinks, time_s));
 }
 

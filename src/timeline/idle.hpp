@@ -21,8 +21,9 @@ struct Idle {
 // Everything off that the clip does not ask for. Its tracks must be sorted.
 Idle build_idle(const ClipSpec& clip);
 
-// Drift, gaze and blinks at `time_s`, in this order: the eyes make up for where the head has drifted, and the
-// lids come over all. (Asymmetry is sampled before: it needs the keys at other times.)
-void add_idle(const Idle& idle, double time_s, const CameraKey& camera, Pose& pose, TurnKey& turn);
+// Gaze and blinks at `time_s`, in this order and after the drift: the eyes make up for where the head has
+// drifted, and the lids come over all.
+void add_looks_and_blinks(const Idle& idle, const EyeRig& eyes, double time_s, const CameraKey& camera,
+                          const TurnKey& turn, Pose& pose);
 
 }  // namespace mien

@@ -93,13 +93,18 @@ FaceState sample_layers(const Layers& layers, Ticks time) {
 }
 
 FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only) {
+  FaceState face = sample_keys(layers, time, only);
+  apply_cues(layers.cues, time, only, face);
+  return face;
+}
+
+FaceState sample_keys(const Layers& layers, Ticks time, const Moves& only) {
   FaceState face;
-  sample_track(layers.pose, time, face.values);
+  sample_track(layers.pose, time, only, face.values);
   std::array<double, 2> reach{1, 1};
   if (layers.most_reach > 1) sample_track(layers.reach, time, reach);
   face.reach.fill(std::clamp(std::max(reach[0], reach[1]), 1.0, layers.most_reach));
   if (only.all()) sample_track(layers.turn, time, face.turn_deg);
-  apply_cues(layers.cues, time, only, face);
   return face;
 }
 

@@ -23,4 +23,7 @@ FaceState sample_layers(const Layers& layers, Ticks time);
 // The same, of which only some moves are asked for: the others and the head's turn mean nothing.
 FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only);
 
+// The same without any cue upon it.
+FaceState sample_keys(const Layers& layers, Ticks time, const Moves& only);
+
 }  // namespace mien

@@ -1,4 +1,4 @@
-// What a moment is made of, and which limits hold it: for `mien explain` and the ledger.
+// What a moment is made of: for `mien explain`.
 #pragma once
 
 #include <string>
@@ -22,8 +22,8 @@ struct MomentPart {
 // an area in the middle of the others' `lead`.
 std::vector<MomentPart> list_parts(const Performance& performance, double time_s);
 
-// What the limits hold back only in time: where curves, overshoots, sums of cues and formulas ask for more.
-// Each move of each line once, at the frame at which it asks for most, by places and moves.
-std::vector<Held> list_held_in_time(const Performance& performance);
+// What the limits hold back of a moment: of its parts by themselves, and of what they come to
+// (most_held.hpp).
+std::vector<Held> list_held_at(const Performance& performance, double time_s);
 
 }  // namespace mien

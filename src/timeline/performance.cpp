@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "core/parallel.hpp"
-
 namespace mien {
 namespace {
 
@@ -16,9 +14,9 @@ void sort_track(std::vector<Key>& keys) {
 
 double hold(double value, const Bounds& bounds) { return std::clamp(value, bounds.low, bounds.high); }
 
-Pose hold_pose(const FaceState& face) {
+Pose hold_moves(const FaceState& face, const Moves& only) {
   Pose pose;
-  for (std::size_t i = 0; i < kMoveCount; ++i) pose.values[i] = hold_value(i, face.values[i], face.reach[i]);
+  for_each_move(only, [&](std::size_t i) { pose.values[i] = hold_value(i, face.values[i], face.reach[i]); });
   return pose;
 }
 
@@ -63,23 +61,23 @@ Performance build_performance(const ClipSpec& clip) {
 
 Moment sample_performance(const Performance& performance, double time_s) {
   const Layers& layers = *performance.layers;
-  const FaceState now = sample_layers(layers, find_ticks(time_s));
-  const auto sample_pose = [&](double at_s, const Moves& only) {
-    return hold_pose(at_s == time_s ? now : sample_layers(layers, find_ticks(at_s), only));
-  };
-  Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose), build_turn(now, time_s),
-                sample_camera(layers, time_s)};
-  add_idle(performance.idle, time_s, moment.camera, moment.pose, moment.turn);
+  const Idle& idle = performance.idle;
+  Moment moment = sample_unlooking(performance, time_s, sample_layers(layers, find_ticks(time_s)));
+  add_looks_and_blinks(idle, idle.eyes, time_s, moment.camera, moment.turn, moment.pose);
   return moment;
 }
 
-std::vector<Moment> sample_frames(const Performance& performance) {
-  std::vector<Moment> moments(static_cast<std::size_t>(count_frames(performance.clip)));
-  for_each_index(moments.size(), count_cores(), [&](std::size_t frame, int) {
-    moments[frame] =
-        sample_performance(performance, find_drawing_time_s(performance.clip, static_cast<int>(frame)));
-  });
-  return moments;
+Pose hold_face(const FaceState& asked) { return hold_moves(asked, Moves().set()); }
+
+Moment sample_unlooking(const Performance& performance, double time_s, const FaceState& asked) {
+  const Layers& layers = *performance.layers;
+  const auto sample_pose = [&](double at_s, const Moves& only) {
+    return hold_moves(at_s == time_s ? asked : sample_layers(layers, find_ticks(at_s), only), only);
+  };
+  Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose), build_turn(asked, time_s),
+                sample_camera(layers, time_s)};
+  add_drift(performance.idle.drift, time_s, moment.pose, moment.turn);
+  return moment;
 }
 
 double find_drawing_time_s(const ClipSpec& clip, int frame) {

@@ -31,8 +31,11 @@ Performance build_performance(const ClipSpec& clip);
 // its limits, times the reach of those who ask. A pure function: any number of threads may ask.
 Moment sample_performance(const Performance& performance, double time_s);
 
-// What each frame of the clip shows, in order.
-std::vector<Moment> sample_frames(const Performance& performance);
+// The same in steps, for who needs what lies between. Of a face that keys and cues ask for at a time
+// (sample_layers): its pose within its limits; the moment of it but for looks and blinks, which
+// add_looks_and_blinks adds.
+Pose hold_face(const FaceState& asked);
+Moment sample_unlooking(const Performance& performance, double time_s, const FaceState& asked);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.
 double find_drawing_time_s(const ClipSpec& clip, int frame);

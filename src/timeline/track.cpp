@@ -48,34 +48,35 @@ void build_curves(KeyTrack& track) {
 
 using Numbers = std::array<double, kMaxChannels>;
 
-// A key's numbers now.
-void find_values(const TrackKey& key, double time_s, std::span<double> into) {
-  if (key.law)
-    key.law(time_s, into);
-  else
-    std::ranges::copy(key.values, into.begin());
+// A key's numbers now; `room` is for those of a law.
+std::span<const double> find_values(const TrackKey& key, Ticks time, Numbers& room) {
+  if (!key.law) return key.values;
+  const std::span<double> into = std::span(room).first(key.values.size());
+  key.law(find_seconds(time), into);
+  return into;
 }
 
 // On a curve through the keys' own numbers; what laws add to these meanwhile comes on top.
-void sample_curve(const KeyTrack& track, std::size_t to, Ticks time, std::span<double> into, const Numbers& a,
-                  const Numbers& b) {
+void sample_curve(const KeyTrack& track, std::size_t to, Ticks time, const Moves& only,
+                  std::span<double> into, std::span<const double> a, std::span<const double> b) {
   const TrackKey &from_key = track.keys[to - 1], &to_key = track.keys[to];
   const Ticks length = track.at[to] - track.at[to - 1];
   const double u = static_cast<double>(time - track.at[to - 1]) / static_cast<double>(length);
-  for (std::size_t i = 0; i < track.channels; ++i) {
+  for_each_move(only, [&](std::size_t i) {
     const auto [out, in] = track.slopes[to][i];
     into[i] = sample_cubic(from_key.values[i], to_key.values[i], out, in, find_seconds(length), u) +
               std::lerp(a[i] - from_key.values[i], b[i] - to_key.values[i], u);
-  }
+  });
 }
 
-void sample_way(const KeyTrack& track, std::size_t to, Ticks time, std::span<double> into) {
+void sample_way(const KeyTrack& track, std::size_t to, Ticks time, const Moves& only,
+                std::span<double> into) {
   const TrackKey& key = track.keys[to];
-  Numbers a, b;
-  find_values(track.keys[to - 1], find_seconds(time), std::span(a).first(track.channels));
-  find_values(key, find_seconds(time), std::span(b).first(track.channels));
+  Numbers room_a, room_b;
+  const std::span<const double> a = find_values(track.keys[to - 1], time, room_a);
+  const std::span<const double> b = find_values(key, time, room_b);
   if (!track.slopes[to].empty()) {
-    sample_curve(track, to, time, into, a, b);
+    sample_curve(track, to, time, only, into, a, b);
     return;
   }
   const bool is_even = key.between == Between::linear || key.ease.kind == Easing::linear;
@@ -83,7 +84,7 @@ void sample_way(const KeyTrack& track, std::size_t to, Ticks time, std::span<dou
   const bool is_led = !is_even && key.ease.kind != Easing::hold && !track.after.empty();
   Ticks known_after = -1;
   double share = 0;
-  for (std::size_t i = 0; i < track.channels; ++i) {
+  for_each_move(only, [&](std::size_t i) {
     const Ticks after = is_led ? track.after[i] : 0;
     if (after != known_after)
       share = ease(eased,
@@ -91,7 +92,7 @@ void sample_way(const KeyTrack& track, std::size_t to, Ticks time, std::span<dou
     known_after = after;
     // std::lerp: exact at both ends and never outside them, which a + (b - a) * t is not.
     into[i] = std::lerp(a[i], b[i], share);
-  }
+  });
 }
 
 }  // namespace
@@ -110,12 +111,16 @@ KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, std::span
 }
 
 void sample_track(const KeyTrack& track, Ticks time, std::span<double> into) {
+  sample_track(track, time, Moves((1ull << track.channels) - 1), into);
+}
+
+void sample_track(const KeyTrack& track, Ticks time, const Moves& only, std::span<double> into) {
   const auto next = static_cast<std::size_t>(std::ranges::upper_bound(track.at, time) - track.at.begin());
   const bool is_on_key = next > 0 && track.at[next - 1] == time;
-  if (next == 0 || next == track.at.size() || is_on_key)
-    find_values(track.keys[next == 0 ? 0 : next - 1], find_seconds(time), into);
-  else
-    sample_way(track, next, time, into);
+  if (next > 0 && next < track.at.size() && !is_on_key) return sample_way(track, next, time, only, into);
+  Numbers room;
+  const auto values = find_values(track.keys[next == 0 ? 0 : next - 1], time, room);
+  for_each_move(only, [&](std::size_t i) { into[i] = values[i]; });
 }
 
 double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time) {

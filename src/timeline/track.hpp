@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <bit>
+#include <bitset>
 #include <functional>
 #include <span>
 #include <vector>
@@ -13,6 +15,16 @@ namespace mien {
 
 // The most numbers of a track: a pose's.
 inline constexpr std::size_t kMaxChannels = kMoveCount;
+
+// Some of a track's channels; of a pose's the moves.
+using Moves = std::bitset<kMoveCount>;
+
+// Does `work(i)` for each that is set, ascending.
+template <typename Work>
+void for_each_move(const Moves& only, const Work& work) {
+  for (unsigned long rest = only.to_ulong(); rest != 0; rest &= rest - 1)
+    work(static_cast<std::size_t>(std::countr_zero(rest)));
+}
 
 // A key's numbers as a law of time: (seconds, into as many as the track has).
 using KeyLaw = std::function<void(double, std::span<double>)>;
@@ -41,8 +53,10 @@ struct KeyTrack {
 KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, std::span<const double> after_s = {});
 
 // The numbers at a time: a key's own at its time exactly, the first key's before it and the last one's after
-// it. An eased way is gone channel by channel (find_led_fraction); straight ways and curves together.
+// it. An eased way is gone channel by channel (find_led_fraction); straight ways and curves together. With
+// `only` some channels: the others are left as they are.
 void sample_track(const KeyTrack& track, Ticks time, std::span<double> into);
+void sample_track(const KeyTrack& track, Ticks time, const Moves& only, std::span<double> into);
 
 // The share of a way's time, from `begin` to `end`, that is gone for one who sets out `after` later than the
 // first and arrives so much earlier than the last, who sets out `widest` later. Nobody is later than a

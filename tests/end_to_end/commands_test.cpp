@@ -178,6 +178,23 @@ TEST(commands, tell_what_limits_held_without_failing) {
                       {"message", "brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1"}}));
 }
 
+TEST(commands, that_make_something_tell_what_limits_held_of_it) {
+  const auto folder = make_folder("held_too");
+  write_file(folder / "a.yaml", kHeldClip);
+  const std::string fifth =
+      "a.yaml:5:26: note: brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1\n"
+      "a.yaml:5:26: note: lids.upper asked for 1.7 (surprise 1 + fear 0.8); held at its limit, 1\n";
+  const std::string sixth = "a.yaml:6:40: note: brow.left.up asked for 1.5; held at its limit, 1\n";
+  EXPECT_EQ(run_shell(folder, "mien frames a.yaml --frames 1-1 2>/dev/null").out,
+            fifth + sixth + "scenes  out/a/scenes\n");
+  EXPECT_EQ(run_shell(folder, "mien mesh a.yaml --at 2s -o a.stl").out, sixth + "mesh    a.stl\n");
+  EXPECT_EQ(run_shell(folder, "mien still a.yaml --at 1s -o a.png").out, fifth + "picture a.png\n");
+  EXPECT_EQ(run_shell(folder, "mien mesh a.yaml -o a.stl").out, "mesh    a.stl\n")
+      << "at 0 s nothing is held";
+  EXPECT_EQ(run_shell(folder, "mien still a.yaml --at 1s -o a.png --quiet").out, "");
+  EXPECT_EQ(run_shell(folder, "mien bust a.yaml --at 2s -o b").out.find(sixth), 0u);
+}
+
 TEST(commands, explain_a_moment_in_words_and_in_numbers) {
   const auto folder = make_folder("explain");
   write_file(folder / "a.yaml", kHeldClip);

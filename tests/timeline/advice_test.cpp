@@ -23,10 +23,14 @@ MoveReach build_reach() {
   return reach;
 }
 
+std::vector<Diagnostic> advise(const ClipSpec& clip, const MoveReach& reach) {
+  const Performance performance = build_performance(clip);
+  return advise_clip(performance.clip, rehearse(performance), reach);
+}
+
 std::string advise(const ClipSpec& clip) {
   std::string text;
-  for (const Diagnostic& advice : advise_clip(build_performance(clip), build_reach()))
-    text += format_diagnostic(advice) + "\n";
+  for (const Diagnostic& advice : advise(clip, build_reach())) text += format_diagnostic(advice) + "\n";
   return text;
 }
 
@@ -77,7 +81,7 @@ TEST(advice, lets_lids_and_eyes_be_quick) {
   reach.plus_mm.fill(100);
   reach.minus_mm.fill(100);
   clip.length_s = 2;
-  EXPECT_TRUE(advise_clip(build_performance(clip), reach).empty());
+  EXPECT_TRUE(advise(clip, reach).empty());
 }
 
 TEST(advice, warns_of_faces_that_are_never_drawn_in_full) {
@@ -111,6 +115,34 @@ TEST(advice, warns_of_keys_after_the_end) {
   EXPECT_EQ(advise(clip), "a.yaml:3:7: warning: 'rest' comes at 3s, after the clip's end at 2s\n");
   clip.length_s = 3;  // the key at the end is a loop's first
   EXPECT_EQ(advise(clip), "");
+}
+
+TEST(advice, warns_of_cues_that_are_never_fully_drawn) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1)});
+  clip.length_s = 2;
+  CueSpec cue;
+  cue.what = build_key(0, "gasp", 1, 5);
+  cue.from_s = 1;
+  cue.full_s = 1.02;
+  cue.ebb_s = 1.03;
+  cue.end_s = 1.05;  // between two frames of 24 a second but for the edges
+  clip.cues = {cue};
+  EXPECT_EQ(advise(clip),
+            "a.yaml:5:7: warning: the cue 'gasp' is never fully drawn, 38 % of it at most; it is all there "
+            "from 1.02s to 1.03s\n");
+  clip.fps = 100;
+  EXPECT_EQ(advise(clip), "");
+  clip.cues[0].from_s = 2;
+  clip.cues[0].full_s = clip.cues[0].ebb_s = 2.5;
+  clip.cues[0].end_s = 3;
+  EXPECT_EQ(advise(clip),
+            "a.yaml:5:7: warning: the cue 'gasp' comes at 2s, after the clip's last drawing at 1.99s\n");
+  clip.cues[0].from_s = 1.8;
+  clip.cues[0].end_s = kForever_s;
+  clip.cues[0].ebb_s = kForever_s;
+  EXPECT_EQ(advise(clip),
+            "a.yaml:5:7: warning: the cue 'gasp' is never fully drawn, 18 % of it at most; it is all there "
+            "from 2.5s on\n");
 }
 
 }  // namespace

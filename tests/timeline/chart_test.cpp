@@ -35,12 +35,17 @@ std::vector<std::string> split_lines(const std::string& text) {
   return lines;
 }
 
+std::string chart(const ClipSpec& clip, const ChartStyle& style) {
+  const Performance performance = build_performance(clip);
+  return build_chart(performance.clip, rehearse(performance).shown, style);
+}
+
 int count_columns(const std::string& line) {
   return static_cast<int>(std::ranges::count_if(line, [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 TEST(chart, shows_times_keys_and_areas) {
-  EXPECT_EQ(build_chart(build_performance(build_clip()), {61, true}),
+  EXPECT_EQ(chart(build_clip(), {61, true}),
             "             0s          0.5s        1s          1.5s\n"
             "keys         neutral                 surprise\n"
             "             v                       v                      v\n"
@@ -59,7 +64,7 @@ TEST(chart, is_as_wide_as_asked_and_not_narrower_than_it_can_be) {
       ClipSpec clip = build_clip();
       for (const double length_s : {0.0, 0.3, 2.0, 300.0}) {
         clip.length_s = length_s;
-        for (const std::string& line : split_lines(build_chart(build_performance(clip), {width, is_ascii})))
+        for (const std::string& line : split_lines(chart(clip, {width, is_ascii})))
           EXPECT_LE(count_columns(line), std::max(width, 40)) << line;
       }
     }
@@ -69,7 +74,8 @@ TEST(chart, has_a_row_for_each_side_where_they_differ) {
   ClipSpec clip = build_clip();
   clip.keys[1].pose.values[*find_move("brow", Side::left, "up")] = 0.2;
   std::vector<std::string> names;
-  for (const ChartRow& row : list_chart_rows(build_performance(clip))) names.push_back(row.name);
+  for (const ChartRow& row : list_chart_rows(rehearse(build_performance(clip)).shown))
+    names.push_back(row.name);
   EXPECT_EQ(names, (std::vector<std::string>{"brow.left", "brow.right", "lids", "eyes", "lips", "corners",
                                              "chin", "head"}));
 }
@@ -78,7 +84,7 @@ TEST(chart, shows_a_blink_even_where_a_column_holds_many_frames) {
   ClipSpec clip;
   clip.length_s = 100;
   clip.blinks_s = {50};
-  const auto lines = split_lines(build_chart(build_performance(clip), {80, true}));
+  const auto lines = split_lines(chart(clip, {80, true}));
   const auto lids =
       std::ranges::find_if(lines, [](const std::string& line) { return line.starts_with("lids"); });
   EXPECT_EQ(std::ranges::count(*lids, '@'), 1);

@@ -1,6 +1,7 @@
 #include "timeline/parts.hpp"
 
 #include "config/config_fixture.hpp"
+#include "timeline/rehearsal.hpp"
 
 namespace mien {
 namespace {
@@ -8,7 +9,7 @@ namespace {
 std::vector<std::string> list_notes(const std::string& clip) {
   const Spec spec = load_text("mien: 1\nclip:\n" + clip);
   std::vector<std::string> notes;
-  for (HeldNote note : build_notes(list_held_in_time(build_performance(spec.clip)))) {
+  for (HeldNote note : build_notes(rehearse(build_performance(spec.clip)).held)) {
     note.held.place.file = "a.yaml";
     notes.push_back(format_note(note));
   }

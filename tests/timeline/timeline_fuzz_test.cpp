@@ -6,8 +6,8 @@
 #include <random>
 #include <thread>
 
-#include "timeline/parts.hpp"
 #include "timeline/performance.hpp"
+#include "timeline/rehearsal.hpp"
 
 namespace mien {
 namespace {
@@ -146,7 +146,7 @@ TEST(timeline_fuzz, any_number_of_threads_see_the_same) {
 
 TEST(timeline_fuzz, tells_every_value_that_its_limit_held) {
   for (std::uint64_t seed = 0; seed < 30; ++seed)
-    for (const Held& held : list_held_in_time(build_performance(build_random_clip(seed)))) {
+    for (const Held& held : rehearse(build_performance(build_random_clip(seed))).held) {
       const MoveInfo& info = kMoves[held.move];
       EXPECT_TRUE(held.asked < info.low || held.asked > info.high);
       EXPECT_TRUE(held.held == info.low || held.held == info.high);
