@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "busts.hpp"
 #include "clip_view.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
@@ -200,7 +201,8 @@ void measure_ratio(const fs::path& data, const fs::path& folder) {
 
 }  // namespace
 
-// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `timeline` or `poses` a part of it.
+// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `timeline`, `busts` or `poses` a part of
+// it.
 int main(int argc, char** argv) {
   try {
     const std::string part = argc > 1 ? argv[1] : "all";
@@ -218,6 +220,7 @@ int main(int argc, char** argv) {
             return run_mien(folder, {"check", file});
           },
           print_row);
+    if (part == "all" || part == "busts") measure_busts(folder, MIEN_BINARY, print_row);
     if (part == "all" || part == "poses") measure_poses();
     fs::remove_all(folder);
     return 0;

@@ -20,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::size_t kStlTriangle_bytes = 50;  // in a binary file
+
 // The STL that OpenSCAD makes of the source, read back and compared with what we meant.
 void compare_with_openscad(const MadeBust& made, const fs::path& source, const TellFile& tell) {
   const WorkFolder work(source.parent_path());
@@ -27,13 +29,17 @@ void compare_with_openscad(const MadeBust& made, const fs::path& source, const T
   const auto command = list_openscad_command(fs::absolute(source), stl);
   const ProcessResult result = run_process(command, work.path);
   const std::string complaint = find_openscad_complaint(result.output);
-  if (result.exit_code != 0 || !complaint.empty())
+  const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
+  if (result.exit_code != 0 || !complaint.empty() || !fs::exists(stl)) {
+    require_space(work.path, made.mesh.triangles.size() * kStlTriangle_bytes, kept);
+    const std::string what = result.exit_code != 0 ? describe_end("openscad", result.exit_code)
+                             : complaint.empty()   ? "openscad has written nothing"
+                                                   : "openscad complains: " + complaint;
     throw RunError(
-        format_failure(fmt::format("{}: {}", source.string(), describe_end("openscad", result.exit_code)),
-                       quote_command(command), result.output));
+        format_failure(fmt::format("{}: {}", source.string(), what), quote_command(command), result.output));
+  }
   verify_print(measure_stl(made.mesh), check_stl(stl),
                fmt::format("what OpenSCAD makes of {}", source.string()));
-  const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
   fs::rename(stl, kept);
   tell("openscad", kept);
 }
@@ -59,8 +65,10 @@ void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& da
                  report = folder / (made.stem + ".txt");
   write_file(source, build_openscad_bust(made.source, data / "templates"));
   tell("source", source);
-  write_file(stl, build_binary_stl(made.mesh, made.source.title));
-  tell("stl", stl);
+  if (options.has_stl) {
+    write_file(stl, build_binary_stl(made.mesh, made.source.title));
+    tell("stl", stl);
+  }
   write_file(report, describe_report(made.report));
   tell("report", report);
   if (options.has_3mf) {
@@ -74,6 +82,10 @@ void write_bust(const MadeBust& made, const fs::path& folder, const fs::path& da
     tell("preview", picture);
   }
   if (options.has_openscad) compare_with_openscad(made, source, tell);
+}
+
+int count_bust_files(const Options& options) {
+  return 2 + options.has_stl + options.has_3mf + options.has_preview + options.has_openscad;
 }
 
 void write_plates(const std::vector<Mesh>& plates, const fs::path& folder, const TellFile& tell) {

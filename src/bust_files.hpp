@@ -19,6 +19,9 @@ using TellFile = std::function<void(const std::string& kind, const std::filesyst
 void write_bust(const MadeBust& made, const std::filesystem::path& folder, const std::filesystem::path& data,
                 const Options& options, const TellFile& tell);
 
+// How many files write_bust writes.
+int count_bust_files(const Options& options);
+
 // plate_1.stl and so on.
 void write_plates(const std::vector<Mesh>& plates, const std::filesystem::path& folder, const TellFile& tell);
 

@@ -136,12 +136,20 @@ std::vector<ColourRange> list_colours(const BustBody& body, const Model& model) 
   return ranges;
 }
 
+// The menu's entry with this expression's pose and, at its beginning, its name; nullptr if there is none.
+const NamedPose* find_menu_entry(const std::vector<NamedPose>& menu, const Expression& expression) {
+  for (const NamedPose& known : menu)
+    if (known.name.starts_with(expression.name) && known.pose.values == expression.pose.values) return &known;
+  return nullptr;
+}
+
 // What the source says beyond its body.
 PosableBust describe_source(const BustShop& shop, const PosableBust& body, const BustSpec& bust,
                             const Base& base) {
   PosableBust source = body;
   source.title = fmt::format("{}: {}", shop.title, bust.expression.name);
-  source.expression = bust.expression.name;
+  const NamedPose* entry = find_menu_entry(shop.menu, bust.expression);
+  source.expression = entry != nullptr ? entry->name : bust.expression.name;
   source.base_shape = bust.base;
   source.base_height_mm = base.shape == BaseShape::none ? kBaseHeight * bust.height_mm : base.height_mm;
   source.base_radius_mm = base.radius_mm;
@@ -192,14 +200,22 @@ void tell_label(const Base& base, const BustBody& body, const std::vector<glm::v
 
 std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts) {
   std::vector<NamedPose> menu;
-  const auto add = [&](const Expression& expression) {
-    for (const NamedPose& known : menu)
-      if (known.name == expression.name) return;
-    menu.push_back({expression.name, expression.pose});
+  const auto is_taken = [&](const std::string& name) {
+    return std::any_of(menu.begin(), menu.end(), [&](const NamedPose& known) { return known.name == name; });
   };
-  for (const BustSpec& bust : busts) add(bust.expression);
-  for (const Expression& expression : spec.expressions)
-    if (expression.library.empty() || expression.library == spec.library) add(expression);
+  for (const BustSpec& bust : busts) {
+    const Expression& expression = bust.expression;
+    if (find_menu_entry(menu, expression) != nullptr) continue;
+    std::string name = expression.name;
+    for (int number = 2; is_taken(name); ++number) name = fmt::format("{}_{}", expression.name, number);
+    menu.push_back({name, expression.pose});
+  }
+  for (const Expression& expression : spec.expressions) {
+    if (!expression.library.empty() && expression.library != spec.library) continue;
+    if (find_menu_entry(menu, expression) != nullptr) continue;
+    const std::string whole = fmt::format("{}/{}", spec.library, expression.name);
+    menu.push_back({is_taken(expression.name) ? whole : expression.name, expression.pose});
+  }
   return menu;
 }
 

@@ -43,7 +43,9 @@ struct BustShop {
   std::deque<Shelf> shelves = {};
 };
 
-// The expressions of a source's menu: the file's own and the default library's, then the busts' own.
+// The expressions of a source's menu: those of the busts, then the file's own and its library's. Of several
+// with one name and unlike poses (of two libraries, or weaker), later busts' are called "anger_2", and the
+// library's "mien/anger".
 std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts);
 
 // All busts on plates, a mesh for each plate. Throws RunError "print 3 of 120 x 90 mm does not fit a plate of

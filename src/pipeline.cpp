@@ -19,6 +19,7 @@
 #include "head/own_half.hpp"
 #include "render/driver.hpp"
 #include "render/process.hpp"
+#include "render/progress.hpp"
 #include "render/video.hpp"
 #include "render/work_folder.hpp"
 #include "scene/mesh_files.hpp"
@@ -255,19 +256,31 @@ void write_busts(const Options& options) {
   BustShop shop{figure, list_bust_menu(clip.spec, busts),
                 clip.spec.title.empty() ? clip.spec.name : clip.spec.title, load_letters(data)};
   const fs::path folder = find_output(options, clip.spec);
-  const auto tell = [&](const std::string& kind, const fs::path& path) { tell_result(options, kind, path); };
+  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "files",
+                    static_cast<int>(busts.size()) * count_bust_files(options));
+  const auto tell = [&](const std::string& kind, const fs::path& path) {
+    progress.clear();
+    tell_result(options, kind, path);
+    std::fflush(stdout);
+    progress.advance(false);
+  };
   bool are_printable = true;
   std::vector<Mesh> meshes;
   for (std::size_t i = 0; i < busts.size(); ++i) {
+    throw_if_interrupted();
     MadeBust made = make_bust(shop, busts[i]);
     made.stem = stems[i];
     write_bust(made, folder, data, options, tell);
+    progress.clear();
     if (!options.is_quiet && !options.is_json)
       for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
     if (!is_printable(made.report)) are_printable = false;
     if (clip.spec.plate_mm.x > 0) meshes.push_back(std::move(made.mesh));
   }
-  if (!meshes.empty()) write_plates(build_plates(meshes, clip.spec.plate_mm), folder, tell);
+  progress.clear();
+  if (!meshes.empty())
+    write_plates(build_plates(meshes, clip.spec.plate_mm), folder,
+                 [&](const std::string& kind, const fs::path& path) { tell_result(options, kind, path); });
   if (!are_printable) throw RunError("not every bust is printable; the reports say why");
 }
 

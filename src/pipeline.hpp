@@ -30,6 +30,7 @@ struct Options {
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
+  bool has_stl = true;                                              // --no-stl, for bust
   bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
   bool is_half = false;                                             // --half, for mesh
 };

@@ -38,7 +38,8 @@ inline constexpr std::array kOptions{
     OptionInfo{"actor", 0, "NAME", "this one of the file's actors"},
     OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
     OptionInfo{"height", 0, "LENGTH", "height of the bust, over the file's: 80mm, 6cm"},
-    OptionInfo{"stl", 0, "", "write the STL, as it does anyway"},
+    OptionInfo{"stl", 0, "", "write the STL, which is the default"},
+    OptionInfo{"no-stl", 0, "", "leave the STL out"},
     OptionInfo{"3mf", 0, "", "also a 3MF with units, title and colours"},
     OptionInfo{"preview", 0, "", "also a picture of the bust in plaster"},
     OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
@@ -106,10 +107,12 @@ inline constexpr std::array kCommands{
         "mien mesh configs/hello.yaml --half -o my_half.obj"},
     CommandInfo{
         Command::bust, "bust", "FILE", "OpenSCAD source, STL, 3MF and print report",
-        "Writes each bust of the file, or one with the expression or of the time that is given: an OpenSCAD\n"
-        "source that needs nothing else and can pose the face itself, the STL, and a report of what a\n"
-        "printer will make of it. Exit status 1 if one is not printable.",
-        "at express actor height stl 3mf preview openscad",
+        "Writes each bust of the file, or one with the expression or of the time that is given (its face: a\n"
+        "bust looks ahead, however the head is turned): the STL, ready for the slicer, in millimetres; an\n"
+        "OpenSCAD source that needs nothing else, whose Customizer poses the face, hollows and labels it; "
+        "and\n"
+        "a report of what a printer will make of it. Exit status 1 if one is not printable.",
+        "at express actor height stl no-stl 3mf preview openscad",
         "mien bust configs/hello.yaml --express laugh --height 60mm -o busts\n"
         "mien bust configs/busts.yaml --3mf --preview"},
     CommandInfo{

@@ -100,12 +100,14 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "angle") return read_angle(text, options);
   if (name == "height") return read_height(text, options);
   if (name == "quiet") options.is_quiet = true;
+  if (name == "stl") options.has_stl = true;
+  if (name == "no-stl") options.has_stl = false;
   if (name == "3mf") options.has_3mf = true;
   if (name == "preview") options.has_preview = true;
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
   if (name == "json") options.is_json = true;
-  for (const char* flag : {"quiet", "json", "half", "stl", "3mf", "preview", "openscad"})
+  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

@@ -118,6 +118,14 @@ Progress::~Progress() {
   std::fflush(stream);
 }
 
+void Progress::clear() {
+  const std::lock_guard lock(mutex);
+  if (style != ProgressStyle::bar || is_finished) return;
+  fmt::print(stream, "{}", kEraseLine);
+  std::fflush(stream);
+  last_shown_s = 0;
+}
+
 void Progress::advance(bool was_kept, int frame_number) {
   const std::lock_guard lock(mutex);
   (was_kept ? kept : rendered) += 1;

@@ -27,6 +27,8 @@ struct Progress {
   Progress(std::FILE* stream, ProgressStyle style, std::string label, int total);
   ~Progress();
   void advance(bool was_kept, int frame_number = 0);  // one frame more; a number above 0 goes into JSON
+  void
+  clear();  // takes the bar away, so that something else can be printed; the next advance() draws it again
   void finish();  // closes the bar; says how many were rendered and kept, and the time
 
   std::FILE* stream;

@@ -30,16 +30,32 @@ std::string clean_title(const std::string& title) {
   return clean;
 }
 
-bool is_plain_word(const std::string& name) {
-  const auto is_plain = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           c == '-' || c == '/';
+// What the expressions are called in the file: plain words, each of them once.
+std::vector<std::string> list_menu_names(const PosableBust& bust) {
+  constexpr std::size_t kMostLetters = 40;  // the Customizer's menu is no wider
+  const auto is_odd = [](char c) {
+    return !((c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
+             c == '-' || c == '/');
   };
-  return !name.empty() && name.size() <= 40 && std::all_of(name.begin(), name.end(), is_plain);
+  std::vector<std::string> names;
+  for (const BustExpression& e : bust.expressions) {
+    std::string plain = e.name.substr(0, kMostLetters);
+    std::replace_if(plain.begin(), plain.end(), is_odd, '_');
+    if (plain.empty()) plain = "own";
+    std::string name = plain;
+    for (int number = 2; std::find(names.begin(), names.end(), name) != names.end(); ++number)
+      name = fmt::format("{}_{}", plain, number);
+    names.push_back(name);
+  }
+  return names;
 }
 
-// What an expression is called in the file: its own name if that is a plain word.
-std::string find_menu_name(const std::string& name) { return is_plain_word(name) ? name : "own"; }
+std::string find_menu_name(const PosableBust& bust) {
+  const std::vector<std::string> names = list_menu_names(bust);
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (bust.expressions[i].name == bust.expression) return names[i];
+  throw RunError(fmt::format("internal: the bust has no expression '{}'", bust.expression));
+}
 
 std::string number(double value, int decimals = kScadDecimals) { return format_number(value, decimals); }
 
@@ -90,21 +106,20 @@ std::string list_moves(const PosableBust& bust) {
 }
 
 std::string list_expressions(const PosableBust& bust) {
+  const std::vector<std::string> names = list_menu_names(bust);
   return list_rows(bust.expressions.size(), 1, [&](std::string& text, std::size_t i) {
     const BustExpression& e = bust.expressions[i];
     const auto gaze = [](const glm::vec2& g) {
       return fmt::format("[{}, {}]", number(g.x, kScadFine), number(g.y, kScadFine));
     };
-    text += fmt::format("[\"{}\", {}, {}, {}, [{}, {}]]", find_menu_name(e.name),
-                        list_numbers(e.values, kScadFine), e.state, number(e.open, kScadFine),
-                        gaze(e.gaze_rad[0]), gaze(e.gaze_rad[1]));
+    text += fmt::format("[\"{}\", {}, {}, {}, [{}, {}]]", names[i], list_numbers(e.values, kScadFine),
+                        e.state, number(e.open, kScadFine), gaze(e.gaze_rad[0]), gaze(e.gaze_rad[1]));
   });
 }
 
 std::string list_expression_names(const PosableBust& bust) {
   std::string text;
-  for (const BustExpression& e : bust.expressions)
-    text += (text.empty() ? "" : ", ") + find_menu_name(e.name);
+  for (const std::string& name : list_menu_names(bust)) text += (text.empty() ? "" : ", ") + name;
   return text;
 }
 
@@ -196,7 +211,7 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"is_hollow", bust.is_hollow ? "true" : "false"},
        {"wall_mm", number(bust.wall_mm)},
        {"drain_mm", number(bust.drain_mm)},
-       {"expression", find_menu_name(bust.expression)},
+       {"expression", find_menu_name(bust)},
        {"expression_names", list_expression_names(bust)},
        {"sliders", list_sliders(bust)},
        {"slider_names", list_slider_names(bust)},

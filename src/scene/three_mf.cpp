@@ -1,96 +1,40 @@
-// 3D Manufacturing Format, Core Specification 1.2 (3MF Consortium): a package of three files (Open Packaging
-// Conventions, ECMA-376 part 2) in a ZIP archive (PKWARE APPNOTE 6.3), here stored and dated 1980, so that
-// nothing in it depends on when it was written.
+// 3D Manufacturing Format by lib3mf, the 3MF Consortium's own library. What it would draw by lot, the UUIDs
+// of the production extension, is made of the content; its archives carry no date.
 #include "scene/three_mf.hpp"
 
+#include <Model/COM/NMR_DLLInterfaces.h>
 #include <fmt/format.h>
+#include <xxhash.h>
 
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <string_view>
 
 #include "core/error.hpp"
-#include "core/text.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr int kDecimals = 5;           // finer than a float of 100 mm
-constexpr std::uint16_t kDate = 0x21;  // 1 January 1980
-
-constexpr std::string_view kTypes =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<Types xmlns=\"http://schemas.openxmlformats.org/package/2006/content-types\">"
-    "<Default Extension=\"rels\" ContentType=\"application/vnd.openxmlformats-package.relationships+xml\"/>"
-    "<Default Extension=\"model\" ContentType=\"application/vnd.ms-package.3dmanufacturing-3dmodel+xml\"/>"
-    "</Types>\n";
-constexpr std::string_view kRelations =
-    "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
-    "<Relationships xmlns=\"http://schemas.openxmlformats.org/package/2006/relationships\">"
-    "<Relationship Target=\"/3D/3dmodel.model\" Id=\"rel0\" "
-    "Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/></Relationships>\n";
-
-void append_le(std::string& bytes, std::uint32_t value, int count) {
-  for (int i = 0; i < count; ++i) bytes += static_cast<char>(value >> 8 * i & 0xff);
+void require(int result, const char* what) {
+  if (result != 0)
+    throw RunError(fmt::format("internal: lib3mf cannot {} ({:#x})", what, std::uint32_t(result)));
 }
 
-std::uint32_t find_crc(std::string_view content) {
-  std::array<std::uint32_t, 256> table{};
-  for (std::uint32_t i = 0; i < 256; ++i) {
-    table[i] = i;
-    for (int bit = 0; bit < 8; ++bit) table[i] = table[i] & 1 ? table[i] >> 1 ^ 0xEDB88320u : table[i] >> 1;
+// Something of lib3mf's, given back at the end.
+struct Handle {
+  NMR::PLib3MFBase* it = nullptr;
+
+  Handle() = default;
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (it != nullptr) NMR::lib3mf_release(it);
   }
-  std::uint32_t crc = 0xFFFFFFFFu;
-  for (const char c : content) crc = table[(crc ^ static_cast<unsigned char>(c)) & 0xff] ^ crc >> 8;
-  return ~crc;
-}
-
-struct PackedFile {
-  std::string_view name, content;
 };
 
-std::string build_zip(const std::vector<PackedFile>& files) {
-  std::string bytes, directory;
-  for (const auto& [name, content] : files) {
-    std::string facts;        // what both headers share
-    append_le(facts, 20, 2);  // the version needed to read it
-    append_le(facts, 0, 2);
-    append_le(facts, 0, 2);  // stored
-    append_le(facts, 0, 2);
-    append_le(facts, kDate, 2);
-    append_le(facts, find_crc(content), 4);
-    append_le(facts, static_cast<std::uint32_t>(content.size()), 4);
-    append_le(facts, static_cast<std::uint32_t>(content.size()), 4);
-    append_le(facts, static_cast<std::uint32_t>(name.size()), 2);
-    append_le(facts, 0, 2);
-    append_le(directory, 0x02014b50, 4);
-    append_le(directory, 20, 2);
-    directory += facts;
-    append_le(directory, 0, 2 + 2 + 2);
-    append_le(directory, 0, 2 + 2);
-    append_le(directory, static_cast<std::uint32_t>(bytes.size()), 4);
-    directory += name;
-    append_le(bytes, 0x04034b50, 4);
-    bytes += facts;
-    bytes += name;
-    bytes += content;
-  }
-  const auto start = static_cast<std::uint32_t>(bytes.size());
-  bytes += directory;
-  append_le(bytes, 0x06054b50, 4);
-  append_le(bytes, 0, 4);
-  append_le(bytes, static_cast<std::uint32_t>(files.size()), 2);
-  append_le(bytes, static_cast<std::uint32_t>(files.size()), 2);
-  append_le(bytes, static_cast<std::uint32_t>(directory.size()), 4);
-  append_le(bytes, start, 4);
-  append_le(bytes, 0, 2);
-  return bytes;
-}
-
-// Text for XML: ASCII as it is or escaped, anything else as '?' unless it is sound UTF-8.
-std::string escape(const std::string& text) {
+// ASCII as it is, anything else as '?' unless it is sound UTF-8: what XML may hold.
+std::string clean(const std::string& text) {
   std::string safe;
   for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
@@ -108,8 +52,6 @@ std::string escape(const std::string& text) {
     if (is_sound) {
       safe += text.substr(i, more + 1);
       i += more;
-    } else if (c == '<' || c == '>' || c == '&' || c == '"' || c == '\'') {
-      safe += fmt::format("&#{};", c);
     } else {
       safe += c < ' ' ? ' ' : c < 127 ? static_cast<char>(c) : '?';
     }
@@ -117,66 +59,95 @@ std::string escape(const std::string& text) {
   return safe;
 }
 
-std::string format_colour(const glm::vec3& srgb) {
-  std::string text = "#";
-  for (int i = 0; i < 3; ++i)
-    text += fmt::format("{:02X}", int(std::lround(std::min(std::max(srgb[i], 0.0f), 1.0f) * 255)));
-  return text;
+// lib3mf 1.8 writes metadata as they come, markup and all.
+std::string escape_metadata(const std::string& text) {
+  std::string safe;
+  for (const char c : clean(text))
+    safe += c == '<' || c == '>' || c == '&' || c == '"' || c == '\'' ? fmt::format("&#{};", int(c))
+                                                                      : std::string(1, c);
+  return safe;
 }
 
-// Each object has its colours as a resource of its own, numbered before it.
-void append_object(std::string& xml, const PrintObject& object, std::size_t number) {
-  const std::size_t colours = 2 * number + 1;
-  std::vector<std::size_t> colour_of(object.mesh.triangles.size(), 0);
-  for (std::size_t i = 0; i < object.colours.size(); ++i)
-    for (std::size_t t = 0; t < object.colours[i].count; ++t) colour_of.at(object.colours[i].first + t) = i;
-  std::string properties;
-  if (!object.colours.empty()) {
-    xml += fmt::format("  <basematerials id=\"{}\">\n", colours);
-    for (const ColourRange& range : object.colours)
-      xml += fmt::format("   <base name=\"{}\" displaycolor=\"{}\"/>\n", escape(range.name),
-                         format_colour(range.srgb));
-    xml += "  </basematerials>\n";
-    properties = fmt::format(" pid=\"{}\" pindex=\"0\"", colours);
+// The same for the same content, and unlike for any other; version 8 of RFC 9562 is for such.
+std::string build_uuid(const std::vector<PrintObject>& objects, std::uint64_t number) {
+  XXH64_hash_t hash[2] = {number, ~number};
+  for (const PrintObject& object : objects)
+    for (XXH64_hash_t& part : hash) {
+      part = XXH64(object.mesh.positions.data(), object.mesh.positions.size() * sizeof(glm::vec3), part);
+      part = XXH64(object.mesh.triangles.data(), object.mesh.triangles.size() * sizeof(Triangle), part);
+    }
+  return fmt::format("{:08x}-{:04x}-8{:03x}-{:04x}-{:012x}", hash[0] >> 32, hash[0] >> 16 & 0xffff,
+                     hash[0] & 0xfff, 0x8000 | (hash[1] >> 48 & 0x3fff), hash[1] & 0xffffffffffff);
+}
+
+BYTE find_byte(float share) { return BYTE(std::lround(std::clamp(share, 0.0f, 1.0f) * 255)); }
+
+// The object's colours as a group of materials; the first one is for all that has none of its own.
+void add_colours(NMR::PLib3MFModel* model, const PrintObject& object, NMR::PLib3MFModelMeshObject* mesh) {
+  if (object.colours.empty()) return;
+  Handle group, each, otherwise;
+  DWORD id = 0, index = 0;
+  require(NMR::lib3mf_model_addbasematerialgroup(model, &group.it), "add colours");
+  require(NMR::lib3mf_resource_getresourceid(group.it, &id), "name colours");
+  for (const ColourRange& range : object.colours) {
+    const BYTE red = find_byte(range.srgb.x), green = find_byte(range.srgb.y), blue = find_byte(range.srgb.z);
+    require(NMR::lib3mf_basematerial_addmaterialutf8(group.it, clean(range.name).c_str(), red, green, blue,
+                                                     &index),
+            "add a colour");
+    require(NMR::lib3mf_basematerial_setdisplaycolorrgba(group.it, index, red, green, blue, 255),
+            "set a colour");
   }
-  xml += fmt::format("  <object id=\"{}\" type=\"model\" name=\"{}\"{}>\n   <mesh>\n    <vertices>\n",
-                     colours + 1, escape(object.name), properties);
+  require(NMR::lib3mf_object_createdefaultpropertyhandler(mesh, &otherwise.it), "colour an object");
+  require(NMR::lib3mf_defaultpropertyhandler_setbasematerial(otherwise.it, id, 0), "colour an object");
+  require(NMR::lib3mf_meshobject_createpropertyhandler(mesh, &each.it), "colour triangles");
+  for (std::size_t i = 1; i < object.colours.size(); ++i)
+    for (std::size_t t = 0; t < object.colours[i].count; ++t)
+      require(NMR::lib3mf_propertyhandler_setbasematerial(each.it, DWORD(object.colours[i].first + t), id,
+                                                          DWORD(i)),
+              "colour a triangle");
+}
+
+void add_object(NMR::PLib3MFModel* model, const PrintObject& object, const std::string& uuid,
+                const std::string& item_uuid) {
+  std::vector<NMR::MODELMESHVERTEX> vertices;
   for (const glm::vec3& p : object.mesh.positions) {
     if (!std::isfinite(p.x) || !std::isfinite(p.y) || !std::isfinite(p.z))
       throw RunError("internal: a mesh holds a number that is not finite");
-    xml += "     <vertex x=\"";
-    append_number(xml, p.x, kDecimals);
-    xml += "\" y=\"";
-    append_number(xml, p.y, kDecimals);
-    xml += "\" z=\"";
-    append_number(xml, p.z, kDecimals);
-    xml += "\"/>\n";
+    vertices.push_back({{p.x, p.y, p.z}});
   }
-  xml += "    </vertices>\n    <triangles>\n";
-  for (std::size_t t = 0; t < object.mesh.triangles.size(); ++t) {
-    const auto& [a, b, c] = object.mesh.triangles[t];
-    xml += fmt::format("     <triangle v1=\"{}\" v2=\"{}\" v3=\"{}\"", a, b, c);
-    if (colour_of[t] > 0) xml += fmt::format(" pid=\"{}\" p1=\"{}\"", colours, colour_of[t]);
-    xml += "/>\n";
-  }
-  xml += "    </triangles>\n   </mesh>\n  </object>\n";
+  std::vector<NMR::MODELMESHTRIANGLE> triangles;
+  for (const auto& [a, b, c] : object.mesh.triangles) triangles.push_back({{a, b, c}});
+  Handle mesh, item;
+  require(NMR::lib3mf_model_addmeshobject(model, &mesh.it), "add an object");
+  require(NMR::lib3mf_object_setnameutf8(mesh.it, clean(object.name).c_str()), "name an object");
+  require(NMR::lib3mf_object_setuuidutf8(mesh.it, uuid.c_str()), "mark an object");
+  require(NMR::lib3mf_meshobject_setgeometry(mesh.it, vertices.data(), DWORD(vertices.size()),
+                                             triangles.data(), DWORD(triangles.size())),
+          "take a mesh");
+  add_colours(model, object, mesh.it);
+  require(NMR::lib3mf_model_addbuilditem(model, mesh.it, nullptr, &item.it), "add a print");
+  require(NMR::lib3mf_builditem_setuuidutf8(item.it, item_uuid.c_str()), "mark a print");
 }
 
 }  // namespace
 
 std::string build_3mf(const std::string& title, const std::vector<PrintObject>& objects) {
-  std::string xml = fmt::format(
-      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<model unit=\"millimeter\" xml:lang=\"en-US\" "
-      "xmlns=\"http://schemas.microsoft.com/3dmanufacturing/core/2015/02\">\n"
-      " <metadata name=\"Title\">{}</metadata>\n <metadata name=\"Application\">mien</metadata>\n "
-      "<resources>\n",
-      escape(title));
-  for (std::size_t i = 0; i < objects.size(); ++i) append_object(xml, objects[i], i);
-  xml += " </resources>\n <build>\n";
+  Handle model, writer;
+  require(NMR::lib3mf_createmodel(&model.it), "begin");
+  require(NMR::lib3mf_model_setunit(model.it, NMR::MODELUNIT_MILLIMETER), "set the unit");
+  require(NMR::lib3mf_model_setlanguageutf8(model.it, "en-US"), "set the language");
+  require(NMR::lib3mf_model_addmetadatautf8(model.it, "Title", escape_metadata(title).c_str()),
+          "set the title");
+  require(NMR::lib3mf_model_addmetadatautf8(model.it, "Application", "mien"), "set the program");
+  require(NMR::lib3mf_model_setbuilduuidutf8(model.it, build_uuid(objects, 0).c_str()), "mark the print");
   for (std::size_t i = 0; i < objects.size(); ++i)
-    xml += fmt::format("  <item objectid=\"{}\"/>\n", 2 * i + 2);
-  xml += " </build>\n</model>\n";
-  return build_zip({{"[Content_Types].xml", kTypes}, {"_rels/.rels", kRelations}, {"3D/3dmodel.model", xml}});
+    add_object(model.it, objects[i], build_uuid(objects, 2 * i + 1), build_uuid(objects, 2 * i + 2));
+  require(NMR::lib3mf_model_querywriter(model.it, "3mf", &writer.it), "write");
+  ULONG64 size = 0;
+  require(NMR::lib3mf_writer_getstreamsize(writer.it, &size), "write");
+  std::string bytes(size, '\0');
+  require(NMR::lib3mf_writer_writetobuffer(writer.it, reinterpret_cast<BYTE*>(bytes.data()), size), "write");
+  return bytes;
 }
 
 }  // namespace mien

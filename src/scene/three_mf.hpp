@@ -22,8 +22,8 @@ struct PrintObject {
   std::vector<ColourRange> colours;  // triangles in no range have the first one's
 };
 
-// The content of a .3mf file: the same bytes for the same objects. Any text may be in title and names.
-// Throws RunError "internal: a mesh holds a number that is not finite".
+// The content of a .3mf file, by lib3mf: the same bytes for the same objects. Any text may be in title and
+// names. Throws RunError "internal: a mesh holds a number that is not finite".
 std::string build_3mf(const std::string& title, const std::vector<PrintObject>& objects);
 
 }  // namespace mien

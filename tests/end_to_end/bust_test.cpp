@@ -77,6 +77,119 @@ TEST(bust, says_what_cannot_be_printed) {
   EXPECT_EQ(low.err, "error: --height: '0' is outside 20mm..400mm\n");
 }
 
+// A program `name` in folder/bin that does what `script` says; PATH for a command that shall find it first.
+std::string make_program(const std::filesystem::path& folder, const std::string& name,
+                         const std::string& script) {
+  write_file(folder / "bin" / name, "#!/bin/sh\n" + script);
+  std::filesystem::permissions(folder / "bin" / name, std::filesystem::perms::owner_all);
+  return fmt::format("PATH='{}':\"$PATH\" ", (folder / "bin").string());
+}
+
+TEST(bust, an_openscad_that_fails_is_told) {
+  const auto folder = make_folder("bust_openscad");
+  write_file(folder / "a.yaml", "mien: 1\nbusts: [{express: laugh, triangles: 8000}]\n");
+  struct Case {
+    std::string script, message;
+  };
+  for (const auto& [script, message] : {Case{"echo hm; exit 1", "openscad failed (exit status 1)"},
+                                        Case{"echo 'ERROR: The given mesh is not closed!'; exit 0",
+                                             "openscad complains: ERROR: The given mesh is not closed!"},
+                                        Case{"kill -9 $$", "openscad was ended by signal 9 (Killed)"},
+                                        Case{"exit 0", "openscad has written nothing"}}) {
+    std::filesystem::remove_all(folder / "out");
+    const std::string path = make_program(folder, "openscad", script);
+    const ProgramRun run = run_shell(folder, path + "mien bust a.yaml --openscad -o out");
+    EXPECT_EQ(run.status, 1) << script;
+    EXPECT_THAT(run.err, HasSubstr("error: out/bust_laugh.scad: " + message)) << script;
+    EXPECT_THAT(run.err, HasSubstr("\n  command: openscad --hardwarnings")) << script;
+    EXPECT_EQ(list_files(folder / "out"),
+              (std::vector<std::string>{"bust_laugh.scad", "bust_laugh.stl", "bust_laugh.txt"}))
+        << script;
+  }
+  std::filesystem::remove_all(folder / "out");
+  const ProgramRun none = run_shell(folder, "PATH=/nowhere mien bust a.yaml --openscad -o out");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_EQ(none.err, "error: openscad is not installed; install it with: apt-get install openscad\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  // Nobody waits for an OpenSCAD that hangs.
+  const std::string path = make_program(folder, "openscad", "echo $$ >pid; exec sleep 60");
+  const ProgramRun run =
+      run_shell(folder, path + "timeout -s INT 20 sh -c '" + program_path() +
+                            " bust a.yaml --openscad -o out & wait_for=$!; "
+                            "while ! ls out/.mien-work-*/pid 2>/dev/null; do sleep 0.1; done; "
+                            "kill -INT $wait_for; wait $wait_for'");
+  EXPECT_EQ(run.status, 130) << run.err;
+  EXPECT_EQ(list_files(folder / "out"),
+            (std::vector<std::string>{"bust_laugh.scad", "bust_laugh.stl", "bust_laugh.txt"}));
+}
+
+TEST(bust, a_disk_that_takes_nothing_is_told) {
+  const auto folder = make_folder("bust_disk");
+  write_file(folder / "a.yaml", "mien: 1\nbusts: [{express: laugh, triangles: 8000}]\n");
+  // No file may be larger than 200 kB: as a full disk.
+  const ProgramRun full = run_shell(folder, "(ulimit -f 200; trap '' XFSZ; mien bust a.yaml -o out)");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, testing::StartsWith("error: cannot write out/bust_laugh.scad: "));
+  EXPECT_EQ(list_files(folder / "out"), std::vector<std::string>{});
+  write_file(folder / "taken", "a file");
+  const ProgramRun wrong = run_shell(folder, "mien bust a.yaml -o taken");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.err, testing::StartsWith("error: cannot write taken/bust_laugh.scad: "));
+}
+
+TEST(bust, a_wrong_height_or_label_is_told_before_anything_is_done) {
+  const auto folder = make_folder("bust_input");
+  write_file(folder / "a.yaml", "mien: 1\n");
+  for (const char* height : {"0", "-80mm", "10m"})
+    EXPECT_EQ(run_shell(folder, fmt::format("mien bust a.yaml --height={} -o out", height)).err,
+              fmt::format("error: --height: '{}' is outside 20mm..400mm\n", height));
+  for (const char* height : {"nan", "inf", "tall", "80in"}) {
+    const ProgramRun run = run_shell(folder, fmt::format("mien bust a.yaml --height {} -o out", height));
+    EXPECT_EQ(run.status, 2);
+    EXPECT_EQ(run.err, fmt::format("error: --height: '{}' is not a length such as 80mm or 8cm\n", height));
+  }
+  write_file(folder / "long.yaml", "mien: 1\nbusts: [{label: \"" + std::string(10000, 'x') + "\"}]\n");
+  const ProgramRun run = run_shell(folder, "mien bust long.yaml -o out");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_THAT(run.err, HasSubstr("expected one line of 200 bytes at most"));
+  EXPECT_LT(run.err.size(), 1000u);
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(bust, text_of_authors_is_never_code) {
+  const auto folder = make_folder("bust_label");
+  write_file(folder / "a.yaml",
+             "mien: 1\ntitle: \"*/ cube(99); /*\"\nbusts:\n  - {express: laugh, triangles: 8000, "
+             "label: \"\\\"];cube(99);[\\\\ \U0001F600 {{foot}}\"}\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml --openscad --no-stl -o out");
+  ASSERT_EQ(run.status, 0) << run.err;  // compared with what was meant
+  EXPECT_THAT(read_file(folder / "out/bust_laugh.scad"),
+              HasSubstr("\nlabel = \"\\\"];cube(99);[\\\\ \xF0\x9F\x98\x80 {{foot}}\";\n"));
+  EXPECT_EQ(list_files(folder / "out"),
+            (std::vector<std::string>{"bust_laugh.scad", "bust_laugh.txt", "bust_laugh_openscad.stl"}));
+}
+
+TEST(bust, equal_names_are_told_apart_in_the_menu) {
+  const auto folder = make_folder("bust_names");
+  write_file(folder / "a.yaml",
+             "mien: 1\nbusts:\n  - {express: tezuka/anger, triangles: 8000}\n"
+             "  - {express: emfacs/anger, triangles: 8000}\n"
+             "  - {express: tezuka/anger, height: 60mm, triangles: 8000}\n");
+  ASSERT_EQ(run_shell(folder, "mien bust a.yaml --no-stl -o out").status, 0);
+  const auto find_menu = [&](const char* name) {
+    const std::string text = read_file(folder / "out" / name);
+    const std::size_t at = text.find("\nexpression = ");
+    return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+  };
+  EXPECT_THAT(find_menu("bust_anger.scad"),
+              testing::StartsWith("expression = \"anger\"; // [anger, anger_2, "));
+  EXPECT_THAT(find_menu("bust_anger.scad"), HasSubstr(", mien/anger"));
+  EXPECT_THAT(find_menu("bust_anger_2.scad"),
+              testing::StartsWith("expression = \"anger_2\"; // [anger, anger_2, "));
+  EXPECT_THAT(find_menu("bust_anger_3.scad"),
+              testing::StartsWith("expression = \"anger\"; // [anger, anger_2, "));
+}
+
 // Each vertex's distance from the nearest of the other mesh; both ways.
 float find_furthest_mm(const std::vector<glm::vec3>& a, const std::vector<glm::vec3>& b) {
   float furthest = 0;

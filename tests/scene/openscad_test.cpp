@@ -61,12 +61,23 @@ TEST(openscad, text_of_authors_is_never_code) {
   const std::string source = build_openscad_bust(bust, kTemplates);
   EXPECT_EQ(source.substr(0, source.find('\n')), "// x cube(99);    cube(98);    [Tab]      modules     \"é");
   EXPECT_THAT(source, Not(HasSubstr("cube(9)")));
-  EXPECT_EQ(find_line(source, "expression ="), "expression = \"smile\"; // [smile, own]");
+  EXPECT_EQ(find_line(source, "expression ="), "expression = \"smile\"; // [smile, my_own__cube_9_]");
   bust.title.assign(10000, 'a');
   EXPECT_EQ(build_openscad_bust(bust, kTemplates).find('\n'), 3U + 120);
   bust.title.assign(119, 'a');  // the cut falls into a letter of two bytes
   bust.title += "é";
   EXPECT_EQ(build_openscad_bust(bust, kTemplates).substr(0, 123), "// " + std::string(119, 'a') + "\n");
+}
+
+TEST(openscad, every_expression_has_a_name_of_its_own) {
+  PosableBust bust = build_small_bust();
+  bust.expressions = {
+      {"1.2s", {0, 0, 0}, 1, 0, {}}, {"1;2s", {0, 0, 0}, 2, 0, {}}, {"", {0, 0, 0}, 1, 0, {}}};
+  bust.expression = "1;2s";
+  const std::string source = build_openscad_bust(bust, kTemplates);
+  EXPECT_EQ(find_line(source, "expression ="), "expression = \"1_2s_2\"; // [1_2s, 1_2s_2, own]");
+  bust.expression = "unknown";
+  EXPECT_THROW(build_openscad_bust(bust, kTemplates), RunError);
 }
 
 TEST(openscad, refuses_an_open_bust) {
