@@ -212,7 +212,8 @@ module body() {
   function inner_ring(k) = [for (i = [0:columns - 1]) inner_first + k * columns + i];
   top = inner_first + len(inner) * columns;
   outer_points = concat(figure, [for (r = outer) each r]);
-  inner_points = concat([for (r = inner) each r], hollow ? [cavity_top()] : []);
+  inner_points = concat([for (r = inner) each r], hollow ? [cavity_top()] : [], drain > 0 ? [] : [[0, 0, ceiling]]);
+  under = len(outer_points) + len(inner_points) - 1;  // the middle of the underside, if nothing drains there
 
   front = base == "none" || label == "" ? -1 : len(base_points) - 2;  // of the rings, the upper one of the label's
   labelled = front < 0 ? [[], []]
@@ -224,7 +225,7 @@ module body() {
     faces = concat(triangles, labelled[1],
       [for (k = [0:1:len(outer) - 1]) if (k != front) each band(ring(k), ring(k + 1))],
       drain > 0 ? collar(bottom, inner_ring(0))
-        : concat([[for (i = [sides - 1:-1:0]) bottom[i]]], hollow ? [inner_ring(0)] : []),
+        : concat([for (i = [0:sides - 1]) [bottom[i], under, bottom[(i + 1) % sides]]], hollow ? [inner_ring(0)] : []),
       [for (k = [0:1:len(inner) - 2]) each band(inner_ring(k), inner_ring(k + 1))],
       hollow ? let (last = inner_ring(len(inner) - 1))
         [for (i = [0:columns - 1]) [last[i], top, last[(i + 1) % columns]]] : []));

@@ -29,7 +29,7 @@ std::vector<PrintObject> list_objects() {
 
 // What lib3mf reads back.
 struct Package {
-  std::vector<std::string> metadata;  // "key=value"
+  std::vector<std::string> metadata;  // "key=value" as it stands in the XML
   std::vector<std::string> objects;   // "name: vertices, triangles, closed"
   std::vector<std::string> colours;   // "name #rrggbbaa"
   std::vector<DWORD> colour_of;       // the first object's triangles
@@ -110,7 +110,7 @@ TEST(three_mf, is_the_same_and_says_unit_title_and_colours) {
   const Package package = read_3mf(one);
   EXPECT_EQ(package.warnings, 0u);
   EXPECT_EQ(package.unit, DWORD(NMR::MODELUNIT_MILLIMETER));
-  EXPECT_THAT(package.metadata, testing::ElementsAre("Title=A & B", "Application=mien"));
+  EXPECT_THAT(package.metadata, testing::ElementsAre("Title=A &#38; B", "Application=mien"));
   EXPECT_THAT(package.colours, testing::ElementsAre("skin #FF8000FF", "eye #0000FFFF"));
   const std::size_t ball = list_objects()[1].mesh.positions.size(),
                     sides = list_objects()[1].mesh.triangles.size();
@@ -123,7 +123,7 @@ TEST(three_mf, is_the_same_and_says_unit_title_and_colours) {
 TEST(three_mf, odd_text_is_no_markup) {
   const Package package =
       read_3mf(build_3mf("</metadata>\n\xFF\xED\xA0\x80\xF0\x9F\x98\x80", list_objects()));
-  EXPECT_EQ(package.metadata.front(), "Title=</metadata> ????\xF0\x9F\x98\x80");
+  EXPECT_EQ(package.metadata.front(), "Title=&#60;/metadata&#62; ????\xF0\x9F\x98\x80");
   EXPECT_EQ(package.metadata.size(), 2u);
 }
 
