@@ -52,13 +52,16 @@ Mesh build_figure_mesh(const BustBody& body, std::vector<glm::vec3> positions, d
   return {std::move(positions), {}, body.triangles};
 }
 
-// Ears and lids as thick as a nozzle needs, alike in every pose; what formulas look for stays.
-void thicken(const Figure& figure, BustBody& body) {
-  const std::vector<glm::vec3> rest = place_bust(body, figure, Pose{});
+// Ears and lids as thick as a nozzle needs, alike in every pose, and in none of the menu's through each
+// other; what formulas look for stays.
+void thicken(const BustShop& shop, BustBody& body) {
+  const std::vector<glm::vec3> rest = place_bust(body, shop.figure, Pose{});
   std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
   const std::vector<bool> is_fixed = list_fixed(body);
   for (std::size_t v = 0; v < moves.size(); ++v)
     if (is_fixed[v]) moves[v] = glm::vec3(0);
+  for (const NamedPose& named : shop.menu)
+    hold_apart(place_bust(body, shop.figure, named.pose), body.triangles, kLeastFeature_mm, moves);
   body.thicker = std::move(moves);
 }
 
@@ -69,7 +72,7 @@ BustShop::Shelf& find_shelf(BustShop& shop, const BustSpec& bust) {
   BustShop::Shelf& shelf = shop.shelves.emplace_back();
   shelf.size = size;
   shelf.body = build_bust_body(shop.figure, size);
-  thicken(shop.figure, shelf.body);
+  thicken(shop, shelf.body);
   shelf.surfaces = join_poses(shelf.body.triangles, add_bust_controls(shelf.body, shop.figure, shop.menu,
                                                                       kSource_mm, kSlight_mm, shelf.source));
   shelf.source.height_mm = size.whole_mm;

@@ -184,4 +184,27 @@ NearestPlace find_nearest(const SurfaceTree& tree, const glm::dvec3& point, doub
   return best;
 }
 
+bool is_within(const SurfaceTree& tree, const glm::dvec3& point, double distance) {
+  const double square = distance * distance;
+  std::array<std::uint32_t, 64> open;
+  std::size_t count = 0;
+  if (!tree.nodes.empty()) open[count++] = 0;
+  while (count > 0) {
+    const std::uint32_t index = open[--count];
+    const SurfaceTree::Node& node = tree.nodes[index];
+    if (find_square_distance(node, point) >= square) continue;
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Triangle& t = tree.triangles[tree.order[i]];
+      const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
+      const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
+      const glm::dvec3 way = at.x * a + at.y * b + at.z * c - point;
+      if (glm::dot(way, way) < square) return true;
+    }
+    if (node.count > 0) continue;
+    open[count++] = node.right;
+    open[count++] = index + 1;
+  }
+  return false;
+}
+
 }  // namespace mien

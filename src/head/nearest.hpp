@@ -36,4 +36,7 @@ struct NearestPlace {
 // The place nearest to `point` within `reach`; distance 1e9 if there is none.
 NearestPlace find_nearest(const SurfaceTree& tree, const glm::dvec3& point, double reach);
 
+// Whether any of the surface is nearer than `distance`; the same, but no more is looked at than it takes.
+bool is_within(const SurfaceTree& tree, const glm::dvec3& point, double distance);
+
 }  // namespace mien

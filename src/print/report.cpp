@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/crossings.hpp"
 #include "core/holes.hpp"
 #include "core/text.hpp"
 #include "print/solid_tree.hpp"
@@ -17,6 +18,7 @@ namespace {
 constexpr double kPla_g_per_mm3 = 1.24e-3, kResin_g_per_mm3 = 1.15e-3;
 constexpr double kReach_mm = 20;     // thicker is thick enough for anything
 constexpr double kSpeck_mm2 = 0.3;   // of surface: less is a corner rather than a detail
+constexpr double kSamples = 5000;    // of the surface for the wall: a hundredth is still fifty
 constexpr double kThinShare = 0.01;  // of the surface may be thinner than the wall
 constexpr double kFinest_mm = 0.8;   // two lines of a nozzle of 0.4 mm, and safe in resin
 constexpr double kLayer_mm = 0.3;    // what begins in the air for less is closed by the next layer
@@ -50,19 +52,25 @@ void measure_pieces(PrintReport& report, const Mesh& mesh) {
 }
 
 void measure_thickness(PrintReport& report, const Mesh& mesh) {
-  const std::vector<ThicknessSample> samples = list_thicknesses(mesh, build_solid_tree(mesh), kReach_mm);
+  const SurfaceTree tree = build_solid_tree(mesh);
+  report.fine = list_fine_details(mesh, tree, kFinest_mm, kSpeck_mm2);
   double all = 0, area = 0;
-  for (const ThicknessSample& sample : samples) all += sample.area_mm2;
-  for (const ThicknessSample& sample : samples) {
-    const double before = area;
+  for (const auto& [a, b, c] : mesh.triangles)
+    all += glm::length(
+               glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a])) /
+           2;
+  for (const ThicknessSample& sample : list_thicknesses(mesh, tree, kReach_mm, all / kSamples)) {
     area += sample.area_mm2;
-    const double speck = std::min(kSpeck_mm2, all / 2);
-    if (before < speck && area >= speck) {
-      report.smallest_mm = sample.thickness_mm;
-      report.smallest_at = sample.place;
-    }
-    if (before < kThinShare * all && area >= kThinShare * all) report.least_wall_mm = sample.thickness_mm;
+    report.least_wall_mm = sample.thickness_mm;
+    if (area >= kThinShare * all) break;
   }
+}
+
+void measure_crossings(PrintReport& report, const Mesh& mesh) {
+  const std::vector<Crossing> crossings = find_crossings(mesh.positions, mesh.triangles);
+  report.crossings = crossings.size();
+  if (!crossings.empty())
+    report.crossing_at = list_crossed_places(mesh.positions, mesh.triangles, crossings).front();
 }
 
 std::string format_place(const glm::dvec3& place) {
@@ -88,6 +96,7 @@ PrintReport measure_print(const Mesh& mesh, std::size_t inner_first, std::size_t
   measure_faces(report, mesh, inner_first, inner_count);
   measure_pieces(report, mesh);
   measure_thickness(report, mesh);
+  measure_crossings(report, mesh);
   report.islands = find_islands(mesh, kLayer_mm);
   update_warnings(report);
   return report;
@@ -101,6 +110,10 @@ void update_warnings(PrintReport& report) {
                               count_things(report.open_edges, "open edge", "open edges")));
   else if (report.volume_mm3 <= 0)
     say.emplace_back("It is inside out.");
+  if (report.crossings > 0)
+    say.push_back(fmt::format("Its surface passes through itself at {}, one of them at {}.",
+                              count_things(report.crossings, "place", "places"),
+                              format_place(report.crossing_at)));
   if (report.parts > 1) say.push_back(fmt::format("It falls into {} parts.", report.parts));
   if (report.bed_mm2 <= 0)
     say.emplace_back("Nothing of it lies on the bed.");
@@ -109,10 +122,15 @@ void update_warnings(PrintReport& report) {
   if (report.sealed_cavities > 0)
     say.push_back(fmt::format("It has {} without a hole, where resin would stay.",
                               count_things(report.sealed_cavities, "cavity", "cavities")));
-  if (report.smallest_mm < kFinest_mm)
-    say.push_back(fmt::format("Its finest detail is {} mm thick, at {}; below {} mm it may not print.",
-                              format_number(report.smallest_mm, 2), format_place(report.smallest_at),
+  if (report.fine.size() == 1)
+    say.push_back(fmt::format("A detail of it is {} mm thick, at {}; below {} mm it may not print.",
+                              format_number(report.fine[0].finest_mm, 2), format_place(report.fine[0].place),
                               format_number(kFinest_mm, 1)));
+  else if (report.fine.size() > 1)
+    say.push_back(
+        fmt::format("{} details of it are finer than {} mm and may not print, the finest {} mm thick, at {}.",
+                    report.fine.size(), format_number(kFinest_mm, 1),
+                    format_number(report.fine[0].finest_mm, 2), format_place(report.fine[0].place)));
   if (report.least_wall_mm < kFinest_mm)
     say.push_back(fmt::format("Its wall is down to {} mm; below {} mm it may break.",
                               format_number(report.least_wall_mm, 2), format_number(kFinest_mm, 1)));
@@ -144,8 +162,10 @@ std::string describe_report(const PrintReport& report) {
   add("mass", fmt::format("{} g of PLA, {} g of resin", format_number(report.pla_g, 1),
                           format_number(report.resin_g, 1)));
   add("wall", format_number(report.least_wall_mm, 2) + " mm at least");
-  add("finest detail",
-      fmt::format("{} mm, at {}", format_number(report.smallest_mm, 2), format_place(report.smallest_at)));
+  add("finest detail", report.fine.empty()
+                           ? format_number(kFinest_mm, 1) + " mm or more"
+                           : fmt::format("{} mm, at {}", format_number(report.fine[0].finest_mm, 2),
+                                         format_place(report.fine[0].place)));
   std::string overhang = format_number(report.overhang_mm2, 0) + " mm2 past 45 degrees";
   if (report.inner_overhang_mm2 > 0)
     overhang += fmt::format(", {} mm2 inside", format_number(report.inner_overhang_mm2, 0));
@@ -156,6 +176,7 @@ std::string describe_report(const PrintReport& report) {
   add("parts", fmt::format("{}", report.parts));
   add("triangles", fmt::format("{}", report.triangles));
   add("open edges", fmt::format("{}", report.open_edges));
+  add("crossings", fmt::format("{}", report.crossings));
   for (const std::string& warning : report.warnings) text += fmt::format("warning: {}\n", warning);
   return text;
 }

@@ -6,6 +6,7 @@
 
 #include "core/mesh.hpp"
 #include "print/islands.hpp"
+#include "print/opening.hpp"
 
 namespace mien {
 
@@ -13,21 +14,22 @@ struct PrintReport {
   glm::dvec3 size_mm{0};
   double volume_mm3 = 0;
   double pla_g = 0, resin_g = 0;  // if nothing inside the solid is left out
-  double least_wall_mm = 0;  // all but a hundredth of the surface is thicker; measure_wall_mm of a hollow
-                             // print is exact: put it here
-  double smallest_mm = 0;    // the thickness of the finest detail, specks left out
-  glm::dvec3 smallest_at{0};
-  double overhang_mm2 = 0;        // outside, more than 45 degrees from upright; what lies on the bed is not
+  double least_wall_mm = 0;      // all but a hundredth of the surface is thicker; measure_wall_mm of a hollow
+                                 // print is exact: put it here
+  std::vector<FineDetail> fine;  // details finer than 0.8 mm, specks left out; the finest first
+  double overhang_mm2 = 0;       // outside, more than 45 degrees from upright; what lies on the bed is not
   double inner_overhang_mm2 = 0;  // in the cavity, where no support can be taken out
   double bed_mm2 = 0;             // what lies on the bed
   std::vector<Island> islands;
   std::size_t sealed_cavities = 0;
   std::size_t triangles = 0, parts = 0, open_edges = 0;
+  std::size_t crossings = 0;  // pairs of triangles that pass through each other
+  glm::dvec3 crossing_at{0};
   std::vector<std::string> warnings;  // sentences
 };
 
 // Of a solid that stands on z = 0. The triangles [inner_first, inner_first + inner_count) are the cavity's
-// wall, if it has one. About 0.4 s for 20,000 triangles on one core.
+// wall, if it has one. About 0.2 s for 20,000 triangles on one core.
 PrintReport measure_print(const Mesh& mesh, std::size_t inner_first = 0, std::size_t inner_count = 0);
 
 // Writes the warnings again, after a value was changed.

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <optional>
 
-#include "core/parallel.hpp"
-
 namespace mien {
 
 namespace {
@@ -74,30 +72,6 @@ RayHit find_hit(const SurfaceTree& tree, const glm::dvec3& origin, const glm::dv
     if (far && !is_left_first) open[count++] = node.right;
   }
   return best;
-}
-
-std::vector<glm::dvec3> list_crossed_places(const Mesh& mesh) {
-  const SurfaceTree tree = build_solid_tree(mesh);
-  std::vector<std::vector<glm::dvec3>> found(mesh.triangles.size());
-  for_each_index(mesh.triangles.size(), count_cores(), [&](std::size_t t, int) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = mesh.triangles[t][i], b = mesh.triangles[t][(i + 1) % 3];
-      if (a > b) continue;  // its other triangle looks
-      const glm::dvec3 from(mesh.positions[a]), way = glm::dvec3(mesh.positions[b]) - from;
-      const double length = glm::length(way);
-      for (double start = 0; start < length;) {
-        const RayHit hit = find_hit(tree, from, way / length, start, length);
-        if (hit.distance >= length) break;
-        const Triangle& met = tree.triangles[hit.triangle];
-        if (std::none_of(met.begin(), met.end(), [&](std::uint32_t v) { return v == a || v == b; }))
-          found[t].push_back(from + hit.distance / length * way);
-        start = hit.distance;
-      }
-    }
-  });
-  std::vector<glm::dvec3> places;
-  for (const auto& of_triangle : found) places.insert(places.end(), of_triangle.begin(), of_triangle.end());
-  return places;
 }
 
 }  // namespace mien

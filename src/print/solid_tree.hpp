@@ -1,8 +1,6 @@
 // A closed mesh to ask things of: how far its surface is, what a ray meets.
 #pragma once
 
-#include <vector>
-
 #include "core/mesh.hpp"
 #include "head/nearest.hpp"
 
@@ -20,8 +18,5 @@ struct RayHit {
 // `reach`. Triangles edge-on to the ray are not met.
 RayHit find_hit(const SurfaceTree& tree, const glm::dvec3& origin, const glm::dvec3& direction, double start,
                 double reach);
-
-// Where an edge goes through a triangle that it does not share a vertex with.
-std::vector<glm::dvec3> list_crossed_places(const Mesh& mesh);
 
 }  // namespace mien

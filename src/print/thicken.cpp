@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
-#include "core/parallel.hpp"
+#include "core/crossings.hpp"
+#include "print/opening.hpp"
 #include "print/solid_tree.hpp"
 #include "print/thickness.hpp"
 
@@ -18,7 +20,8 @@ constexpr double kFade = 0.75;  // from ring to ring
 constexpr double kGapShare = 0.3;  // of the free space in front, so that two sides that meet keep 40 % of it
 constexpr double kTurn = 0.6;      // the cosine of the most that a triangle may turn
 constexpr int kHalvings = 8;
-constexpr double kExtra = 1.02;  // chords of a thickened round are inside it
+constexpr double kExtra = 1.02;     // chords of a thickened round are inside it
+constexpr double kSpeck_mm2 = 0.2;  // of surface: what is thin on less is a corner
 constexpr float kBed_mm = 1e-3f;
 
 struct Body {
@@ -71,33 +74,53 @@ struct Wish {
   double need_mm = 0, room_mm = 0;
 };
 
-Wish find_wish(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal, double least_mm) {
+// The free space that a vertex may take.
+double find_room_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
+                    double least_mm) {
   constexpr double kStart_mm = 1e-3;
   const double gap = find_hit(tree, place, normal, kStart_mm, 4 * least_mm).distance;
-  const double thickness = measure_thickness_mm(tree, place, normal, 2 * least_mm);
-  return {std::max(0.0, (least_mm - thickness) / 2), kGapShare * std::min(gap, 4 * least_mm)};
+  return kGapShare * std::min(gap, 4 * least_mm);
 }
 
-// Vertices have the wishes of their triangles' middles as well: alone they would not tell of a dent between.
+double find_need_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
+                    double least_mm) {
+  return std::max(0.0, (least_mm - measure_thickness_mm(tree, place, normal, 2 * least_mm)) / 2);
+}
+
+// Where the body is finer than asked. Vertices have the needs of their triangles' middles as well: alone they
+// would not tell of a dent between. Those kFades rings around have no need, but room.
 std::vector<Wish> list_wishes(const Body& body, const std::vector<glm::dvec3>& normals, double least_mm) {
   const SurfaceTree tree = build_solid_tree(body.mesh);
   const std::vector<glm::vec3>& positions = body.mesh.positions;
-  std::vector<Wish> wishes(normals.size()), middles(body.mesh.triangles.size());
-  for_each_index(normals.size(), count_cores(), [&](std::size_t v, int) {
-    if (normals[v] != glm::dvec3(0)) wishes[v] = find_wish(tree, positions[v], normals[v], least_mm);
-  });
-  for_each_index(middles.size(), count_cores(), [&](std::size_t t, int) {
-    const auto& [a, b, c] = body.mesh.triangles[t];
-    const glm::dvec3 p(positions[a]), q(positions[b]), r(positions[c]);
-    const glm::dvec3 area = glm::cross(q - p, r - p);
-    middles[t] = {0, 1e9};
-    if (area != glm::dvec3(0))
-      middles[t] = find_wish(tree, (p + q + r) / 3.0, glm::normalize(area), least_mm);
-  });
-  for (std::size_t t = 0; t < middles.size(); ++t)
-    for (const std::uint32_t v : body.mesh.triangles[t])
-      wishes[v] = {std::max(wishes[v].need_mm, middles[t].need_mm),
-                   std::min(wishes[v].room_mm, middles[t].room_mm)};
+  std::vector<Wish> wishes(normals.size());
+  std::vector<bool> is_asked(normals.size(), false);
+  std::vector<std::uint32_t> ring;
+  const auto ask = [&](std::uint32_t v) {
+    if (is_asked[v] || body.is_fixed[v] || normals[v] == glm::dvec3(0)) return false;
+    is_asked[v] = true;
+    ring.push_back(v);
+    wishes[v].room_mm = find_room_mm(tree, positions[v], normals[v], least_mm);
+    return true;
+  };
+  std::uint32_t last = UINT32_MAX;
+  for (const FinePatch& patch : list_thin_patches(body.mesh, tree, least_mm, kSpeck_mm2)) {
+    if (patch.triangle == last) continue;
+    last = patch.triangle;
+    const auto& [a, b, c] = body.mesh.triangles[last];
+    const glm::dvec3 middle =
+        (glm::dvec3(positions[a]) + glm::dvec3(positions[b]) + glm::dvec3(positions[c])) / 3.0;
+    const double need = find_need_mm(tree, middle, patch.normal, least_mm);
+    const double room = find_room_mm(tree, middle, patch.normal, least_mm);
+    for (const std::uint32_t v : {a, b, c}) {
+      if (ask(v)) wishes[v].need_mm = find_need_mm(tree, positions[v], normals[v], least_mm);
+      wishes[v] = {std::max(wishes[v].need_mm, need), std::min(wishes[v].room_mm, room)};
+    }
+  }
+  for (int fade = 0; fade < kFades; ++fade) {
+    const std::vector<std::uint32_t> inner = std::exchange(ring, {});
+    for (const std::uint32_t v : inner)
+      for (const std::uint32_t n : body.neighbours[v]) ask(n);
+  }
   for (std::size_t v = 0; v < wishes.size(); ++v)
     if (body.is_fixed[v]) wishes[v] = {};
   return wishes;
@@ -144,24 +167,38 @@ void keep_sides(const Body& body, const std::vector<glm::dvec3>& normals, std::v
   }
 }
 
-// Takes back what would lead the surface through itself, in a wider and wider circle.
-void keep_apart(const Body& body, const std::vector<glm::dvec3>& normals, double least_mm,
-                std::vector<double>& amount) {
-  constexpr int kCircles = 6;
-  for (int circle = 1; circle <= kCircles; ++circle) {
-    Mesh moved = body.mesh;
-    for (std::size_t v = 0; v < amount.size(); ++v) moved.positions[v] += glm::vec3(amount[v] * normals[v]);
-    const std::vector<glm::dvec3> crossed = list_crossed_places(moved);
-    if (crossed.empty()) return;
-    for (std::size_t v = 0; v < amount.size(); ++v)
-      if (amount[v] > 0 && std::any_of(crossed.begin(), crossed.end(), [&](const glm::dvec3& place) {
-            return glm::distance(glm::dvec3(moved.positions[v]), place) < circle * least_mm / 2;
-          }))
-        amount[v] = 0;
-  }
+// What the moves lead the surface through itself by.
+std::vector<Crossing> list_new_crossings(const std::vector<glm::vec3>& before,
+                                         const std::vector<glm::vec3>& after,
+                                         const std::vector<Triangle>& triangles) {
+  std::vector<bool> is_moved;
+  for (const auto& [a, b, c] : triangles)
+    is_moved.push_back(before[a] != after[a] || before[b] != after[b] || before[c] != after[c]);
+  std::vector<Crossing> crossings = find_crossings(after, triangles, is_moved);
+  if (crossings.empty()) return crossings;
+  const std::vector<Crossing> old = find_crossings(before, triangles, is_moved);
+  std::erase_if(crossings, [&](const Crossing& c) { return std::binary_search(old.begin(), old.end(), c); });
+  return crossings;
 }
 
 }  // namespace
+
+void hold_apart(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
+                double least_mm, std::vector<glm::vec3>& moves) {
+  constexpr int kCircles = 6;
+  for (int circle = 1; circle <= kCircles; ++circle) {
+    std::vector<glm::vec3> moved = positions;
+    for (std::size_t v = 0; v < moves.size(); ++v) moved[v] += moves[v];
+    const std::vector<Crossing> crossings = list_new_crossings(positions, moved, triangles);
+    if (crossings.empty()) return;
+    const std::vector<glm::vec3> places = list_crossed_places(moved, triangles, crossings);
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      if (moves[v] != glm::vec3(0) && std::any_of(places.begin(), places.end(), [&](const glm::vec3& place) {
+            return glm::distance(moved[v], place) < float(circle * least_mm / 2);
+          }))
+        moves[v] = glm::vec3(0);
+  }
+}
 
 std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
   std::vector<glm::vec3> moves(mesh.positions.size(), glm::vec3(0));
@@ -173,9 +210,11 @@ std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
     if (std::all_of(wishes.begin(), wishes.end(), [](const Wish& wish) { return wish.need_mm <= 0; })) break;
     std::vector<double> amount = spread(body, wishes);
     keep_sides(body, normals, amount);
-    keep_apart(body, normals, least_mm, amount);
+    std::vector<glm::vec3> steps;
+    for (std::size_t v = 0; v < moves.size(); ++v) steps.emplace_back(amount[v] * normals[v]);
+    hold_apart(body.mesh.positions, body.mesh.triangles, least_mm, steps);
     for (std::size_t v = 0; v < moves.size(); ++v) {
-      moves[v] += glm::vec3(amount[v] * normals[v]);
+      moves[v] += steps[v];
       body.mesh.positions[v] = mesh.positions[v] + moves[v];
     }
   }

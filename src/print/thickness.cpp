@@ -54,22 +54,35 @@ double measure_thickness_mm(const SurfaceTree& tree, const glm::dvec3& place, co
   return found[kWays / 2];
 }
 
-std::vector<ThicknessSample> list_thicknesses(const Mesh& mesh, const SurfaceTree& tree, double reach_mm) {
-  std::vector<std::vector<ThicknessSample>> found(mesh.triangles.size());
-  for_each_index(mesh.triangles.size(), count_cores(), [&](std::size_t t, int) {
-    const auto& [a, b, c] = mesh.triangles[t];
+std::vector<ThicknessSample> list_thicknesses(const Mesh& mesh, const SurfaceTree& tree, double reach_mm,
+                                              double patch_mm2) {
+  struct Place {
+    ThicknessSample sample;
+    glm::dvec3 normal{0};
+  };
+  std::vector<Place> places;
+  double owed = 0;  // surface that no sample stands for yet
+  for (const auto& [a, b, c] : mesh.triangles) {
     const glm::dvec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
     const glm::dvec3 cross = glm::cross(q - p, r - p);
     const double area = glm::length(cross) / 2;
-    if (!(area > 0)) return;
-    const int steps = std::clamp(int(std::ceil(std::sqrt(area / kPatch_mm2))), 1, kMostSteps);
+    if (!(area > 0)) continue;
+    owed += area;
+    if (owed < patch_mm2) continue;
+    const double patch = patch_mm2 > 0 ? patch_mm2 : kPatch_mm2;
+    const int steps = std::clamp(int(std::ceil(std::sqrt(area / patch))), 1, kMostSteps);
+    const double share = owed / (double(steps) * steps);
     visit_parts(p, q, r, steps, [&](const glm::dvec3& place) {
-      found[t].push_back({place, measure_thickness_mm(tree, place, cross / (2 * area), reach_mm),
-                          area / (double(steps) * steps)});
+      places.push_back({{place, 0, share}, cross / (2 * area)});
     });
+    owed = 0;
+  }
+  for_each_index(places.size(), count_cores(), [&](std::size_t i, int) {
+    places[i].sample.thickness_mm =
+        measure_thickness_mm(tree, places[i].sample.place, places[i].normal, reach_mm);
   });
   std::vector<ThicknessSample> samples;
-  for (const auto& of_triangle : found) samples.insert(samples.end(), of_triangle.begin(), of_triangle.end());
+  for (const Place& place : places) samples.push_back(place.sample);
   std::stable_sort(samples.begin(), samples.end(), [](const ThicknessSample& a, const ThicknessSample& b) {
     return a.thickness_mm < b.thickness_mm;
   });

@@ -20,7 +20,9 @@ struct ThicknessSample {
   double area_mm2 = 0;  // of the patch
 };
 
-// One sample a triangle at least and about one a square millimetre, ascending by thickness.
-std::vector<ThicknessSample> list_thicknesses(const Mesh& mesh, const SurfaceTree& tree, double reach_mm);
+// Ascending by thickness: one sample a triangle at least and about one a square millimetre; or, with
+// `patch_mm2`, one for each so much surface, small triangles together.
+std::vector<ThicknessSample> list_thicknesses(const Mesh& mesh, const SurfaceTree& tree, double reach_mm,
+                                              double patch_mm2 = 0);
 
 }  // namespace mien

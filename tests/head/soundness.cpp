@@ -11,7 +11,7 @@
 #include <set>
 #include <unordered_map>
 
-#include "crossings.hpp"
+#include "core/crossings.hpp"
 #include "head/cage.hpp"
 #include "head/contact.hpp"
 #include "head/surface.hpp"

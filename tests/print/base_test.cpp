@@ -8,9 +8,9 @@
 #include <charconv>
 #include <cstdlib>
 
+#include "core/crossings.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "crossings.hpp"
 #include "places.hpp"
 #include "print/shapes.hpp"
 

@@ -4,8 +4,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "core/crossings.hpp"
 #include "core/error.hpp"
-#include "crossings.hpp"
 #include "print/base.hpp"
 #include "print/cavity_plan.hpp"
 #include "print/shapes.hpp"

@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
+#include "core/crossings.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "crossings.hpp"
 #include "places.hpp"
 #include "print/base.hpp"
 #include "print/shapes.hpp"

@@ -26,7 +26,8 @@ TEST(report, a_block_is_what_it_is) {
   EXPECT_NEAR(report.volume_mm3, 6000, 1e-6);
   EXPECT_NEAR(report.pla_g, 7.44, 1e-6);
   EXPECT_NEAR(report.resin_g, 6.9, 1e-6);
-  EXPECT_NEAR(report.smallest_mm, 10, 1e-4);
+  EXPECT_TRUE(report.fine.empty());
+  EXPECT_EQ(report.crossings, 0u);
   EXPECT_NEAR(report.least_wall_mm, 10, 1e-4);
   EXPECT_EQ(report.overhang_mm2, 0);
   EXPECT_NEAR(report.bed_mm2, 200, 1e-6);
@@ -41,12 +42,14 @@ TEST(report, a_thin_plate_is_found_and_placed) {
   Mesh mesh = build_block({-10, -5, 0}, {10, 5, 30});
   append_mesh(mesh, build_block({-5, 20, 0}, {5, 20.5, 8}));
   const PrintReport report = measure_print(mesh);
-  EXPECT_NEAR(report.smallest_mm, 0.5, 1e-3);
-  EXPECT_NEAR(report.smallest_at.y, 20.25, 0.3);
+  ASSERT_EQ(report.fine.size(), 1u);
+  EXPECT_NEAR(report.fine[0].finest_mm, 0.5, 0.03);
+  EXPECT_NEAR(report.fine[0].place.y, 20.25, 0.1);
+  EXPECT_NEAR(report.fine[0].place.z, 4, 0.3);
   EXPECT_EQ(report.parts, 2u);
   EXPECT_FALSE(is_printable(report));
   EXPECT_THAT(report.warnings, Contains("It falls into 2 parts."));
-  EXPECT_THAT(report.warnings, Contains(HasSubstr("finest detail is 0.5 mm thick")));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("A detail of it is 0.5 mm thick")));
 }
 
 TEST(report, a_wall_of_a_tube_is_measured) {
@@ -133,11 +136,21 @@ TEST(report, faults_are_told_in_words) {
   EXPECT_THAT(report.warnings, Contains("Nothing of it lies on the bed."));
 }
 
+TEST(report, a_surface_through_itself_is_told) {
+  Mesh mesh = build_block({-10, -5, 0}, {10, 5, 30});
+  append_mesh(mesh, build_block({9, -3, 4}, {14, 3, 8}));
+  const PrintReport report = measure_print(mesh);
+  EXPECT_GT(report.crossings, 0u);
+  EXPECT_NEAR(report.crossing_at.x, 10, 1);
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("Its surface passes through itself at ")));
+}
+
 TEST(report, is_a_table_and_sentences) {
   const std::string text = describe_report(measure_print(build_block({-10, -5, 0}, {10, 5, 30})));
   EXPECT_THAT(text, HasSubstr("size            20 x 10 x 30 mm\n"));
   EXPECT_THAT(text, HasSubstr("volume          6 cm3\n"));
   EXPECT_THAT(text, HasSubstr("mass            7.4 g of PLA, 6.9 g of resin\n"));
+  EXPECT_THAT(text, HasSubstr("finest detail   0.8 mm or more\n"));
   EXPECT_THAT(text, Not(HasSubstr("warning")));
 }
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "crossings.hpp"
+#include "core/crossings.hpp"
 #include "print/shapes.hpp"
 #include "print/solid_tree.hpp"
 #include "print/thickness.hpp"

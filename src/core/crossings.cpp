@@ -1,7 +1,7 @@
 // Segment against triangle by the signs of tetrahedra's volumes: Ericson, "Real-Time Collision Detection",
 // 2005, section 5.3.4. A rounded determinant is believed only where its error cannot change its sign
 // (Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997).
-#include "crossings.hpp"
+#include "core/crossings.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@ namespace {
 __extension__ using Wide = __int128;
 using Whole = std::array<std::int64_t, 3>;  // a vertex, in grid steps
 constexpr double kGrid_mm = 1e-6;
-constexpr float kCell_mm = 3.0f;  // of the search grid: about a triangle's size
+constexpr float kCell = 2;  // of the search grid, in mean sides of a triangle's box
 
 // The sign of the volume of a b c d: six products of three differences of 32 bits are within 128.
 int find_side(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
@@ -67,11 +67,12 @@ bool do_cross(const std::vector<Whole>& places, const Triangle& one, const Trian
 // The triangles that reach into each cell of a grid over the mesh, cell after cell.
 struct Grid {
   glm::vec3 low{0};
+  float cell_mm = 1;
   glm::ivec3 size{1};
   std::vector<std::uint32_t> first, triangles;
   std::vector<Box> boxes;  // of each triangle
 
-  glm::ivec3 find_cell(const glm::vec3& p) const { return glm::ivec3((p - low) / kCell_mm); }
+  glm::ivec3 find_cell(const glm::vec3& p) const { return glm::ivec3((p - low) / cell_mm); }
   template <typename Use>
   void for_each_cell(const Box& box, const Use& use) const {
     const glm::ivec3 a = find_cell(box.low), b = find_cell(box.high);
@@ -81,17 +82,34 @@ struct Grid {
   }
 };
 
-Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles) {
-  const Box all = find_bounds(positions);
-  Grid grid;
+Box find_box(const std::vector<glm::vec3>& positions, const Triangle& t) {
+  const glm::vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
+  return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
+}
+
+// Cells of `wished_mm`, or larger ones for a mesh that is wide.
+void place_cells(const Box& all, float wished_mm, Grid& grid) {
+  constexpr float kMostCells = 256;  // along a side
+  const glm::vec3 extent = all.high - all.low;
   grid.low = all.low;
-  grid.size = glm::ivec3((all.high - all.low) / kCell_mm) + 1;
-  grid.first.assign(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z + 1, 0);
-  for (const auto& [a, b, c] : triangles) {
-    grid.boxes.push_back({glm::min(positions[a], glm::min(positions[b], positions[c])),
-                          glm::max(positions[a], glm::max(positions[b], positions[c]))});
-    grid.for_each_cell(grid.boxes.back(), [&](std::size_t cell) { ++grid.first[cell + 1]; });
+  grid.cell_mm = std::max({wished_mm, std::max({extent.x, extent.y, extent.z}) / kMostCells, 1e-3f});
+  grid.size = glm::ivec3(extent / grid.cell_mm) + 1;
+}
+
+Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles) {
+  Grid grid;
+  Box all{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+  float sides_mm = 0;
+  for (const Triangle& t : triangles) {
+    const Box& box = grid.boxes.emplace_back(find_box(positions, t));
+    all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
+    const glm::vec3 extent = box.high - box.low;
+    sides_mm += (extent.x + extent.y + extent.z) / 3;
   }
+  place_cells(all, kCell * sides_mm / float(triangles.size()), grid);
+  grid.first.assign(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z + 1, 0);
+  for (const Box& box : grid.boxes)
+    grid.for_each_cell(box, [&](std::size_t cell) { ++grid.first[cell + 1]; });
   for (std::size_t i = 1; i < grid.first.size(); ++i) grid.first[i] += grid.first[i - 1];
   grid.triangles.resize(grid.first.back());
   std::vector<std::uint32_t> next = grid.first;
@@ -103,7 +121,9 @@ Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Trian
 }  // namespace
 
 std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
-                                     const std::vector<Triangle>& triangles) {
+                                     const std::vector<Triangle>& triangles,
+                                     const std::vector<bool>& is_asked) {
+  if (triangles.empty()) return {};
   std::vector<Whole> places;
   for (const glm::vec3& p : positions) {
     Whole place{};
@@ -116,6 +136,7 @@ std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
     for (std::uint32_t i = grid.first[cell]; i < grid.first[cell + 1]; ++i)
       for (std::uint32_t j = i + 1; j < grid.first[cell + 1]; ++j) {
         const std::uint32_t one = grid.triangles[i], two = grid.triangles[j];
+        if (!is_asked.empty() && !is_asked[one] && !is_asked[two]) continue;
         const Box &a = grid.boxes[one], &b = grid.boxes[two];
         if (a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
             a.low.z > b.high.z || b.low.z > a.high.z)
@@ -125,6 +146,17 @@ std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
   std::sort(crossings.begin(), crossings.end());
   crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
   return crossings;
+}
+
+std::vector<glm::vec3> list_crossed_places(const std::vector<glm::vec3>& positions,
+                                           const std::vector<Triangle>& triangles,
+                                           const std::vector<Crossing>& crossings) {
+  std::vector<glm::vec3> places;
+  for (const auto& [one, two] : crossings) {
+    const Box a = find_box(positions, triangles[one]), b = find_box(positions, triangles[two]);
+    places.push_back(0.5f * (glm::max(a.low, b.low) + glm::min(a.high, b.high)));
+  }
+  return places;
 }
 
 }  // namespace mien
