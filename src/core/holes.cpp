@@ -7,7 +7,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
-#include <utility>
+#include <span>
 
 #include "core/error.hpp"
 
@@ -15,25 +15,35 @@ namespace mien {
 
 namespace {
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;
-
 [[noreturn]] void fail_at(std::uint32_t vertex) {
   throw RunError(fmt::format("mesh is not a surface at vertex {}", vertex));
 }
 
 // For each vertex on an open edge the next one of its loop.
 std::map<std::uint32_t, std::uint32_t> find_open_steps(const std::vector<Triangle>& triangles) {
-  std::vector<Edge> edges;
-  edges.reserve(triangles.size() * 3);
+  std::uint32_t count = 0;
+  for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
+  std::vector<std::uint32_t> first(count + 1, 0),
+      ends(3 * triangles.size());  // of the edges from each vertex
   for (const Triangle& t : triangles)
-    for (int i = 0; i < 3; ++i) edges.emplace_back(t[i], t[(i + 1) % 3]);
-  std::sort(edges.begin(), edges.end());
+    for (const std::uint32_t v : t) ++first[v + 1];
+  for (std::uint32_t v = 0; v < count; ++v) first[v + 1] += first[v];
+  std::vector<std::uint32_t> free = first;
+  for (const Triangle& t : triangles)
+    for (int i = 0; i < 3; ++i) ends[free[t[i]]++] = t[(i + 1) % 3];
+  const auto from_of = [&](std::uint32_t v) {
+    return std::span(ends).subspan(first[v], first[v + 1] - first[v]);
+  };
   std::map<std::uint32_t, std::uint32_t> next;
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const auto [from, to] = edges[i];
-    if (i > 0 && edges[i - 1] == edges[i]) fail_at(from);
-    if (std::binary_search(edges.begin(), edges.end(), Edge{to, from})) continue;
-    if (!next.emplace(to, from).second) fail_at(to);
+  for (std::uint32_t from = 0; from < count; ++from) {
+    const auto of_vertex = from_of(from);
+    std::sort(of_vertex.begin(), of_vertex.end());
+    if (std::adjacent_find(of_vertex.begin(), of_vertex.end()) != of_vertex.end()) fail_at(from);
+    for (const std::uint32_t to : of_vertex) {
+      const auto back = from_of(to);
+      if (std::find(back.begin(), back.end(), from) != back.end()) continue;
+      if (!next.emplace(to, from).second) fail_at(to);
+    }
   }
   return next;
 }

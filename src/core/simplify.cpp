@@ -55,7 +55,6 @@ struct Simplifier {
   std::vector<bool> is_fixed;  // a vertex that stays, such as those on open edges
   std::priority_queue<Collapse> queue;
   double tolerance_mm = 0;
-  double short_mm = 0;  // above 0: shorter edges are merged, and nothing else is asked
 };
 
 glm::dvec3 find_area_vector(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -77,15 +76,13 @@ void push_collapse(Simplifier& s, std::uint32_t v, std::uint32_t w) {
   if (s.is_fixed[keep] && s.is_fixed[drop]) return;
   const glm::dvec3 along = s.positions[keep] - s.positions[drop];
   const double square = glm::dot(along, along);
-  if (s.short_mm > 0 && square > s.short_mm * s.short_mm) return;
   Quadric sum = s.quadrics[keep];
   sum.add(s.quadrics[drop]);
   const glm::dvec3 middle = 0.5 * (s.positions[keep] + s.positions[drop]);
-  glm::dvec3 place =
-      s.short_mm > 0 ? middle : glm::inverse(sum.a + glm::dmat3(kPull)) * (sum.b + kPull * middle);
+  glm::dvec3 place = glm::inverse(sum.a + glm::dmat3(kPull)) * (sum.b + kPull * middle);
   if (s.is_fixed[keep]) place = s.positions[keep];
   if (s.is_fixed[drop]) place = s.positions[drop];
-  const double error = s.short_mm > 0 ? 0 : sum.measure(place);
+  const double error = sum.measure(place);
   if (error > s.tolerance_mm * s.tolerance_mm) return;
   s.queue.push({error + kShort * square, keep, drop, s.version[keep], s.version[drop], place});
 }
@@ -110,33 +107,6 @@ bool keeps_shape(const Simplifier& s, std::uint32_t moved, std::uint32_t other, 
     double longest = 0;
     for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::length(then[i] - then[(i + 1) % 3]));
     if (area < kSlender * longest * longest) return false;
-  }
-  return true;
-}
-
-// The same for merging short edges: needles have no side of their own, they must keep their neighbours'.
-bool keeps_side(const Simplifier& s, std::uint32_t moved, std::uint32_t other, const glm::dvec3& place) {
-  constexpr double kTurn = 0.5, kNeedle = 0.1;  // of twice the area over the longest side squared
-  glm::dvec3 mean{0};
-  for (const std::uint32_t t : s.around[moved]) {
-    const auto& [a, b, c] = s.triangles[t];
-    if (s.is_alive[t]) mean += find_area_vector(s.positions[a], s.positions[b], s.positions[c]);
-  }
-  for (const std::uint32_t t : s.around[moved]) {
-    const Triangle& corners = s.triangles[t];
-    if (!s.is_alive[t] || std::find(corners.begin(), corners.end(), other) != corners.end()) continue;
-    std::array<glm::dvec3, 3> now, then;
-    for (int i = 0; i < 3; ++i) {
-      now[i] = s.positions[corners[i]];
-      then[i] = corners[i] == moved ? place : now[i];
-    }
-    const glm::dvec3 before = find_area_vector(now[0], now[1], now[2]);
-    const glm::dvec3 after = find_area_vector(then[0], then[1], then[2]);
-    double longest = 0;
-    for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::length(now[i] - now[(i + 1) % 3]));
-    const bool is_needle = glm::length(before) < kNeedle * longest * longest;
-    const glm::dvec3& side = is_needle ? mean : before;
-    if (glm::dot(side, after) <= kTurn * glm::length(side) * glm::length(after)) return false;
   }
   return true;
 }
@@ -185,11 +155,9 @@ std::vector<bool> find_open_vertices(const Mesh& mesh) {
   return is_open;
 }
 
-Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_mm,
-                            const std::vector<bool>& is_fixed) {
+Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm) {
   Simplifier s;
   s.tolerance_mm = tolerance_mm;
-  s.short_mm = short_mm;
   s.positions.assign(mesh.positions.begin(), mesh.positions.end());
   s.triangles = mesh.triangles;
   s.is_alive.assign(mesh.triangles.size(), true);
@@ -197,7 +165,6 @@ Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm, double short_
   s.quadrics.resize(mesh.positions.size());
   s.version.resize(mesh.positions.size());
   s.is_fixed = find_open_vertices(mesh);
-  for (std::size_t v = 0; v < is_fixed.size(); ++v) s.is_fixed[v] = s.is_fixed[v] || is_fixed[v];
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t) {
     const auto& [a, b, c] = s.triangles[t];
     const glm::dvec3 area = find_area_vector(s.positions[a], s.positions[b], s.positions[c]);
@@ -234,27 +201,20 @@ Mesh build_mesh(const Simplifier& s) {
 }
 
 void run_collapses(Simplifier& s) {
-  const auto keeps = s.short_mm > 0 ? keeps_side : keeps_shape;
   while (!s.queue.empty()) {
     const Collapse next = s.queue.top();
     s.queue.pop();
     if (s.version[next.keep] != next.keep_version || s.version[next.drop] != next.drop_version) continue;
-    if (keeps_surface(s, next) && keeps(s, next.keep, next.drop, next.place) &&
-        keeps(s, next.drop, next.keep, next.place))
+    if (keeps_surface(s, next) && keeps_shape(s, next.keep, next.drop, next.place) &&
+        keeps_shape(s, next.drop, next.keep, next.place))
       collapse(s, next);
   }
 }
 
 }  // namespace
 
-void simplify_mesh(Mesh& mesh, double tolerance_mm, const std::vector<bool>& is_fixed) {
-  Simplifier s = build_simplifier(mesh, tolerance_mm, 0, is_fixed);
-  run_collapses(s);
-  mesh = build_mesh(s);
-}
-
-void merge_short_edges(Mesh& mesh, double least_mm, const std::vector<bool>& is_fixed) {
-  Simplifier s = build_simplifier(mesh, 0, least_mm, is_fixed);
+void simplify_mesh(Mesh& mesh, double tolerance_mm) {
+  Simplifier s = build_simplifier(mesh, tolerance_mm);
   run_collapses(s);
   mesh = build_mesh(s);
 }

@@ -36,6 +36,7 @@ glm::vec3 sample_strand(const Strand& strand, float way) {
 // Points in cells of kReach_mm, to find those near a place.
 struct PointGrid {
   std::map<std::array<int, 3>, std::vector<glm::vec3>> cells;
+  Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};  // of the points
 
   static std::array<int, 3> find_cell(const glm::vec3& p) {
     return {int(std::floor(p.x / kReach_mm)), int(std::floor(p.y / kReach_mm)),
@@ -44,6 +45,9 @@ struct PointGrid {
 
   // The sum over the points within reach of a bell that is 1 on a point and 0 at the reach.
   float sum_around(const glm::vec3& p) const {
+    if (glm::any(glm::lessThan(p, box.low - kReach_mm)) ||
+        glm::any(glm::greaterThan(p, box.high + kReach_mm)))
+      return 0;
     const auto [x, y, z] = find_cell(p);
     float sum = 0;
     for (int i = 0; i < 27; ++i) {
@@ -64,6 +68,7 @@ PointGrid build_grid(const std::vector<Strand>& strands) {
     for (int i = 0; i < kSamples; ++i) {
       const glm::vec3 p = sample_strand(strand, float(i) / (kSamples - 1));
       grid.cells[PointGrid::find_cell(p)].push_back(p);
+      grid.box = {glm::min(grid.box.low, p), glm::max(grid.box.high, p)};
     }
   return grid;
 }
