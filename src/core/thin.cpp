@@ -82,7 +82,7 @@ void push_removal(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
 
 // Whether the triangles of `drop` keep their side and a sound shape in every pose once it lies on `keep`.
 bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  constexpr float kTurn = 0.5f;     // cosine of the most that a triangle may turn
+  constexpr float kTurn = 0.5f;      // cosine of the most that a triangle may turn
   constexpr float kSlender = 0.06f;  // twice the area over the longest side squared; needles print as lines
   for (const std::uint32_t t : s.around[drop]) {
     const Triangle& corners = s.triangles[t];

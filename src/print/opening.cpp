@@ -131,19 +131,6 @@ std::vector<FinePatch> list_unreached(const std::vector<Sample>& samples, double
   return patches;
 }
 
-// Looks twice: coarsely everywhere, then finely where no ball came near at first.
-std::vector<FinePatch> list_fine_among(const Mesh& mesh, const SurfaceTree& tree,
-                                       const std::vector<std::uint32_t>& triangles, double size_mm,
-                                       double blunt) {
-  std::vector<glm::dvec3> places;
-  for (const FinePatch& patch :
-       list_unreached(list_samples(mesh, tree, triangles, size_mm, kCoarse * size_mm), size_mm, blunt))
-    places.push_back(patch.place);
-  if (places.empty()) return {};
-  const std::vector<std::uint32_t> near = list_near(mesh, triangles, places, size_mm);
-  return list_unreached(list_samples(mesh, tree, near, size_mm, kFine * size_mm), size_mm, blunt);
-}
-
 // The patches in groups that lie within `apart_mm` of each other.
 std::vector<std::vector<FinePatch>> group_patches(const std::vector<FinePatch>& patches, double apart_mm) {
   Cells cells(apart_mm);
@@ -185,21 +172,33 @@ FineDetail build_detail(const std::vector<FinePatch>& group) {
 
 }  // namespace
 
-std::vector<FinePatch> list_fine_patches(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
+// Looks twice: coarsely everywhere, then finely where no ball came near at first.
+std::vector<FinePatch> list_fine_patches(const Mesh& mesh, const SurfaceTree& tree,
+                                         const std::vector<std::uint32_t>& triangles, double size_mm,
                                          double blunt) {
-  return list_fine_among(mesh, tree, list_all(mesh), size_mm, blunt);
+  std::vector<glm::dvec3> places;
+  for (const FinePatch& patch :
+       list_unreached(list_samples(mesh, tree, triangles, size_mm, kCoarse * size_mm), size_mm, blunt))
+    places.push_back(patch.place);
+  if (places.empty()) return {};
+  const std::vector<std::uint32_t> near = list_near(mesh, triangles, places, size_mm);
+  return list_unreached(list_samples(mesh, tree, near, size_mm, kFine * size_mm), size_mm, blunt);
 }
 
-std::vector<FinePatch> list_thin_patches(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
-                                         double speck_mm2) {
-  constexpr double kNear = 0.2;  // of the size
+std::vector<FinePatch> list_fine_patches(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
+                                         double blunt) {
+  return list_fine_patches(mesh, tree, list_all(mesh), size_mm, blunt);
+}
+
+std::vector<std::uint32_t> list_thin_triangles(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
+                                               double speck_mm2) {
   std::vector<glm::dvec3> places;
   for (const std::vector<FinePatch>& group :
        group_patches(list_fine_patches(mesh, tree, size_mm), size_mm / 2))
     if (sum_area_mm2(group) > speck_mm2)
       for (const FinePatch& patch : group) places.push_back(patch.place);
   if (places.empty()) return {};
-  return list_fine_among(mesh, tree, list_near(mesh, list_all(mesh), places, size_mm), size_mm, kNear);
+  return list_near(mesh, list_all(mesh), places, size_mm);
 }
 
 std::vector<FineDetail> list_fine_details(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
@@ -219,7 +218,7 @@ std::vector<FineDetail> list_fine_details(const Mesh& mesh, const SurfaceTree& t
       double area = 0;
       Cells own(size_mm);
       for (const glm::dvec3& place : places) own.add(place, 0);
-      for (const FinePatch& patch : list_fine_among(mesh, tree, near, middle, kBlunt))
+      for (const FinePatch& patch : list_fine_patches(mesh, tree, near, middle, kBlunt))
         if (own.any_around(patch.place, [](std::uint32_t) { return true; })) area += patch.area_mm2;
       (area > speck_mm2 ? high : low) = middle;
     }

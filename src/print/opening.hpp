@@ -28,10 +28,15 @@ struct FinePatch {
 std::vector<FinePatch> list_fine_patches(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
                                          double blunt = kBlunt);
 
-// The patches of all that is finer than `size_mm` and has more surface than `speck_mm2`, with their
-// surroundings up to where balls come as near as a fifth of the size.
-std::vector<FinePatch> list_thin_patches(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
-                                         double speck_mm2);
+// The same among some of the triangles, which rise.
+std::vector<FinePatch> list_fine_patches(const Mesh& mesh, const SurfaceTree& tree,
+                                         const std::vector<std::uint32_t>& triangles, double size_mm,
+                                         double blunt);
+
+// The triangles within `size_mm` and more of what is finer than that and has more surface than `speck_mm2`;
+// rising.
+std::vector<std::uint32_t> list_thin_triangles(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
+                                               double speck_mm2);
 
 // A detail: fine patches that lie together.
 struct FineDetail {

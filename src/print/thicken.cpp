@@ -20,7 +20,8 @@ constexpr double kFade = 0.75;  // from ring to ring
 constexpr double kGapShare = 0.3;  // of the free space in front, so that two sides that meet keep 40 % of it
 constexpr double kTurn = 0.6;      // the cosine of the most that a triangle may turn
 constexpr int kHalvings = 8;
-constexpr double kExtra = 1.02;     // chords of a thickened round are inside it
+constexpr double kExtra = 1.02;  // chords of a thickened round are inside it
+constexpr double kEdge = 0.2;    // beside what is thin, edges are thickened that are blunt enough elsewhere
 constexpr double kSpeck_mm2 = 0.2;  // of surface: what is thin on less is a corner
 constexpr float kBed_mm = 1e-3f;
 
@@ -89,8 +90,9 @@ double find_need_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm:
 
 // Where the body is finer than asked. Vertices have the needs of their triangles' middles as well: alone they
 // would not tell of a dent between. Those kFades rings around have no need, but room.
-std::vector<Wish> list_wishes(const Body& body, const std::vector<glm::dvec3>& normals, double least_mm) {
-  const SurfaceTree tree = build_solid_tree(body.mesh);
+std::vector<Wish> list_wishes(const Body& body, const SurfaceTree& tree,
+                              const std::vector<std::uint32_t>& thin, const std::vector<glm::dvec3>& normals,
+                              double least_mm) {
   const std::vector<glm::vec3>& positions = body.mesh.positions;
   std::vector<Wish> wishes(normals.size());
   std::vector<bool> is_asked(normals.size(), false);
@@ -103,7 +105,7 @@ std::vector<Wish> list_wishes(const Body& body, const std::vector<glm::dvec3>& n
     return true;
   };
   std::uint32_t last = UINT32_MAX;
-  for (const FinePatch& patch : list_thin_patches(body.mesh, tree, least_mm, kSpeck_mm2)) {
+  for (const FinePatch& patch : list_fine_patches(body.mesh, tree, thin, least_mm, kEdge)) {
     if (patch.triangle == last) continue;
     last = patch.triangle;
     const auto& [a, b, c] = body.mesh.triangles[last];
@@ -204,9 +206,12 @@ std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
   std::vector<glm::vec3> moves(mesh.positions.size(), glm::vec3(0));
   if (!(least_mm > 0)) return moves;
   Body body = build_thick_body(mesh);
+  std::vector<std::uint32_t> thin;
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<glm::dvec3> normals = list_normals(body.mesh);
-    const std::vector<Wish> wishes = list_wishes(body, normals, kExtra * least_mm);
+    const SurfaceTree tree = build_solid_tree(body.mesh);
+    if (round == 0) thin = list_thin_triangles(body.mesh, tree, kExtra * least_mm, kSpeck_mm2);
+    const std::vector<Wish> wishes = list_wishes(body, tree, thin, normals, kExtra * least_mm);
     if (std::all_of(wishes.begin(), wishes.end(), [](const Wish& wish) { return wish.need_mm <= 0; })) break;
     std::vector<double> amount = spread(body, wishes);
     keep_sides(body, normals, amount);

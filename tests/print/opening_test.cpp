@@ -31,7 +31,7 @@ TEST(opening, edges_of_60_degrees_are_no_detail_and_sharper_ones_are) {
     for (glm::vec3& p : wedge.positions) p.y = p.z > 5 ? p.y * 1e-4f : p.y * half;
     return wedge;
   };
-  EXPECT_EQ(sum_fine_mm2(build_wedge(64), 0.8), 0);
+  EXPECT_LT(sum_fine_mm2(build_wedge(64), 0.8), 0.5);  // its ends, where three faces meet
   // What is left out lies further than a radius and a half from the balls' line: 0.4 / sin(20) - 0.8 along
   // the middle, and the ends of the edge.
   EXPECT_NEAR(sum_fine_mm2(build_wedge(40), 0.8), 2 * 20 * 0.42, 4);
@@ -40,13 +40,13 @@ TEST(opening, edges_of_60_degrees_are_no_detail_and_sharper_ones_are) {
 
 TEST(opening, a_rib_is_told_with_its_thickness_and_a_ball_is_not) {
   Mesh mesh = build_ball({0, 0, 20}, 10, 48);
-  append_mesh(mesh, build_box({-0.3f, -2, 28}, {0.3f, 2, 33}));
+  append_mesh(mesh, build_box({-0.3f, -2, 34}, {0.3f, 2, 39}));
   const std::vector<FineDetail> details = list_fine_details(mesh, build_solid_tree(mesh), 0.8, 0.3);
   ASSERT_EQ(details.size(), 1u);
   EXPECT_NEAR(details[0].finest_mm, 0.6, 0.04);
   EXPECT_NEAR(details[0].place.x, 0, 0.1);
-  EXPECT_NEAR(details[0].place.z, 31.6, 0.8);
-  EXPECT_GT(details[0].area_mm2, 15);
+  EXPECT_NEAR(details[0].place.z, 36.5, 0.1);
+  EXPECT_NEAR(details[0].area_mm2, 2 * 20 + 0.6 * 18, 0.01);
 }
 
 TEST(opening, specks_are_left_out) {
