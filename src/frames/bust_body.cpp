@@ -90,7 +90,7 @@ Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
   cut_slit(mesh, body.eye_slits[1], head.cage.mirror[socket]);
   cut_slit(mesh, body.mouth_slit, find_point(head.cage, "MB2_0"));
   for (Slit& slit : body.eye_slits) spread_slit(mesh, 2.5f, 7, slit);
-  spread_slit(mesh, 2.5f, 9, body.mouth_slit);
+  spread_slit(mesh, 5, 11, body.mouth_slit);
   body.brows = refine_brows(mesh, list_brows(figure.model),
                             {kBrowPerHeight * mm_of_print, kLockPerHeight * mm_of_print});
   mesh.normals.clear();

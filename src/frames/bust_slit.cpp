@@ -131,6 +131,7 @@ Slit find_eye_slit(const NeutralHead& head, int side) {
 Slit find_mouth_slit(const NeutralHead& head) {
   const LipRow inner = find_lip_row(head, "M0"), outer = find_lip_row(head, "M1");
   Slit slit;
+  slit.is_bulging = true;
   for (std::size_t i = 0; i < inner.upper.size(); ++i)
     slit.columns.push_back({{inner.upper[i], outer.upper[i]}, {inner.lower[i], outer.lower[i]}});
   return slit;
@@ -145,16 +146,24 @@ void spread_slit(const Mesh& cut, float near_mm, float far_mm, Slit& slit) {
 }
 
 void part_slit(const Slit& slit, float width_mm, std::vector<glm::vec3>& positions) {
+  constexpr float kMoved = 0.999f;  // of the rim's way
   const std::size_t count = slit.columns.size();
+  std::vector<float> lowest(count, std::numeric_limits<float>::infinity());  // of what is above, in y
+  std::vector<float> highest(count, -std::numeric_limits<float>::infinity());
+  for (std::size_t c = 1; c + 1 < count; ++c) {
+    for (const std::uint32_t u : slit.columns[c].upper) lowest[c] = std::min(lowest[c], positions[u].y);
+    for (const std::uint32_t l : slit.columns[c].lower) highest[c] = std::max(highest[c], positions[l].y);
+  }
+  for (const SlitVertex& v : slit.is_bulging ? slit.vertices : std::vector<SlitVertex>()) {
+    const float y = positions[v.vertex].y;
+    if (v.share > kMoved) lowest[v.column] = std::min(lowest[v.column], y);
+    if (v.share < -kMoved) highest[v.column] = std::max(highest[v.column], y);
+  }
   std::vector<float> ways(count, 0.0f);
   for (std::size_t c = 1; c + 1 < count; ++c) {
-    const SlitColumn& column = slit.columns[c];
-    float gap = std::numeric_limits<float>::infinity();
-    for (const std::uint32_t u : column.upper)
-      for (const std::uint32_t l : column.lower) gap = std::min(gap, positions[u].y - positions[l].y);
     const float along = float(c) / float(count - 1);
     const float taper = smooth_step(0, 0.12f, std::min(along, 1 - along));  // the line fades into its ends
-    ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - gap);
+    ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - (lowest[c] - highest[c]));
   }
   for (const SlitVertex& v : slit.vertices) positions[v.vertex].y += v.share * ways[v.column];
 }

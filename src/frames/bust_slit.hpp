@@ -25,6 +25,7 @@ struct SlitVertex {
 struct Slit {
   std::vector<SlitColumn> columns;  // by rising x; first and last are the corners
   std::vector<SlitVertex> vertices;
+  bool is_bulging = false;  // lips come nearest in front of the rows, somewhere among the vertices
 };
 
 // The opening of an eye (the margin's inner and outer edge; side 1 left, -1 right) and of the mouth (the
