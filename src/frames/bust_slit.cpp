@@ -147,7 +147,12 @@ void spread_slit(const Mesh& cut, float near_mm, float far_mm, Slit& slit) {
 
 void part_slit(const Slit& slit, float width_mm, std::vector<glm::vec3>& positions) {
   constexpr float kMoved = 0.999f;  // of the rim's way
+  constexpr float kEnd = 0.12f;     // of the slit: the line fades into its ends
   const std::size_t count = slit.columns.size();
+  const auto find_from_end = [&](std::size_t c) {
+    const float along = float(c) / float(count - 1);
+    return std::min(along, 1 - along);
+  };
   std::vector<float> lowest(count, std::numeric_limits<float>::infinity());  // of what is above, in y
   std::vector<float> highest(count, -std::numeric_limits<float>::infinity());
   for (std::size_t c = 1; c + 1 < count; ++c) {
@@ -155,14 +160,14 @@ void part_slit(const Slit& slit, float width_mm, std::vector<glm::vec3>& positio
     for (const std::uint32_t l : slit.columns[c].lower) highest[c] = std::max(highest[c], positions[l].y);
   }
   for (const SlitVertex& v : slit.is_bulging ? slit.vertices : std::vector<SlitVertex>()) {
+    if (find_from_end(v.column) < kEnd) continue;  // what is beside the corner, is not before the slit
     const float y = positions[v.vertex].y;
     if (v.share > kMoved) lowest[v.column] = std::min(lowest[v.column], y);
     if (v.share < -kMoved) highest[v.column] = std::max(highest[v.column], y);
   }
   std::vector<float> ways(count, 0.0f);
   for (std::size_t c = 1; c + 1 < count; ++c) {
-    const float along = float(c) / float(count - 1);
-    const float taper = smooth_step(0, 0.12f, std::min(along, 1 - along));  // the line fades into its ends
+    const float taper = smooth_step(0, kEnd, find_from_end(c));
     ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - (lowest[c] - highest[c]));
   }
   for (const SlitVertex& v : slit.vertices) positions[v.vertex].y += v.share * ways[v.column];
