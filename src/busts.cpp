@@ -182,11 +182,10 @@ void hollow_out(const BustBody& body, const std::vector<glm::vec3>& positions, c
   made.report.least_wall_mm = measure_wall_mm(solid, cavity);
   update_warnings(made.report);
   if (cavity.drain_mm < drain_mm - 0.05)
-    made.report.warnings.push_back(
-        fmt::format("Its drain is {:.1f} mm wide instead of {} mm: there is no room for more above the base; "
-                    "a thinner wall "
-                    "or base: none has it.",
-                    cavity.drain_mm, drain_mm));
+    made.report.warnings.push_back(fmt::format(
+        "Its drain is {:.1f} mm wide instead of {} mm: the base leaves no room for more. A thinner "
+        "wall makes room, and so does 'base: none'.",
+        cavity.drain_mm, drain_mm));
 }
 
 // What was left of a label that is too long for its base.
