@@ -9,6 +9,7 @@
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "head/surface.hpp"
+#include "poses.hpp"
 
 namespace mien {
 namespace {
@@ -73,13 +74,6 @@ Pose mirror(const Pose& pose) {
   return mirrored;
 }
 
-Pose random_pose(std::mt19937& random) {
-  Pose pose;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
-  return pose;
-}
-
 TEST(face, neutral_pose_is_the_neutral_head_to_the_last_bit) {
   std::vector<glm::dvec3> points;
   pose_cage(adult().head, adult().face, Pose{}, points);
@@ -131,7 +125,7 @@ TEST(face, left_is_the_characters_own) {
 TEST(face, mirrored_poses_give_mirrored_heads_to_the_last_bit) {
   std::mt19937 random(5);
   for (int round = 0; round < 20; ++round) {
-    const Pose pose = random_pose(random);
+    const Pose pose = build_random_pose(random);
     std::vector<glm::dvec3> here, there;
     pose_cage(adult().head, adult().face, pose, here);
     pose_cage(adult().head, adult().face, mirror(pose), there);
@@ -171,7 +165,7 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
     }
     std::mt19937 random(8);
     for (int round = 0; round < 100; ++round) {
-      pose_cage(s.head, s.face, random_pose(random), points);
+      pose_cage(s.head, s.face, build_random_pose(random), points);
       points = find_on_skin(s, points);
       for (const std::string side : {"", "R:"})
         for (int i = 2; i < 7; ++i) {
@@ -189,7 +183,7 @@ TEST(face, lids_never_enter_the_ball) {
   std::vector<glm::vec3> skin;
   const Subject& s = adult();
   for (int round = 0; round < 100; ++round) {
-    pose_cage(s.head, s.face, random_pose(random), points);
+    pose_cage(s.head, s.face, build_random_pose(random), points);
     pack_points(points, packed);
     deform_surface(*s.head.surface, packed, skin);
     for (const char* ring : {"E1_", "E2_", "E3_"})
@@ -206,7 +200,7 @@ TEST(face, lips_never_cross) {
   std::vector<glm::dvec3> points;
   const Subject& s = adult();
   for (int round = 0; round < 200; ++round) {
-    const Pose pose = random_pose(random);
+    const Pose pose = build_random_pose(random);
     const double press = pose.values[*find_move("lips", Side::none, "press")];
     pose_cage(s.head, s.face, pose, points);
     for (const LipColumn& column : s.face.lips)
@@ -220,7 +214,7 @@ TEST(face, values_move_the_skin_without_pops) {
   const Subject& s = adult();
   std::vector<glm::dvec3> here, there;
   for (int round = 0; round < 50; ++round) {
-    Pose pose = random_pose(random);
+    Pose pose = build_random_pose(random);
     const std::size_t move = random() % kMoveCount;
     pose.values[move] = std::min(pose.values[move], kMoves[move].high - 0.001);
     pose_cage(s.head, s.face, pose, here);

@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "frames/figure.hpp"
 #include "head/cage.hpp"
+#include "poses.hpp"
 
 namespace mien {
 namespace {
@@ -28,13 +29,6 @@ Figure build(const std::string& age) {
 const Figure& adult() {
   static const Figure figure = build("adult");
   return figure;
-}
-
-Pose build_random_pose(std::mt19937& random) {
-  Pose pose;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
-  return pose;
 }
 
 // All that folds at once is no face; this is the most that one half of them asks for.

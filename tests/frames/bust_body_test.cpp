@@ -8,6 +8,7 @@
 
 #include "frames/bust_controls.hpp"
 #include "places.hpp"
+#include "poses.hpp"
 #include "print/solid_tree.hpp"
 
 namespace mien {
@@ -29,13 +30,6 @@ Pose build_pose(std::initializer_list<std::tuple<std::string_view, std::string_v
   for (const auto& [area, move, value] : moves)
     for (std::size_t i = 0; i < kMoveCount; ++i)
       if (kMoves[i].area == area && kMoves[i].move == move) pose.values[i] = value;
-  return pose;
-}
-
-Pose build_random_pose(std::mt19937& random) {
-  Pose pose;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    pose.values[i] = std::uniform_real_distribution<double>(kMoves[i].low, kMoves[i].high)(random);
   return pose;
 }
 
