@@ -1,15 +1,20 @@
-// A bounding volume hierarchy split at the median; the nearest point of a triangle after Ericson, "Real-Time
+// A bounding volume hierarchy of four children a node (Wald, Benthin and Boulos, "Getting rid of packets",
+// 2008), split at the median; the nearest point of a triangle after Ericson, "Real-Time
 // Collision Detection" (2005), 5.1.5.
 #include "head/nearest.hpp"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace mien {
 
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;  // triangles; fewer would make more nodes than it saves tests
+// Boxes are floats. They are padded by a share of the largest coordinate, and distances from them shortened
+// by a share of themselves, so that rounding never hides a triangle.
+constexpr double kPad = 1e-6;
+constexpr float kShorter = 1 - 1e-5f;
 
 std::vector<Triangle> split_fans(const Polygons& mesh) {
   std::vector<Triangle> triangles;
@@ -53,37 +58,71 @@ void find_normals(SurfaceTree& tree) {
   }
 }
 
-std::uint32_t build_node(SurfaceTree& tree, const std::vector<glm::dvec3>& centres, std::uint32_t first,
-                         std::uint32_t count) {
-  const auto index = static_cast<std::uint32_t>(tree.nodes.size());
-  tree.nodes.emplace_back();
-  glm::dvec3 low(1e300), high(-1e300), centre_low(1e300), centre_high(-1e300);
-  for (std::uint32_t i = first; i < first + count; ++i) {
-    for (const std::uint32_t v : tree.triangles[tree.order[i]]) {
-      low = glm::min(low, tree.positions[v]);
-      high = glm::max(high, tree.positions[v]);
-    }
-    centre_low = glm::min(centre_low, centres[tree.order[i]]);
-    centre_high = glm::max(centre_high, centres[tree.order[i]]);
+struct Builder {
+  SurfaceTree& tree;
+  std::vector<Box> boxes;          // of each triangle
+  std::vector<glm::vec3> centres;  // twice
+  std::vector<std::uint32_t> order;
+  float pad = 0;
+};
+
+Builder prepare(SurfaceTree& tree) {
+  Builder builder{tree, {}, {}, {}, 0};
+  double largest = 0;
+  for (const glm::dvec3& p : tree.positions)
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  builder.pad = static_cast<float>(kPad * largest);
+  for (const auto& [a, b, c] : tree.triangles) {
+    const glm::vec3 p(tree.positions[a]), q(tree.positions[b]), r(tree.positions[c]);
+    const Box& box = builder.boxes.emplace_back(glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r)));
+    builder.centres.push_back(box.low + box.high);
+    builder.order.push_back(static_cast<std::uint32_t>(builder.order.size()));
   }
-  tree.nodes[index].low = low;
-  tree.nodes[index].high = high;
-  if (count <= kLeaf) {
-    tree.nodes[index].first = first;
-    tree.nodes[index].count = count;
-    return index;
+  return builder;
+}
+
+// Puts the lower half of order[first, first + count) along its longest axis first; how many that is.
+std::uint32_t split(Builder& builder, std::uint32_t first, std::uint32_t count) {
+  const auto begin = builder.order.begin() + first;
+  glm::vec3 low(INFINITY), high(-INFINITY);
+  for (auto at = begin; at != begin + count; ++at) {
+    low = glm::min(low, builder.centres[*at]);
+    high = glm::max(high, builder.centres[*at]);
   }
-  const glm::dvec3 size = centre_high - centre_low;
+  const glm::vec3 size = high - low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  const std::uint32_t half = count / 2;
-  std::nth_element(tree.order.begin() + first, tree.order.begin() + first + half,
-                   tree.order.begin() + first + count, [&](std::uint32_t a, std::uint32_t b) {
-                     const double ca = centres[a][axis], cb = centres[b][axis];
-                     return ca != cb ? ca < cb : a < b;
-                   });
-  build_node(tree, centres, first, half);
-  const std::uint32_t right = build_node(tree, centres, first + half, count - half);
-  tree.nodes[index].right = right;
+  std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
+    const float ca = builder.centres[a][axis], cb = builder.centres[b][axis];
+    return ca != cb ? ca < cb : a < b;
+  });
+  return count / 2;
+}
+
+// A node for order[first, first + count), count at least 1; its index.
+std::uint32_t build_node(Builder& builder, std::uint32_t first, std::uint32_t count) {
+  const auto index = static_cast<std::uint32_t>(builder.tree.nodes.size());
+  builder.tree.nodes.emplace_back();
+  const std::uint32_t half = count > 1 ? split(builder, first, count) : 0;
+  const std::uint32_t quarter = half > 1 ? split(builder, first, half) : 0;
+  const std::uint32_t rest = count - half > 1 ? split(builder, first + half, count - half) : 0;
+  const std::array<std::uint32_t, 5> ends{first, first + quarter, first + half, first + half + rest,
+                                          first + count};
+  for (int i = 0; i < 4; ++i) {
+    Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
+    for (std::uint32_t at = ends[i]; at < ends[i + 1]; ++at) {
+      const Box& inner = builder.boxes[builder.order[at]];
+      box = {glm::min(box.low, inner.low), glm::max(box.high, inner.high)};
+    }
+    std::uint32_t child = 0;
+    if (ends[i + 1] - ends[i] == 1) child = builder.order[ends[i]] | SurfaceTree::kIsTriangle;
+    if (ends[i + 1] - ends[i] > 1) child = build_node(builder, ends[i], ends[i + 1] - ends[i]);
+    SurfaceTree::Node& node = builder.tree.nodes[index];
+    for (int axis = 0; axis < 3; ++axis) {
+      node.low[axis][i] = box.low[axis] - builder.pad;
+      node.high[axis][i] = box.high[axis] + builder.pad;
+    }
+    node.children[i] = child;
+  }
   return index;
 }
 
@@ -112,9 +151,43 @@ glm::dvec3 find_nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, co
   return {1 - vb / sum - vc / sum, vb / sum, vc / sum};
 }
 
-double find_square_distance(const SurfaceTree::Node& node, const glm::dvec3& p) {
-  const glm::dvec3 outside = glm::max(glm::max(node.low - p, p - node.high), glm::dvec3(0));
-  return glm::dot(outside, outside);
+struct Spot {
+  Float4 x, y, z;  // four times the same
+};
+
+Spot spread(const glm::dvec3& p) {
+  const glm::vec3 q(p);
+  return {Float4{q.x, q.x, q.x, q.x}, Float4{q.y, q.y, q.y, q.y}, Float4{q.z, q.z, q.z, q.z}};
+}
+
+// At most the squares of the distances to what is inside the four boxes.
+Float4 find_square_distances(const SurfaceTree::Node& node, const Spot& p) {
+  const auto outside = [](const Float4& low, const Float4& high, const Float4& at) {
+    const Float4 below = low - at, above = at - high, most = below > above ? below : above;
+    return most > 0.0f ? most : Float4{};
+  };
+  const Float4 x = outside(node.low[0], node.high[0], p.x), y = outside(node.low[1], node.high[1], p.y),
+               z = outside(node.low[2], node.high[2], p.z);
+  return kShorter * (x * x + y * y + z * z);
+}
+
+// What is still to be looked at, what was added last first: a tree of millions is a dozen levels deep.
+struct Open {
+  float square = 0;
+  std::uint32_t child = 0;
+};
+using OpenList = std::array<Open, 64>;
+
+// Adds the children that are nearer than `least`, the nearest last.
+void add_children(const SurfaceTree::Node& node, const Float4& squares, double least, OpenList& open,
+                  std::size_t& count) {
+  const std::size_t first = count;
+  for (int i = 0; i < 4; ++i) {
+    if (!(squares[i] <= least) || std::isinf(node.low[0][i])) continue;
+    std::size_t at = count++;
+    for (; at > first && open[at - 1].square < squares[i]; --at) open[at] = open[at - 1];
+    open[at] = {squares[i], node.children[i]};
+  }
 }
 
 }  // namespace
@@ -125,12 +198,8 @@ SurfaceTree build_surface_tree(const Polygons& mesh) {
   tree.triangles = split_fans(mesh);
   find_rims(tree);
   find_normals(tree);
-  std::vector<glm::dvec3> centres;
-  for (const Triangle& t : tree.triangles) {
-    centres.push_back((tree.positions[t[0]] + tree.positions[t[1]] + tree.positions[t[2]]) / 3.0);
-    tree.order.push_back(static_cast<std::uint32_t>(tree.order.size()));
-  }
-  if (!tree.order.empty()) build_node(tree, centres, 0, static_cast<std::uint32_t>(tree.order.size()));
+  Builder builder = prepare(tree);
+  if (!tree.triangles.empty()) build_node(builder, 0, static_cast<std::uint32_t>(tree.triangles.size()));
   return tree;
 }
 
@@ -140,32 +209,29 @@ NearestPlace find_nearest(const SurfaceTree& tree, const glm::dvec3& point, doub
   double least = reach * reach;
   std::uint32_t triangle = 0;
   glm::dvec3 share{0};
-  std::array<std::pair<double, std::uint32_t>, 64> open;  // the tree is some twenty levels deep
-  std::size_t count = 0;
-  open[count++] = {find_square_distance(tree.nodes[0], point), 0};
+  const Spot spot = spread(point);
+  OpenList open;  // begins with the root
+  std::size_t count = 1;
   while (count > 0) {
-    const auto [distance, index] = open[--count];
+    const auto [distance, child] = open[--count];
     if (distance > least) continue;
-    const SurfaceTree::Node& node = tree.nodes[index];
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Triangle& t = tree.triangles[tree.order[i]];
-      const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
-      const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
-      const glm::dvec3 place = at.x * a + at.y * b + at.z * c, way = place - point;
-      const double square = glm::dot(way, way);
-      if (square > least || (square == least && best.distance < 1e9)) continue;
-      least = square;
-      best.point = place;
-      best.distance = 0;
-      triangle = tree.order[i];
-      share = at;
+    if (!(child & SurfaceTree::kIsTriangle)) {
+      const SurfaceTree::Node& node = tree.nodes[child];
+      add_children(node, find_square_distances(node, spot), least, open, count);
+      continue;
     }
-    if (node.count > 0) continue;
-    std::pair<double, std::uint32_t> near{find_square_distance(tree.nodes[index + 1], point), index + 1},
-        far{find_square_distance(tree.nodes[node.right], point), node.right};
-    if (far.first < near.first) std::swap(near, far);
-    open[count++] = far;
-    open[count++] = near;
+    const std::uint32_t index = child & ~SurfaceTree::kIsTriangle;
+    const Triangle& t = tree.triangles[index];
+    const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
+    const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
+    const glm::dvec3 place = at.x * a + at.y * b + at.z * c, way = place - point;
+    const double square = glm::dot(way, way);
+    if (square > least || (square == least && best.distance < 1e9)) continue;
+    least = square;
+    best.point = place;
+    best.distance = 0;
+    triangle = index;
+    share = at;
   }
   if (best.distance > 0) return best;
   best.distance = std::sqrt(least);
@@ -186,23 +252,22 @@ NearestPlace find_nearest(const SurfaceTree& tree, const glm::dvec3& point, doub
 
 bool is_within(const SurfaceTree& tree, const glm::dvec3& point, double distance) {
   const double square = distance * distance;
-  std::array<std::uint32_t, 64> open;
-  std::size_t count = 0;
-  if (!tree.nodes.empty()) open[count++] = 0;
+  if (tree.nodes.empty()) return false;
+  const Spot spot = spread(point);
+  OpenList open;  // begins with the root
+  std::size_t count = 1;
   while (count > 0) {
-    const std::uint32_t index = open[--count];
-    const SurfaceTree::Node& node = tree.nodes[index];
-    if (find_square_distance(node, point) >= square) continue;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Triangle& t = tree.triangles[tree.order[i]];
-      const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
-      const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
-      const glm::dvec3 way = at.x * a + at.y * b + at.z * c - point;
-      if (glm::dot(way, way) < square) return true;
+    const std::uint32_t child = open[--count].child;
+    if (!(child & SurfaceTree::kIsTriangle)) {
+      const SurfaceTree::Node& node = tree.nodes[child];
+      add_children(node, find_square_distances(node, spot), square, open, count);
+      continue;
     }
-    if (node.count > 0) continue;
-    open[count++] = node.right;
-    open[count++] = index + 1;
+    const Triangle& t = tree.triangles[child & ~SurfaceTree::kIsTriangle];
+    const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
+    const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
+    const glm::dvec3 way = at.x * a + at.y * b + at.z * c - point;
+    if (glm::dot(way, way) < square) return true;
   }
   return false;
 }

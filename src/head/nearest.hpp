@@ -1,26 +1,28 @@
 // The nearest place on somebody else's surface: a tree of boxes around its triangles.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
+#include "core/float4.hpp"
 #include "core/mesh.hpp"
 #include "import/polygons.hpp"
 
 namespace mien {
 
 struct SurfaceTree {
+  // Up to four children side by side: one look measures all their boxes.
   struct Node {
-    glm::dvec3 low{0}, high{0};
-    std::uint32_t first = 0, count = 0;  // of `order`; count 0: two children, the next node and `right`
-    std::uint32_t right = 0;
+    std::array<Float4, 3> low, high;  // by axis, a little larger than what is inside; inverted if nothing is
+    std::array<std::uint32_t, 4> children{};  // nodes, or triangles with kIsTriangle set
   };
+  static constexpr std::uint32_t kIsTriangle = 1U << 31;
   std::vector<glm::dvec3> positions;
-  std::vector<glm::dvec3> normals;   // unit, one a position
-  std::vector<bool> is_rim;          // the position lies on an open edge
-  std::vector<Triangle> triangles;   // polygons as fans
-  std::vector<std::uint32_t> order;  // triangles, leaf after leaf
-  std::vector<Node> nodes;
+  std::vector<glm::dvec3> normals;  // unit, one a position
+  std::vector<bool> is_rim;         // the position lies on an open edge
+  std::vector<Triangle> triangles;  // polygons as fans
+  std::vector<Node> nodes;          // the first is the root
 };
 
 // Triangles without an area are left out.
