@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <queue>
 #include <utility>
 
@@ -46,38 +47,43 @@ struct Removal {
 };
 
 struct Thinner {
-  const std::vector<std::vector<glm::vec3>>& poses;
+  std::size_t pose_count = 0;
+  std::vector<glm::vec3> places;  // of a vertex in all poses, one vertex after the other
+  std::vector<Quadric> quadrics;  // the same
   std::vector<Triangle> triangles;
   std::vector<bool> is_locked;
   std::vector<bool> is_alive;                      // a triangle
   std::vector<std::vector<std::uint32_t>> around;  // the living triangles of a vertex
-  std::vector<std::vector<Quadric>> quadrics;      // [pose][vertex]
   std::vector<std::uint32_t> version;
   std::priority_queue<Removal> queue;
   std::size_t alive = 0;
+  std::array<std::vector<std::uint32_t>, 2> rings;  // of one call
+
+  const glm::vec3& place(std::uint32_t v, std::size_t pose) const { return places[v * pose_count + pose]; }
 };
 
 glm::vec3 find_area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   return glm::cross(b - a, c - a);
 }
 
-std::vector<std::uint32_t> list_neighbours(const Thinner& s, std::uint32_t v) {
-  std::vector<std::uint32_t> found;
+// Into `found`, in ascending order.
+void list_neighbours(const Thinner& s, std::uint32_t v, std::vector<std::uint32_t>& found) {
+  found.clear();
   for (const std::uint32_t t : s.around[v])
     for (const std::uint32_t w : s.triangles[t])
       if (w != v) found.push_back(w);
   std::sort(found.begin(), found.end());
   found.erase(std::unique(found.begin(), found.end()), found.end());
-  return found;
 }
 
-void push_removal(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+Removal find_removal(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   constexpr double kShort = 1e-9;  // of the squared length: among equals the shortest edge goes first
-  if (s.is_locked[drop]) return;
+  const Quadric* quadric = &s.quadrics[drop * s.pose_count];
+  const glm::vec3* place = &s.places[keep * s.pose_count];
   double cost = 0;
-  for (std::size_t p = 0; p < s.poses.size(); ++p) cost += s.quadrics[p][drop].measure(s.poses[p][keep]);
-  const glm::vec3 along = s.poses[0][keep] - s.poses[0][drop];
-  s.queue.push({cost + kShort * glm::dot(along, along), keep, drop, s.version[keep], s.version[drop]});
+  for (std::size_t p = 0; p < s.pose_count; ++p) cost += quadric[p].measure(place[p]);
+  const glm::vec3 along = s.place(keep, 0) - s.place(drop, 0);
+  return {cost + kShort * glm::dot(along, along), keep, drop, s.version[keep], s.version[drop]};
 }
 
 // Whether the triangles of `drop` keep their side and a sound shape in every pose once it lies on `keep`.
@@ -87,17 +93,17 @@ bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   for (const std::uint32_t t : s.around[drop]) {
     const Triangle& corners = s.triangles[t];
     if (std::find(corners.begin(), corners.end(), keep) != corners.end()) continue;
-    for (const std::vector<glm::vec3>& pose : s.poses) {
+    for (std::size_t p = 0; p < s.pose_count; ++p) {
       std::array<glm::vec3, 3> now, then;
       for (int i = 0; i < 3; ++i) {
-        now[i] = pose[corners[i]];
-        then[i] = corners[i] == drop ? pose[keep] : now[i];
+        now[i] = s.place(corners[i], p);
+        then[i] = corners[i] == drop ? s.place(keep, p) : now[i];
       }
       const glm::vec3 before = find_area_vector(now[0], now[1], now[2]);
       const glm::vec3 after = find_area_vector(then[0], then[1], then[2]);
       const float area = glm::length(after);
       if (area == 0 || glm::dot(before, after) < kTurn * glm::length(before) * area) return false;
-      if (&pose != &s.poses.front()) continue;  // a stretched pose may stretch triangles
+      if (p > 0) continue;  // a stretched pose may stretch triangles
       float longest = 0;
       for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(then[i], then[(i + 1) % 3]));
       if (area < kSlender * longest * longest) return false;
@@ -107,16 +113,18 @@ bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
 }
 
 // Two ends of an edge may become one only if exactly two vertices neighbour both (the link condition).
-bool keeps_surface(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  const auto a = list_neighbours(s, drop), b = list_neighbours(s, keep);
+bool keeps_surface(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
+  auto& [a, b] = s.rings;
+  list_neighbours(s, drop, a);
+  list_neighbours(s, keep, b);
   if (!std::binary_search(a.begin(), a.end(), keep) || a.size() + b.size() <= 7) return false;
-  std::vector<std::uint32_t> common;
-  std::set_intersection(a.begin(), a.end(), b.begin(), b.end(), std::back_inserter(common));
-  return common.size() == 2;
+  return std::count_if(a.begin(), a.end(),
+                       [&](std::uint32_t v) { return std::binary_search(b.begin(), b.end(), v); }) == 2;
 }
 
 void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  for (auto& quadrics : s.quadrics) quadrics[keep].add(quadrics[drop]);
+  for (std::size_t p = 0; p < s.pose_count; ++p)
+    s.quadrics[keep * s.pose_count + p].add(s.quadrics[drop * s.pose_count + p]);
   for (const std::uint32_t t : s.around[drop]) {
     Triangle& corners = s.triangles[t];
     if (std::find(corners.begin(), corners.end(), keep) != corners.end()) {
@@ -132,9 +140,10 @@ void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   s.around[drop].clear();
   ++s.version[keep];
   ++s.version[drop];
-  for (const std::uint32_t v : list_neighbours(s, keep)) {
-    push_removal(s, keep, v);
-    push_removal(s, v, keep);
+  list_neighbours(s, keep, s.rings[0]);
+  for (const std::uint32_t v : s.rings[0]) {
+    if (!s.is_locked[keep]) s.queue.push(find_removal(s, keep, v));
+    if (!s.is_locked[v]) s.queue.push(find_removal(s, v, keep));
   }
 }
 
@@ -151,7 +160,10 @@ void lock_open_edges(Thinner& s) {
 Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vector<Triangle> triangles,
                       const std::vector<bool>& is_locked) {
   const std::size_t count = poses.front().size();
-  Thinner s{poses, std::move(triangles), is_locked, {}, {}, {}, {}, {}, 0};
+  Thinner s;
+  s.pose_count = poses.size();
+  s.triangles = std::move(triangles);
+  s.is_locked = is_locked;
   s.alive = s.triangles.size();
   s.is_alive.assign(s.alive, true);
   s.around.resize(count);
@@ -159,19 +171,26 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   lock_open_edges(s);
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
     for (const std::uint32_t v : s.triangles[t]) s.around[v].push_back(t);
-  for (const std::vector<glm::vec3>& pose : poses) {
-    std::vector<Quadric>& quadrics = s.quadrics.emplace_back(count);
-    for (const Triangle& t : s.triangles) {
-      const glm::dvec3 a(pose[t[0]]), b(pose[t[1]]), c(pose[t[2]]);
+  s.places.reserve(count * s.pose_count);
+  for (std::size_t v = 0; v < count; ++v)
+    for (const std::vector<glm::vec3>& pose : poses) s.places.push_back(pose[v]);
+  s.quadrics.resize(count * s.pose_count);
+  for (const Triangle& t : s.triangles)
+    for (std::size_t p = 0; p < s.pose_count; ++p) {
+      const glm::dvec3 a(s.place(t[0], p)), b(s.place(t[1], p)), c(s.place(t[2], p));
       const glm::dvec3 area = glm::cross(b - a, c - a);
       const double length = glm::length(area);
       if (length == 0) continue;
       for (const std::uint32_t v : t)
-        quadrics[v].add_plane(area / length, glm::dot(area / length, a), length);
+        s.quadrics[v * s.pose_count + p].add_plane(area / length, glm::dot(area / length, a), length);
     }
+  std::vector<Removal> removals;
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (s.is_locked[v]) continue;
+    list_neighbours(s, v, s.rings[0]);
+    for (const std::uint32_t w : s.rings[0]) removals.push_back(find_removal(s, v, w));
   }
-  for (std::uint32_t v = 0; v < count; ++v)
-    for (const std::uint32_t w : list_neighbours(s, v)) push_removal(s, v, w);
+  s.queue = std::priority_queue(std::less<Removal>(), std::move(removals));
   return s;
 }
 

@@ -24,16 +24,21 @@ constexpr std::size_t kFewRows = 6;  // fewer are no room
 struct Tracer {
   const SurfaceTree& tree;
 
-  double find_depth(const glm::dvec3& p) const {
-    return std::min(find_nearest(tree, p, kReach_mm).distance, kReach_mm);
+  // No more than `most_mm`, beyond which nothing is looked for.
+  double find_depth(const glm::dvec3& p, double most_mm = kReach_mm) const {
+    return std::min(find_nearest(tree, p, most_mm).distance, most_mm);
   }
   // How far from `origin` the depth is first `wall_mm`, from `start` on; below `start` if it is less there.
-  double trace(const glm::dvec3& origin, const glm::dvec3& way, double wall_mm, double start) const {
+  // `most_mm` is no less than the depth at the start, and is that of the end afterwards.
+  double trace(const glm::dvec3& origin, const glm::dvec3& way, double wall_mm, double start,
+               double& most_mm) const {
     double at = start;
     for (int step = 0; step < kMostSteps; ++step) {
-      const double free = find_depth(origin + at * way) - wall_mm;
+      const double free = find_depth(origin + at * way, most_mm) - wall_mm;
+      most_mm = wall_mm + free + kNear_mm;
       if (free < kNear_mm) return free < 0 && at == start ? -1 : at;
       at += free;
+      most_mm += free;  // it grows by no more than the way
     }
     return at;
   }
@@ -170,10 +175,12 @@ CavityPlan plan_cavity(const Mesh& surfaces, const CavityRequest& request) {
   }
   for_each_index(kRows, count_cores(), [&](std::size_t k, int) {
     const glm::dvec3 middle(0, plan.middles_mm[k], plan.heights_mm[k]);
+    const double depth = tracer.find_depth(middle) + kNear_mm;
     for (std::size_t j = 0; j < columns; ++j) {
-      double at = 0;
+      double at = 0, most_mm = depth;
       for (std::size_t w = walls.size(); w-- > 0;) {  // the thickest has the shortest way
-        const double found = tracer.trace(middle, {plan.directions[j], 0}, kReserve * walls[w].wall_mm, at);
+        const double found =
+            tracer.trace(middle, {plan.directions[j], 0}, kReserve * walls[w].wall_mm, at, most_mm);
         if (found > at) at = found;
         walls[w].reaches_mm[k * columns + j] = at;
       }
@@ -181,7 +188,9 @@ CavityPlan plan_cavity(const Mesh& surfaces, const CavityRequest& request) {
   });
   for (CavityPlan::Wall& wall : walls) {
     const double from = plan.heights_mm.back() - 0.3 * (high - request.low_mm);
-    const double up = tracer.trace({0, plan.middles_mm.back(), from}, {0, 0, 1}, kReserve * wall.wall_mm, 0);
+    double most_mm = kReach_mm;
+    const double up =
+        tracer.trace({0, plan.middles_mm.back(), from}, {0, 0, 1}, kReserve * wall.wall_mm, 0, most_mm);
     wall.top_mm = up > 0 ? from + up : 0;
     limit_slopes(plan, wall.reaches_mm);
     leave_out_rows(plan, wall);
