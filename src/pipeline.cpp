@@ -245,7 +245,8 @@ void write_busts(const Options& options) {
   if (options.has_openscad) require_programs({{"openscad", "openscad"}});
   if (options.has_preview) require_programs({{"povray", "povray"}});
   const bool has_time = options.at_s || options.at_frames;
-  const Figure figure = build_figure(has_time ? find_asked_head(clip, actor, options) : actor.head, data);
+  const Figure figure =
+      build_figure(has_time ? find_asked_head(clip, actor, options) : actor.head, data, FigureUse::print);
   std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
   for (BustSpec& bust : busts) bust.height_mm = options.height_mm.value_or(bust.height_mm);
   std::vector<Held> held;

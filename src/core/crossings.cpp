@@ -37,9 +37,8 @@ int find_side(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
 
 using Corners = std::array<const Whole*, 3>;
 
+// Whether p and q, on either side of the triangle's plane, are joined through it.
 bool is_pierced(const Corners& t, const Whole& p, const Whole& q) {
-  const int from = find_side(*t[0], *t[1], *t[2], p), to = find_side(*t[0], *t[1], *t[2], q);
-  if (from * to >= 0) return false;
   int low = 0, high = 0;
   for (int i = 0; i < 3; ++i) {
     const int side = find_side(p, q, *t[i], *t[(i + 1) % 3]);
@@ -49,19 +48,24 @@ bool is_pierced(const Corners& t, const Whole& p, const Whole& q) {
   return low == 0 || high == 0;
 }
 
+bool has(const Triangle& t, std::uint32_t v) { return v == t[0] || v == t[1] || v == t[2]; }
+
+// Whether an edge of `by` that has no corner of `t` goes through it.
+bool is_pierced_by(const std::vector<Whole>& places, const Triangle& t, const Triangle& by) {
+  const Corners corners{&places[t[0]], &places[t[1]], &places[t[2]]};
+  std::array<int, 3> sides{};
+  for (int i = 0; i < 3; ++i)
+    sides[i] = has(t, by[i]) ? 0 : find_side(*corners[0], *corners[1], *corners[2], places[by[i]]);
+  for (int i = 0; i < 3; ++i) {
+    const int next = (i + 1) % 3;
+    if (sides[i] * sides[next] < 0 && is_pierced(corners, places[by[i]], places[by[next]])) return true;
+  }
+  return false;
+}
+
 bool do_cross(const std::vector<Whole>& places, const Triangle& one, const Triangle& two) {
-  int shared = 0;
-  for (const std::uint32_t v : one) shared += static_cast<int>(std::count(two.begin(), two.end(), v));
-  if (shared >= 2) return false;
-  const auto pierces = [&](const Triangle& t, const Triangle& by) {
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t p = by[i], q = by[(i + 1) % 3];
-      if (std::count(t.begin(), t.end(), p) + std::count(t.begin(), t.end(), q) > 0) continue;
-      if (is_pierced({&places[t[0]], &places[t[1]], &places[t[2]]}, places[p], places[q])) return true;
-    }
-    return false;
-  };
-  return pierces(one, two) || pierces(two, one);
+  if (has(two, one[0]) + has(two, one[1]) + has(two, one[2]) >= 2) return false;
+  return is_pierced_by(places, one, two) || is_pierced_by(places, two, one);
 }
 
 // The triangles that reach into each cell of a grid over the mesh, cell after cell.
@@ -73,12 +77,15 @@ struct Grid {
   std::vector<Box> boxes;  // of each triangle
 
   glm::ivec3 find_cell(const glm::vec3& p) const { return glm::ivec3((p - low) / cell_mm); }
+  std::size_t find_index(const glm::ivec3& cell) const {
+    return static_cast<std::size_t>((cell.z * size.y + cell.y) * size.x + cell.x);
+  }
   template <typename Use>
   void for_each_cell(const Box& box, const Use& use) const {
     const glm::ivec3 a = find_cell(box.low), b = find_cell(box.high);
     for (int z = a.z; z <= b.z; ++z)
       for (int y = a.y; y <= b.y; ++y)
-        for (int x = a.x; x <= b.x; ++x) use(static_cast<std::size_t>((z * size.y + y) * size.x + x));
+        for (int x = a.x; x <= b.x; ++x) use(find_index({x, y, z}));
   }
 };
 
@@ -96,7 +103,9 @@ void place_cells(const Box& all, float wished_mm, Grid& grid) {
   grid.size = glm::ivec3(extent / grid.cell_mm) + 1;
 }
 
-Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles) {
+// With `is_asked`, one for each triangle, only the cells that those reach into are filled.
+Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
+                const std::vector<bool>& is_asked) {
   Grid grid;
   Box all{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
   float sides_mm = 0;
@@ -107,14 +116,20 @@ Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Trian
     sides_mm += (extent.x + extent.y + extent.z) / 3;
   }
   place_cells(all, kCell * sides_mm / float(triangles.size()), grid);
-  grid.first.assign(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z + 1, 0);
+  const std::size_t cells = static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z;
+  std::vector<char> is_filled(cells, is_asked.empty());
+  for (std::uint32_t t = 0; t < is_asked.size(); ++t)
+    if (is_asked[t]) grid.for_each_cell(grid.boxes[t], [&](std::size_t cell) { is_filled[cell] = 1; });
+  grid.first.assign(cells + 1, 0);
   for (const Box& box : grid.boxes)
-    grid.for_each_cell(box, [&](std::size_t cell) { ++grid.first[cell + 1]; });
+    grid.for_each_cell(box, [&](std::size_t cell) { grid.first[cell + 1] += is_filled[cell]; });
   for (std::size_t i = 1; i < grid.first.size(); ++i) grid.first[i] += grid.first[i - 1];
   grid.triangles.resize(grid.first.back());
   std::vector<std::uint32_t> next = grid.first;
   for (std::uint32_t t = 0; t < triangles.size(); ++t)
-    grid.for_each_cell(grid.boxes[t], [&](std::size_t cell) { grid.triangles[next[cell]++] = t; });
+    grid.for_each_cell(grid.boxes[t], [&](std::size_t cell) {
+      if (is_filled[cell]) grid.triangles[next[cell]++] = t;
+    });
   return grid;
 }
 
@@ -130,7 +145,7 @@ std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
     for (int i = 0; i < 3; ++i) place[i] = std::llround(static_cast<double>(p[i]) / kGrid_mm);
     places.push_back(place);
   }
-  const Grid grid = build_grid(positions, triangles);
+  const Grid grid = build_grid(positions, triangles, is_asked);
   std::vector<Crossing> crossings;
   for (std::size_t cell = 0; cell + 1 < grid.first.size(); ++cell)
     for (std::uint32_t i = grid.first[cell]; i < grid.first[cell + 1]; ++i)
@@ -141,10 +156,11 @@ std::vector<Crossing> find_crossings(const std::vector<glm::vec3>& positions,
         if (a.low.x > b.high.x || b.low.x > a.high.x || a.low.y > b.high.y || b.low.y > a.high.y ||
             a.low.z > b.high.z || b.low.z > a.high.z)
           continue;
+        if (grid.find_index(grid.find_cell(glm::max(a.low, b.low))) != cell)
+          continue;  // one cell of those they share
         if (do_cross(places, triangles[one], triangles[two])) crossings.push_back({one, two});
       }
   std::sort(crossings.begin(), crossings.end());
-  crossings.erase(std::unique(crossings.begin(), crossings.end()), crossings.end());
   return crossings;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <optional>
 #include <queue>
 #include <utility>
 
@@ -46,6 +47,49 @@ struct Removal {
   }
 };
 
+// Gives the cheapest removal first. Most are never asked for: those that are dearer than a limit wait without
+// an order, so that the queue stays short.
+class RemovalQueue {
+ public:
+  explicit RemovalQueue(std::vector<Removal> removals = {}) : dear_(std::move(removals)) {}
+
+  void push(const Removal& removal) {
+    if (removal.cost <= limit_)
+      cheap_.push(removal);
+    else
+      dear_.push_back(removal);
+  }
+  // Nothing if all are asked for. Those that `is_stale` says so of may be left out.
+  template <typename IsStale>
+  std::optional<Removal> pop(const IsStale& is_stale) {
+    if (cheap_.empty()) raise_limit(is_stale);
+    if (cheap_.empty()) return std::nullopt;
+    const Removal removal = cheap_.top();
+    cheap_.pop();
+    return removal;
+  }
+
+ private:
+  template <typename IsStale>
+  void raise_limit(const IsStale& is_stale) {
+    constexpr std::size_t kParts = 8;
+    std::erase_if(dear_, is_stale);
+    if (dear_.empty()) return;
+    const auto part = dear_.begin() + static_cast<std::ptrdiff_t>(dear_.size() / kParts);
+    std::nth_element(dear_.begin(), part, dear_.end(),
+                     [](const Removal& a, const Removal& b) { return a.cost < b.cost; });
+    limit_ = part->cost;
+    const auto dear = std::partition(dear_.begin(), dear_.end(),
+                                     [&](const Removal& removal) { return removal.cost <= limit_; });
+    cheap_ = std::priority_queue(std::less<Removal>(), std::vector(dear_.begin(), dear));
+    dear_.erase(dear_.begin(), dear);
+  }
+
+  std::priority_queue<Removal> cheap_;
+  std::vector<Removal> dear_;
+  double limit_ = -1;
+};
+
 struct Thinner {
   std::size_t pose_count = 0;
   std::vector<glm::vec3> places;  // of a vertex in all poses, one vertex after the other
@@ -55,7 +99,7 @@ struct Thinner {
   std::vector<bool> is_alive;                      // a triangle
   std::vector<std::vector<std::uint32_t>> around;  // the living triangles of a vertex
   std::vector<std::uint32_t> version;
-  std::priority_queue<Removal> queue;
+  RemovalQueue queue;
   std::size_t alive = 0;
   std::array<std::vector<std::uint32_t>, 2> rings;  // of one call
 
@@ -190,7 +234,7 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
     list_neighbours(s, v, s.rings[0]);
     for (const std::uint32_t w : s.rings[0]) removals.push_back(find_removal(s, v, w));
   }
-  s.queue = std::priority_queue(std::less<Removal>(), std::move(removals));
+  s.queue = RemovalQueue(std::move(removals));
   return s;
 }
 
@@ -201,12 +245,15 @@ std::vector<Triangle> thin_posed(const std::vector<std::vector<glm::vec3>>& pose
                                  std::size_t most) {
   if (poses.empty() || triangles.size() <= most) return triangles;
   Thinner s = build_thinner(poses, std::move(triangles), is_locked);
-  while (s.alive > most && !s.queue.empty()) {
-    const Removal next = s.queue.top();
-    s.queue.pop();
-    if (s.version[next.keep] != next.keep_version || s.version[next.drop] != next.drop_version) continue;
-    if (keeps_surface(s, next.drop, next.keep) && keeps_shape(s, next.drop, next.keep))
-      remove(s, next.drop, next.keep);
+  const auto is_stale = [&](const Removal& r) {
+    return s.version[r.keep] != r.keep_version || s.version[r.drop] != r.drop_version;
+  };
+  while (s.alive > most) {
+    const std::optional<Removal> next = s.queue.pop(is_stale);
+    if (!next) break;
+    if (is_stale(*next)) continue;
+    if (keeps_surface(s, next->drop, next->keep) && keeps_shape(s, next->drop, next->keep))
+      remove(s, next->drop, next->keep);
   }
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < s.triangles.size(); ++t)

@@ -48,13 +48,12 @@ std::size_t find_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
 // All vertices in a pose, mm of the head.
 std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
   DeformBuffers buffers;
-  buffers.has_folds = false;  // layers are as thick as folds are deep: they would come out as specks
-  Drawing drawing;
-  deform_figure(figure, pose, {}, buffers, drawing);
-  std::vector<glm::vec3> positions = std::move(drawing.parts.front().positions);
+  PartShape skin;  // without folds: layers are as thick as they are deep, and they would come out as specks
+  deform_skin(figure, pose, {}, buffers, skin);
+  std::vector<glm::vec3> positions = std::move(skin.positions);
   for (std::size_t i = 0; i < 2; ++i) part_slit(body.eye_slits[i], body.eye_slit_mm, positions);
   part_slit(body.mouth_slit, body.mouth_slit_mm, positions);
-  raise_brows(body.brows, positions, drawing.parts.front().normals);
+  raise_brows(body.brows, positions, skin.normals);
   positions.resize(body.all_count);
   const std::array<CarvedEye, 2> eyes = find_carved_eyes(body, figure, pose);
   for (std::size_t i = 0; i < 2; ++i)

@@ -69,7 +69,8 @@ void deform_strands(const HeadPart& bound, const Part& part, const std::vector<S
 
 }  // namespace
 
-Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder) {
+Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder, FigureUse use) {
+  const bool is_print = use == FigureUse::print;
   Figure figure;
   figure.head = build_neutral_head(spec, data_folder);
   figure.limits = find_limit_shares(spec.limits);
@@ -77,9 +78,15 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
   std::array<std::vector<HeadPart>, 5> made;
   const std::array<std::function<void()>, 7> works{
       [&] { figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml"); },
-      [&] { figure.folds = build_folds(figure.head, spec, data_folder / "templates/head/folds.yaml"); },
       [&] {
-        made[0].push_back({build_skin_part(figure.head, spec.look), Mount::skin, {}});
+        if (!is_print)
+          figure.folds = build_folds(figure.head, spec, data_folder / "templates/head/folds.yaml");
+      },
+      [&] {
+        made[0].push_back({is_print ? build_plain_skin_part(figure.head, spec.look)
+                                    : build_skin_part(figure.head, spec.look),
+                           Mount::skin,
+                           {}});
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
       [&] { made[3] = build_hairs(figure.head, spec.look); },
@@ -92,8 +99,18 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
     figure.roots.push_back(
         find_frames(part, figure.head, figure.head.skin.positions, figure.head.skin.normals));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
-  refine_part(figure.folds.skin, figure.model.parts.front());
+  if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
   return figure;
+}
+
+void deform_skin(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
+                 PartShape& skin) {
+  pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
+  if (is_turned(turn))
+    turn_points(figure.face, turn, find_turn(figure.face.turn_pivot, turn, 1), buffers.points);
+  pack_points(buffers.points, buffers.packed);
+  deform_surface(*figure.head.surface, buffers.packed, skin.positions);
+  update_surface_normals(*figure.head.surface, skin.positions, skin.normals);
 }
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
@@ -104,12 +121,7 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const glm::dmat4 head_turn = is_turned(turn) ? find_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
 
   PartShape& skin = drawing.parts.front();
-  pose_cage(figure.head, figure.face, pose, buffers.points);
-  if (is_turned(turn)) turn_points(figure.face, turn, head_turn, buffers.points);
-  pack_points(buffers.points, buffers.packed);
-  deform_surface(*figure.head.surface, buffers.packed, skin.positions);
-  update_surface_normals(*figure.head.surface, skin.positions, skin.normals);
-
+  deform_skin(figure, asked, turn, buffers, skin);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];
     const Part& part = figure.model.parts[i];

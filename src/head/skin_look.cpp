@@ -144,4 +144,11 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   return part;
 }
 
+Part build_plain_skin_part(const NeutralHead& head, const Look& look) {
+  Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
+  part.palette.push_back(Shade{look.skin, 0});
+  part.shade.assign(head.skin.positions.size(), 0);
+  return part;
+}
+
 }  // namespace mien

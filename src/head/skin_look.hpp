@@ -13,4 +13,7 @@ namespace mien {
 // Mirror images get the same shade. About 0.1 s.
 Part build_skin_part(const NeutralHead& head, const Look& look);
 
+// The same of one colour, that of `look.skin`, without grain.
+Part build_plain_skin_part(const NeutralHead& head, const Look& look);
+
 }  // namespace mien

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "core/parallel.hpp"
@@ -102,15 +103,22 @@ std::vector<std::uint32_t> list_all(const Mesh& mesh) {
 std::vector<std::uint32_t> list_near(const Mesh& mesh, const std::vector<std::uint32_t>& triangles,
                                      const std::vector<glm::dvec3>& places, double size_mm) {
   Cells cells(size_mm);
-  for (const glm::dvec3& place : places) cells.add(place, 0);
-  std::vector<std::uint32_t> near;
-  for (const std::uint32_t t : triangles) {
-    const Triangle& corners = mesh.triangles[t];
-    if (std::any_of(corners.begin(), corners.end(), [&](std::uint32_t v) {
-          return cells.any_around(glm::dvec3(mesh.positions[v]), [](std::uint32_t) { return true; });
-        }))
-      near.push_back(t);
+  glm::dvec3 low(1e300), high(-1e300);
+  for (const glm::dvec3& place : places) {
+    cells.add(place, 0);
+    low = glm::min(low, place - 2 * size_mm);
+    high = glm::max(high, place + 2 * size_mm);
   }
+  std::vector<std::optional<bool>> is_near(mesh.positions.size());  // asked for once
+  const auto ask = [&](std::uint32_t v) {
+    if (is_near[v]) return *is_near[v];
+    const glm::dvec3 at(mesh.positions[v]);
+    const bool is_out = glm::any(glm::lessThan(at, low)) || glm::any(glm::greaterThan(at, high));
+    return *(is_near[v] = !is_out && cells.any_around(at, [](std::uint32_t) { return true; }));
+  };
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t t : triangles)
+    if (std::any_of(mesh.triangles[t].begin(), mesh.triangles[t].end(), ask)) near.push_back(t);
   return near;
 }
 
