@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "print/base.hpp"
 #include "print/cavity.hpp"
 #include "print/cavity_plan.hpp"
@@ -60,8 +61,10 @@ void thicken(const BustShop& shop, BustBody& body) {
   const std::vector<bool> is_fixed = list_fixed(body);
   for (std::size_t v = 0; v < moves.size(); ++v)
     if (is_fixed[v]) moves[v] = glm::vec3(0);
-  for (const NamedPose& named : shop.menu)
-    hold_apart(place_bust(body, shop.figure, named.pose), body.triangles, kLeastFeature_mm, moves);
+  std::vector<std::vector<glm::vec3>> poses(shop.menu.size());
+  for_each_index(poses.size(), count_cores(),
+                 [&](std::size_t i, int) { poses[i] = place_bust(body, shop.figure, shop.menu[i].pose); });
+  hold_apart(poses, body.triangles, kLeastFeature_mm, moves);
   body.thicker = std::move(moves);
 }
 

@@ -35,10 +35,10 @@ struct Quadric {
   }
 };
 
-// `drop` moves onto `keep`; worth its cost while both have these versions.
+// `drop` moves onto `keep`; worth its cost while `drop` has this version and `keep` is there.
 struct Removal {
   double cost = 0;
-  std::uint32_t keep = 0, drop = 0, keep_version = 0, drop_version = 0;
+  std::uint32_t keep = 0, drop = 0, drop_version = 0;
 
   // For a queue with the cheapest on top; ties by index, so that the order never depends on the library.
   bool operator<(const Removal& other) const {
@@ -99,6 +99,7 @@ struct Thinner {
   std::vector<bool> is_alive;                      // a triangle
   std::vector<std::vector<std::uint32_t>> around;  // the living triangles of a vertex
   std::vector<std::uint32_t> version;
+  std::vector<bool> is_refused;  // a removal of the vertex was: it may be possible later
   RemovalQueue queue;
   std::size_t alive = 0;
   std::array<std::vector<std::uint32_t>, 2> rings;  // of one call
@@ -127,7 +128,7 @@ Removal find_removal(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   double cost = 0;
   for (std::size_t p = 0; p < s.pose_count; ++p) cost += quadric[p].measure(place[p]);
   const glm::vec3 along = s.place(keep, 0) - s.place(drop, 0);
-  return {cost + kShort * glm::dot(along, along), keep, drop, s.version[keep], s.version[drop]};
+  return {cost + kShort * glm::dot(along, along), keep, drop, s.version[drop]};
 }
 
 // Whether the triangles of `drop` keep their side and a sound shape in every pose once it lies on `keep`.
@@ -166,6 +167,7 @@ bool keeps_surface(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
                        [&](std::uint32_t v) { return std::binary_search(b.begin(), b.end(), v); }) == 2;
 }
 
+// `s.rings` are those of `drop` and of `keep` before.
 void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   for (std::size_t p = 0; p < s.pose_count; ++p)
     s.quadrics[keep * s.pose_count + p].add(s.quadrics[drop * s.pose_count + p]);
@@ -184,21 +186,28 @@ void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   s.around[drop].clear();
   ++s.version[keep];
   ++s.version[drop];
-  list_neighbours(s, keep, s.rings[0]);
-  for (const std::uint32_t v : s.rings[0]) {
+  auto& [ring, old_ring] = s.rings;
+  list_neighbours(s, keep, ring);
+  for (const std::uint32_t v : ring) {
     if (!s.is_locked[keep]) s.queue.push(find_removal(s, keep, v));
-    if (!s.is_locked[v]) s.queue.push(find_removal(s, v, keep));
+    if (s.is_locked[v]) continue;
+    const bool is_new = !std::binary_search(old_ring.begin(), old_ring.end(), v);
+    if (is_new || s.is_refused[v]) s.queue.push(find_removal(s, v, keep));  // else it is there already
   }
 }
 
 void lock_open_edges(Thinner& s) {
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
+  const auto has_edge = [&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
+    const Triangle& c = s.triangles[t];
+    return (c[0] == from && c[1] == to) || (c[1] == from && c[2] == to) || (c[2] == from && c[0] == to);
+  };
   for (const Triangle& t : s.triangles)
-    for (int i = 0; i < 3; ++i) edges.push_back({t[i], t[(i + 1) % 3]});
-  std::sort(edges.begin(), edges.end());
-  for (const auto& [a, b] : edges)
-    if (!std::binary_search(edges.begin(), edges.end(), std::pair{b, a}))
-      s.is_locked[a] = s.is_locked[b] = true;
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      if (std::none_of(s.around[a].begin(), s.around[a].end(),
+                       [&](std::uint32_t other) { return has_edge(other, b, a); }))
+        s.is_locked[a] = s.is_locked[b] = true;
+    }
 }
 
 Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vector<Triangle> triangles,
@@ -212,9 +221,10 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   s.is_alive.assign(s.alive, true);
   s.around.resize(count);
   s.version.resize(count);
-  lock_open_edges(s);
+  s.is_refused.resize(count);
   for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
     for (const std::uint32_t v : s.triangles[t]) s.around[v].push_back(t);
+  lock_open_edges(s);
   s.places.reserve(count * s.pose_count);
   for (std::size_t v = 0; v < count; ++v)
     for (const std::vector<glm::vec3>& pose : poses) s.places.push_back(pose[v]);
@@ -246,7 +256,7 @@ std::vector<Triangle> thin_posed(const std::vector<std::vector<glm::vec3>>& pose
   if (poses.empty() || triangles.size() <= most) return triangles;
   Thinner s = build_thinner(poses, std::move(triangles), is_locked);
   const auto is_stale = [&](const Removal& r) {
-    return s.version[r.keep] != r.keep_version || s.version[r.drop] != r.drop_version;
+    return s.version[r.drop] != r.drop_version || s.around[r.keep].empty();
   };
   while (s.alive > most) {
     const std::optional<Removal> next = s.queue.pop(is_stale);
@@ -254,6 +264,8 @@ std::vector<Triangle> thin_posed(const std::vector<std::vector<glm::vec3>>& pose
     if (is_stale(*next)) continue;
     if (keeps_surface(s, next->drop, next->keep) && keeps_shape(s, next->drop, next->keep))
       remove(s, next->drop, next->keep);
+    else
+      s.is_refused[next->drop] = true;
   }
   std::vector<Triangle> kept;
   for (std::size_t t = 0; t < s.triangles.size(); ++t)

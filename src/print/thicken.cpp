@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/crossings.hpp"
+#include "core/parallel.hpp"
 #include "print/opening.hpp"
 #include "print/solid_tree.hpp"
 #include "print/thickness.hpp"
@@ -183,14 +184,19 @@ std::vector<Crossing> list_new_crossings(const std::vector<glm::vec3>& before,
   return crossings;
 }
 
-}  // namespace
+std::vector<glm::vec3> add_moves(const std::vector<glm::vec3>& positions,
+                                 const std::vector<glm::vec3>& moves) {
+  std::vector<glm::vec3> moved = positions;
+  for (std::size_t v = 0; v < moves.size(); ++v) moved[v] += moves[v];
+  return moved;
+}
 
-void hold_apart(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
-                double least_mm, std::vector<glm::vec3>& moves) {
+// See hold_apart, for one pose.
+void hold_apart_once(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
+                     double least_mm, std::vector<glm::vec3>& moves) {
   constexpr int kCircles = 6;
   for (int circle = 1; circle <= kCircles; ++circle) {
-    std::vector<glm::vec3> moved = positions;
-    for (std::size_t v = 0; v < moves.size(); ++v) moved[v] += moves[v];
+    const std::vector<glm::vec3> moved = add_moves(positions, moves);
     const std::vector<Crossing> crossings = list_new_crossings(positions, moved, triangles);
     if (crossings.empty()) return;
     const std::vector<glm::vec3> places = list_crossed_places(moved, triangles, crossings);
@@ -199,6 +205,24 @@ void hold_apart(const std::vector<glm::vec3>& positions, const std::vector<Trian
             return glm::distance(moved[v], place) < float(circle * least_mm / 2);
           }))
         moves[v] = glm::vec3(0);
+  }
+}
+
+}  // namespace
+
+// One pose after the other, as what one takes back decides what the next one meets; but those that have
+// nothing to take back are found at once.
+void hold_apart(const std::vector<std::vector<glm::vec3>>& poses, const std::vector<Triangle>& triangles,
+                double least_mm, std::vector<glm::vec3>& moves) {
+  std::size_t next = 0;
+  while (next < poses.size()) {
+    std::vector<char> is_bad(poses.size(), 0);
+    for_each_index(poses.size() - next, count_cores(), [&](std::size_t i, int) {
+      const std::vector<glm::vec3>& pose = poses[next + i];
+      is_bad[next + i] = !list_new_crossings(pose, add_moves(pose, moves), triangles).empty();
+    });
+    while (next < poses.size() && !is_bad[next]) ++next;
+    if (next < poses.size()) hold_apart_once(poses[next++], triangles, least_mm, moves);
   }
 }
 
@@ -217,7 +241,7 @@ std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
     keep_sides(body, normals, amount);
     std::vector<glm::vec3> steps;
     for (std::size_t v = 0; v < moves.size(); ++v) steps.emplace_back(amount[v] * normals[v]);
-    hold_apart(body.mesh.positions, body.mesh.triangles, least_mm, steps);
+    hold_apart({body.mesh.positions}, body.mesh.triangles, least_mm, steps);
     for (std::size_t v = 0; v < moves.size(); ++v) {
       moves[v] += steps[v];
       body.mesh.positions[v] = mesh.positions[v] + moves[v];

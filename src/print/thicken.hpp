@@ -14,9 +14,9 @@ namespace mien {
 // z is 0. Mirror-symmetric bodies give mirror-symmetric moves.
 std::vector<glm::vec3> find_thickening(const Mesh& body, double least_mm);
 
-// Takes back those of the moves that lead the surface through itself where it did not before, in a wider and
-// wider circle up to three times `least_mm`: for another pose of the body.
-void hold_apart(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
+// Takes back those of the moves that lead the surface of any of the poses through itself where it did not
+// before, in a wider and wider circle up to three times `least_mm`. The same for any number of threads.
+void hold_apart(const std::vector<std::vector<glm::vec3>>& poses, const std::vector<Triangle>& triangles,
                 double least_mm, std::vector<glm::vec3>& moves);
 
 }  // namespace mien
