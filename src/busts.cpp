@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
+#include <functional>
 
 #include "core/error.hpp"
 #include "core/parallel.hpp"
@@ -76,11 +78,16 @@ BustShop::Shelf& find_shelf(BustShop& shop, const BustSpec& bust) {
   shelf.size = size;
   shelf.body = build_bust_body(shop.figure, size);
   thicken(shop, shelf.body);
+  return shelf;
+}
+
+// What the shelf's body is in all poses, once.
+void add_poses(const BustShop& shop, BustShop::Shelf& shelf) {
+  if (!shelf.surfaces.triangles.empty()) return;
   shelf.surfaces = join_poses(shelf.body.triangles, add_bust_controls(shelf.body, shop.figure, shop.menu,
                                                                       kSource_mm, kSlight_mm, shelf.source));
-  shelf.source.height_mm = size.whole_mm;
-  shelf.source.figure_mm = size.figure_mm;
-  return shelf;
+  shelf.source.height_mm = shelf.size.whole_mm;
+  shelf.source.figure_mm = shelf.size.figure_mm;
 }
 
 // Where a cavity has room in every pose: for the wall asked for and some others, which the source offers.
@@ -249,15 +256,21 @@ MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
   const Base base = find_base(bust);
   const std::vector<glm::vec3> positions = place_bust(shelf.body, shop.figure, bust.expression.pose);
   MadeBust made;
-  made.source = describe_source(shop, shelf.source, bust, base);
-  made.source.cavity = find_cavity_plan(shelf, bust.wall_mm);
   made.colours = list_colours(shelf.body, shop.figure.model);
-  build_outside(shelf.body, positions, base, shop.letters, 0, made.mesh);
+  const std::array<std::function<void()>, 2> works{
+      [&] {
+        add_poses(shop, shelf);
+        made.source = describe_source(shop, shelf.source, bust, base);
+        made.source.cavity = find_cavity_plan(shelf, bust.wall_mm);
+      },
+      [&] {
+        build_outside(shelf.body, positions, base, shop.letters, 0, made.mesh);
+        if (!bust.is_hollow) made.report = measure_print(made.mesh);
+      }};
+  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
   if (bust.is_hollow)
     hollow_out(shelf.body, positions, base, shop.letters,
                build_cavity(made.source.cavity, find_hollow(bust, base)), bust.drain_mm, made);
-  else
-    made.report = measure_print(made.mesh);
   tell_label(base, shelf.body, positions, shop.letters, made.report);
   return made;
 }

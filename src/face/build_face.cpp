@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
 
 #include "core/conventions.hpp"
 #include "core/error.hpp"
+#include "core/parallel.hpp"
 #include "face/face.hpp"
 #include "face/face_data.hpp"
 #include "head/cage.hpp"
@@ -57,18 +60,17 @@ void fade_far_side(const Cage& cage, Field& field) {
   }
 }
 
-void add_sided_field(const Cage& cage, std::vector<SignedMove> left, std::vector<SignedMove> right,
-                     Field field, Face& face) {
+DrivenField build_sided_field(const Cage& cage, std::vector<SignedMove> left, std::vector<SignedMove> right,
+                              Field field) {
   fade_far_side(cage, field);
   Field mirrored = mirror_field(cage, field);
-  face.fields.push_back({std::move(left), std::move(field), std::move(right), std::move(mirrored)});
+  return {std::move(left), std::move(field), std::move(right), std::move(mirrored)};
 }
 
 // Solves one table's plus or minus side; for a sided move also its mirror image.
-void add_move_fields(const FieldSolver& solver, const FaceData& data, const Scales& scales,
-                     const MoveTable& table, int sign, Face& face) {
+DrivenField build_move_field(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+                             const MoveTable& table, int sign) {
   const Handles& handles = sign > 0 ? table.plus : table.minus;
-  if (handles.empty()) return;
   PointPatterns patterns = data.anchors.at("always");
   const PointPatterns& own = data.anchors.at(table.anchors);
   patterns.insert(patterns.end(), own.begin(), own.end());
@@ -79,13 +81,12 @@ void add_move_fields(const FieldSolver& solver, const FaceData& data, const Scal
     return std::vector<SignedMove>{{require_move(table.area, side, table.move), sign}};
   };
   if (table.is_sided)
-    add_sided_field(*solver.cage, drive(Side::left), drive(Side::right), std::move(field), face);
-  else
-    face.fields.push_back({drive(Side::none), std::move(field), {}, {}});
+    return build_sided_field(*solver.cage, drive(Side::left), drive(Side::right), std::move(field));
+  return {drive(Side::none), std::move(field), {}, {}};
 }
 
-void add_corrective(const FieldSolver& solver, const FaceData& data, const Scales& scales,
-                    const CorrectiveTable& corrective, Face& face) {
+DrivenField build_corrective(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+                             const CorrectiveTable& corrective) {
   PointPatterns patterns = data.anchors.at("always");
   const PointPatterns& own = data.anchors.at(corrective.table.anchors);
   patterns.insert(patterns.end(), own.begin(), own.end());
@@ -97,7 +98,37 @@ void add_corrective(const FieldSolver& solver, const FaceData& data, const Scale
       drivers.push_back({require_move(d.area, is_sided_area(d.area) ? side : Side::none, d.move), d.sign});
     return drivers;
   };
-  add_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field), face);
+  return build_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field));
+}
+
+// Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
+std::vector<DrivenField> build_fields(const Cage& cage, const FaceData& data, const Scales& scales) {
+  std::vector<std::function<DrivenField(const FieldSolver&)>> works;
+  for (const MoveTable& table : data.moves)
+    for (const int sign : {1, -1})
+      if (!(sign > 0 ? table.plus : table.minus).empty())
+        works.push_back([&, sign](const FieldSolver& solver) {
+          return build_move_field(solver, data, scales, table, sign);
+        });
+  for (const CorrectiveTable& corrective : data.correctives)
+    works.push_back(
+        [&](const FieldSolver& solver) { return build_corrective(solver, data, scales, corrective); });
+  MoveTable corner_in;
+  corner_in.units = {"mouth_width", "mouth_nose", "mouth_width"};
+  corner_in.anchors = "corner";
+  corner_in.plus = data.jaw.corner_in;
+  works.push_back([&](const FieldSolver& solver) {
+    return build_corrective(solver, data, scales, {corner_in, {{"chin", "down", 1}}});
+  });
+
+  std::vector<DrivenField> fields(works.size());
+  std::vector<std::optional<FieldSolver>> solvers(static_cast<std::size_t>(count_cores()));
+  for_each_index(works.size(), count_cores(), [&](std::size_t i, int worker) {
+    std::optional<FieldSolver>& solver = solvers[static_cast<std::size_t>(worker)];
+    if (!solver) solver = build_field_solver(cage);
+    fields[i] = works[i](*solver);
+  });
+  return fields;
 }
 
 JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const FaceData& data,
@@ -200,20 +231,9 @@ Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
   const FaceData data = load_face_data(file);
   const Scales scales{measure_face(head.cage, head.cage.points, head.eye),
                       measure_face(head.cage, head.adult_points, head.adult_eye)};
-  const FieldSolver solver = build_field_solver(head.cage);
   Face face;
   face.units = scales.here;
-  for (const MoveTable& table : data.moves)
-    for (const int sign : {1, -1}) add_move_fields(solver, data, scales, table, sign, face);
-  for (const CorrectiveTable& corrective : data.correctives)
-    add_corrective(solver, data, scales, corrective, face);
-
-  MoveTable corner_in;
-  corner_in.units = {"mouth_width", "mouth_nose", "mouth_width"};
-  corner_in.anchors = "corner";
-  corner_in.plus = data.jaw.corner_in;
-  add_corrective(solver, data, scales, {corner_in, {{"chin", "down", 1}}}, face);
-
+  face.fields = build_fields(head.cage, data, scales);
   face.plus_reach.fill(2);
   face.minus_reach.fill(2);
   for (const auto& [move, reach] : data.past_limits)
@@ -224,7 +244,7 @@ Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
   face.eye_up_rad = data.eye_up_deg * kRadiansPerDegree;
   face.eye_down_rad = data.eye_down_deg * kRadiansPerDegree;
   face.eye_side_rad = data.eye_side_deg * kRadiansPerDegree;
-  face.jaw = build_jaw(head, solver, data, scales);
+  face.jaw = build_jaw(head, build_field_solver(head.cage), data, scales);
   face.jaw.axis = carry_point(head, data.jaw.axis);
   face.lips = build_lips(head.cage, data);
   face.philtrum = build_philtrum(head.cage, data);

@@ -214,15 +214,20 @@ void hold_apart_once(const std::vector<glm::vec3>& positions, const std::vector<
 // nothing to take back are found at once.
 void hold_apart(const std::vector<std::vector<glm::vec3>>& poses, const std::vector<Triangle>& triangles,
                 double least_mm, std::vector<glm::vec3>& moves) {
+  const std::size_t most = 2 * static_cast<std::size_t>(count_cores());  // further on it may be in vain
   std::size_t next = 0;
   while (next < poses.size()) {
-    std::vector<char> is_bad(poses.size(), 0);
-    for_each_index(poses.size() - next, count_cores(), [&](std::size_t i, int) {
+    const std::size_t end = std::min(next + most, poses.size());
+    std::vector<char> is_bad(end - next, 0);
+    for_each_index(is_bad.size(), count_cores(), [&](std::size_t i, int) {
       const std::vector<glm::vec3>& pose = poses[next + i];
-      is_bad[next + i] = !list_new_crossings(pose, add_moves(pose, moves), triangles).empty();
+      is_bad[i] = !list_new_crossings(pose, add_moves(pose, moves), triangles).empty();
     });
-    while (next < poses.size() && !is_bad[next]) ++next;
-    if (next < poses.size()) hold_apart_once(poses[next++], triangles, least_mm, moves);
+    for (const char bad : is_bad) {
+      if (bad) hold_apart_once(poses[next], triangles, least_mm, moves);
+      ++next;
+      if (bad) break;
+    }
   }
 }
 
