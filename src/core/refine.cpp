@@ -67,12 +67,17 @@ glm::vec3 find_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& n
 
 std::vector<std::array<std::uint32_t, 2>> refine_marked(Mesh& mesh, std::vector<bool>& marks) {
   const std::map<Edge, std::uint32_t> middles = split_edges(mesh, marks);
+  std::vector<bool> is_end(mesh.positions.size(), false);  // of a split edge
+  for (const auto& [edge, middle] : middles) is_end[edge.first] = is_end[edge.second] = true;
   std::vector<Triangle> triangles;
   for (const Triangle& t : mesh.triangles) {
     std::array<std::optional<std::uint32_t>, 3> middle;
-    for (int i = 0; i < 3; ++i)
-      if (const auto found = middles.find(order_edge(t[i], t[(i + 1) % 3])); found != middles.end())
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      if (!is_end[a] || !is_end[b]) continue;
+      if (const auto found = middles.find(order_edge(a, b)); found != middles.end())
         middle[i] = found->second;
+    }
     append_split(triangles, t, middle);
   }
   mesh.triangles = std::move(triangles);

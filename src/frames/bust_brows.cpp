@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <map>
 
 #include "core/holes.hpp"
 #include "core/refine.hpp"
@@ -35,41 +34,45 @@ glm::vec3 sample_strand(const Strand& strand, float way) {
 
 // Points in cells of kReach_mm, to find those near a place.
 struct PointGrid {
-  std::map<std::array<int, 3>, std::vector<glm::vec3>> cells;
-  Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};  // of the points
+  Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};  // of the points, and kReach_mm beyond
+  glm::ivec3 first{0}, size{0};
+  std::vector<std::vector<glm::vec3>> cells;
 
-  static std::array<int, 3> find_cell(const glm::vec3& p) {
-    return {int(std::floor(p.x / kReach_mm)), int(std::floor(p.y / kReach_mm)),
-            int(std::floor(p.z / kReach_mm))};
-  }
+  glm::ivec3 find_cell(const glm::vec3& p) const { return glm::ivec3(glm::floor(p / kReach_mm)) - first; }
+  std::vector<glm::vec3>& at(int x, int y, int z) { return cells[(z * size.y + y) * size.x + x]; }
+  const std::vector<glm::vec3>& at(int x, int y, int z) const { return cells[(z * size.y + y) * size.x + x]; }
 
   // The sum over the points within reach of a bell that is 1 on a point and 0 at the reach.
   float sum_around(const glm::vec3& p) const {
-    if (glm::any(glm::lessThan(p, box.low - kReach_mm)) ||
-        glm::any(glm::greaterThan(p, box.high + kReach_mm)))
-      return 0;
-    const auto [x, y, z] = find_cell(p);
+    if (glm::any(glm::lessThan(p, box.low)) || glm::any(glm::greaterThan(p, box.high))) return 0;
+    const glm::ivec3 cell = find_cell(p);
+    const glm::ivec3 low = glm::max(cell - 1, 0), high = glm::min(cell + 1, size - 1);
     float sum = 0;
-    for (int i = 0; i < 27; ++i) {
-      const auto cell = cells.find({x + i % 3 - 1, y + i / 3 % 3 - 1, z + i / 9 - 1});
-      if (cell == cells.end()) continue;
-      for (const glm::vec3& q : cell->second) {
-        const float share = 1 - glm::dot(p - q, p - q) / (kReach_mm * kReach_mm);
-        if (share > 0) sum += share * share;
-      }
-    }
+    for (int z = low.z; z <= high.z; ++z)
+      for (int y = low.y; y <= high.y; ++y)
+        for (int x = low.x; x <= high.x; ++x)
+          for (const glm::vec3& q : at(x, y, z)) {
+            const float share = 1 - glm::dot(p - q, p - q) / (kReach_mm * kReach_mm);
+            if (share > 0) sum += share * share;
+          }
     return sum;
   }
 };
 
 PointGrid build_grid(const std::vector<Strand>& strands) {
-  PointGrid grid;
+  std::vector<glm::vec3> points;
   for (const Strand& strand : strands)
-    for (int i = 0; i < kSamples; ++i) {
-      const glm::vec3 p = sample_strand(strand, float(i) / (kSamples - 1));
-      grid.cells[PointGrid::find_cell(p)].push_back(p);
-      grid.box = {glm::min(grid.box.low, p), glm::max(grid.box.high, p)};
-    }
+    for (int i = 0; i < kSamples; ++i) points.push_back(sample_strand(strand, float(i) / (kSamples - 1)));
+  PointGrid grid;
+  const Box box = find_bounds(points);
+  grid.box = {box.low - kReach_mm, box.high + kReach_mm};
+  grid.first = grid.find_cell(grid.box.low);
+  grid.size = grid.find_cell(grid.box.high) + 1;
+  grid.cells.resize(static_cast<std::size_t>(grid.size.x) * grid.size.y * grid.size.z);
+  for (const glm::vec3& p : points) {
+    const glm::ivec3 cell = grid.find_cell(p);
+    grid.at(cell.x, cell.y, cell.z).push_back(p);
+  }
   return grid;
 }
 

@@ -58,47 +58,51 @@ void find_normals(SurfaceTree& tree) {
   }
 }
 
+// A triangle's box and twice its middle.
+struct Item {
+  Box box;
+  glm::vec3 centre{0};
+  std::uint32_t triangle = 0;
+};
+
 struct Builder {
   SurfaceTree& tree;
-  std::vector<Box> boxes;          // of each triangle
-  std::vector<glm::vec3> centres;  // twice
-  std::vector<std::uint32_t> order;
+  std::vector<Item> items;
   float pad = 0;
 };
 
 Builder prepare(SurfaceTree& tree) {
-  Builder builder{tree, {}, {}, {}, 0};
+  Builder builder{tree, {}, 0};
   double largest = 0;
   for (const glm::dvec3& p : tree.positions)
     largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
   builder.pad = static_cast<float>(kPad * largest);
-  for (const auto& [a, b, c] : tree.triangles) {
+  for (std::uint32_t t = 0; t < tree.triangles.size(); ++t) {
+    const auto& [a, b, c] = tree.triangles[t];
     const glm::vec3 p(tree.positions[a]), q(tree.positions[b]), r(tree.positions[c]);
-    const Box& box = builder.boxes.emplace_back(glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r)));
-    builder.centres.push_back(box.low + box.high);
-    builder.order.push_back(static_cast<std::uint32_t>(builder.order.size()));
+    const Box box{glm::min(p, glm::min(q, r)), glm::max(p, glm::max(q, r))};
+    builder.items.push_back({box, box.low + box.high, t});
   }
   return builder;
 }
 
-// Puts the lower half of order[first, first + count) along its longest axis first; how many that is.
+// Puts the lower half of items[first, first + count) along its longest axis first; how many that is.
 std::uint32_t split(Builder& builder, std::uint32_t first, std::uint32_t count) {
-  const auto begin = builder.order.begin() + first;
+  const auto begin = builder.items.begin() + first;
   glm::vec3 low(INFINITY), high(-INFINITY);
   for (auto at = begin; at != begin + count; ++at) {
-    low = glm::min(low, builder.centres[*at]);
-    high = glm::max(high, builder.centres[*at]);
+    low = glm::min(low, at->centre);
+    high = glm::max(high, at->centre);
   }
   const glm::vec3 size = high - low;
   const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-  std::nth_element(begin, begin + count / 2, begin + count, [&](std::uint32_t a, std::uint32_t b) {
-    const float ca = builder.centres[a][axis], cb = builder.centres[b][axis];
-    return ca != cb ? ca < cb : a < b;
+  std::nth_element(begin, begin + count / 2, begin + count, [&](const Item& a, const Item& b) {
+    return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
   });
   return count / 2;
 }
 
-// A node for order[first, first + count), count at least 1; its index.
+// A node for items[first, first + count), count at least 1; its index.
 std::uint32_t build_node(Builder& builder, std::uint32_t first, std::uint32_t count) {
   const auto index = static_cast<std::uint32_t>(builder.tree.nodes.size());
   builder.tree.nodes.emplace_back();
@@ -110,11 +114,11 @@ std::uint32_t build_node(Builder& builder, std::uint32_t first, std::uint32_t co
   for (int i = 0; i < 4; ++i) {
     Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
     for (std::uint32_t at = ends[i]; at < ends[i + 1]; ++at) {
-      const Box& inner = builder.boxes[builder.order[at]];
+      const Box& inner = builder.items[at].box;
       box = {glm::min(box.low, inner.low), glm::max(box.high, inner.high)};
     }
     std::uint32_t child = 0;
-    if (ends[i + 1] - ends[i] == 1) child = builder.order[ends[i]] | SurfaceTree::kIsTriangle;
+    if (ends[i + 1] - ends[i] == 1) child = builder.items[ends[i]].triangle | SurfaceTree::kIsTriangle;
     if (ends[i + 1] - ends[i] > 1) child = build_node(builder, ends[i], ends[i + 1] - ends[i]);
     SurfaceTree::Node& node = builder.tree.nodes[index];
     for (int axis = 0; axis < 3; ++axis) {
