@@ -49,7 +49,7 @@ std::size_t find_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
 std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
   DeformBuffers buffers;
   PartShape skin;  // without folds: layers are as thick as they are deep, and they would come out as specks
-  deform_skin(figure, pose, {}, buffers, skin);
+  deform_skin(figure, body.surface ? *body.surface : *figure.head.surface, pose, {}, buffers, skin);
   std::vector<glm::vec3> positions = std::move(skin.positions);
   for (std::size_t i = 0; i < 2; ++i) part_slit(body.eye_slits[i], body.eye_slit_mm, positions);
   part_slit(body.mouth_slit, body.mouth_slit_mm, positions);
@@ -180,6 +180,29 @@ std::vector<bool> list_locked(const BustBody& body) {
   return is_locked;
 }
 
+// What the skin's other vertices do is of no account once the body is thinned.
+void leave_out_skin(const Figure& figure, const std::vector<bool>& is_kept, BustBody& body) {
+  leave_out_brows(body.brows, is_kept);
+  std::vector<bool> is_wanted(is_kept.begin(),
+                              is_kept.begin() + static_cast<std::ptrdiff_t>(body.brows.skin_count));
+  std::vector<bool> has_normal(is_wanted.size(), false);
+  for (std::size_t i = 0; i < body.brows.ends.size(); ++i)
+    if (!body.brows.is_left_out[i])
+      for (const std::uint32_t v : body.brows.ends[i])
+        if (v < has_normal.size()) has_normal[v] = true;
+  for (const auto& [v, height] : body.brows.heights)
+    if (v < has_normal.size()) has_normal[v] = true;
+  for (const Slit* slit : {&body.eye_slits[0], &body.eye_slits[1], &body.mouth_slit}) {
+    for (const SlitVertex& v : slit->vertices) is_wanted[v.vertex] = true;
+    for (const SlitColumn& column : slit->columns)
+      for (const auto* rows : {&column.upper, &column.lower})
+        for (const std::uint32_t v : *rows) is_wanted[v] = true;
+  }
+  for (const std::uint32_t v : body.chest) is_wanted[v] = true;
+  body.surface = std::make_shared<const Surface>(
+      select_vertices(*figure.head.surface, std::move(is_wanted), has_normal));
+}
+
 void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> triangles, BustBody& body) {
   std::vector<std::vector<glm::vec3>> poses;
   for (const Pose& pose : list_telling_poses()) poses.push_back(place_all(body, figure, pose, body.stand));
@@ -187,6 +210,7 @@ void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> tri
   std::vector<bool> is_kept(body.all_count, false);
   for (const Triangle& t : triangles)
     for (const std::uint32_t v : t) is_kept[v] = true;
+  leave_out_skin(figure, is_kept, body);
   std::vector<std::uint32_t> new_index(body.all_count, 0);
   for (std::uint32_t v = 0; v < body.all_count; ++v) {
     new_index[v] = static_cast<std::uint32_t>(body.kept.size());

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/holes.hpp"
@@ -14,6 +15,7 @@
 #include "frames/bust_patch.hpp"
 #include "frames/bust_slit.hpp"
 #include "frames/figure.hpp"
+#include "head/surface.hpp"
 
 namespace mien {
 
@@ -40,6 +42,8 @@ struct BustBody {
   float print_per_head = 1;
 
   std::vector<glm::vec3> thicker;  // of each kept vertex, mm of the print: what every pose adds; or empty
+
+  std::shared_ptr<const Surface> surface;  // of the skin, as far as kept vertices need it
 
   // All vertices before any was left out.
   std::size_t all_count = 0;

@@ -145,14 +145,32 @@ RaisedBrows refine_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowR
       brows.heights.push_back({v, relief.height_mm * body * (1 - kGroove * groove)});
     }
   }
+  brows.is_left_out.assign(brows.ends.size(), false);
   return brows;
+}
+
+void leave_out_brows(RaisedBrows& brows, const std::vector<bool>& is_kept) {
+  brows.is_left_out.assign(brows.ends.size(), true);
+  for (std::size_t i = brows.ends.size(); i-- > 0;) {
+    if (is_kept[brows.skin_count + i]) brows.is_left_out[i] = false;
+    if (brows.is_left_out[i]) continue;
+    for (const std::uint32_t end : brows.ends[i])
+      if (end >= brows.skin_count) brows.is_left_out[end - brows.skin_count] = false;
+  }
+  std::erase_if(brows.heights, [&](const auto& height) { return !is_kept[height.first]; });
 }
 
 void raise_brows(const RaisedBrows& brows, std::vector<glm::vec3>& positions,
                  std::vector<glm::vec3>& normals) {
   positions.resize(brows.skin_count);
   normals.resize(brows.skin_count);
-  for (const auto& [a, b] : brows.ends) {
+  for (std::size_t i = 0; i < brows.ends.size(); ++i) {
+    const auto [a, b] = brows.ends[i];
+    if (brows.is_left_out[i]) {
+      positions.emplace_back(0);
+      normals.emplace_back(0);
+      continue;
+    }
     positions.push_back(find_middle(positions[a], positions[b], normals[a], normals[b]));
     const glm::vec3 normal = normals[a] + normals[b];
     normals.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : normals[a]);

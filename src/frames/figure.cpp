@@ -103,14 +103,14 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
   return figure;
 }
 
-void deform_skin(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
-                 PartShape& skin) {
+void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                 DeformBuffers& buffers, PartShape& skin) {
   pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
   if (is_turned(turn))
     turn_points(figure.face, turn, find_turn(figure.face.turn_pivot, turn, 1), buffers.points);
   pack_points(buffers.points, buffers.packed);
-  deform_surface(*figure.head.surface, buffers.packed, skin.positions);
-  update_surface_normals(*figure.head.surface, skin.positions, skin.normals);
+  deform_surface(surface, buffers.packed, skin.positions);
+  update_surface_normals(surface, skin.positions, skin.normals);
 }
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
@@ -121,7 +121,7 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const glm::dmat4 head_turn = is_turned(turn) ? find_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
 
   PartShape& skin = drawing.parts.front();
-  deform_skin(figure, asked, turn, buffers, skin);
+  deform_skin(figure, *figure.head.surface, asked, turn, buffers, skin);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];
     const Part& part = figure.model.parts[i];

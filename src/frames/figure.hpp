@@ -46,8 +46,9 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
 void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
                    Drawing& drawing);
 
-// The same for the skin alone, smooth and without the vertices that folds add.
-void deform_skin(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,
-                 PartShape& skin);
+// The same for the skin alone, smooth and without the vertices that folds add. `surface` is the head's, or
+// what select_vertices left of it.
+void deform_skin(const Figure& figure, const Surface& surface, const Pose& pose, const TurnKey& turn,
+                 DeformBuffers& buffers, PartShape& skin);
 
 }  // namespace mien

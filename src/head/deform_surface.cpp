@@ -34,8 +34,9 @@ void deform_surface(const Surface& surface, const std::vector<Float4>& points,
     if (image <= v) continue;
     // A row and its mirror image have the same weights. Sums that do not wait for each other are quicker.
     const std::uint32_t first = surface.first[v], size = surface.first[v + 1] - first;
-    const float* weight = &surface.weight[first];
-    const std::uint32_t *here = &surface.point[first], *there = &surface.point[surface.first[image]];
+    const float* weight = surface.weight.data() + first;
+    const std::uint32_t *here = surface.point.data() + first,
+                        *there = surface.point.data() + surface.first[image];
     Float4 left{}, right{}, odd_left{}, odd_right{};
     for (std::uint32_t k = 0; k + 1 < size; k += 2) {
       left += weight[k] * points[here[k]];

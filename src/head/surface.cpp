@@ -224,4 +224,31 @@ std::vector<Triangle> split_quads(const Surface& surface, const std::vector<glm:
   return triangles;
 }
 
+Surface select_vertices(const Surface& surface, std::vector<bool> is_wanted,
+                        const std::vector<bool>& is_normal_wanted) {
+  Surface selected;
+  selected.mirror = surface.mirror;
+  for (std::size_t q = 0; q < surface.quads.size(); q += 2) {
+    const Quad &left = surface.quads[q], &right = surface.quads[q + 1];
+    const auto is_asked = [&](std::uint32_t v) {
+      return is_normal_wanted[v] || is_normal_wanted[surface.mirror[v]];
+    };
+    if (std::none_of(left.begin(), left.end(), is_asked)) continue;
+    for (const Quad& quad : {left, right}) {
+      selected.quads.push_back(quad);
+      for (const std::uint32_t v : quad) is_wanted[v] = true;
+    }
+  }
+  for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
+    selected.first.push_back(static_cast<std::uint32_t>(selected.point.size()));
+    if (!is_wanted[v] && !is_wanted[surface.mirror[v]]) continue;
+    const auto from = static_cast<std::ptrdiff_t>(surface.first[v]),
+               to = static_cast<std::ptrdiff_t>(surface.first[v + 1]);
+    selected.point.insert(selected.point.end(), surface.point.begin() + from, surface.point.begin() + to);
+    selected.weight.insert(selected.weight.end(), surface.weight.begin() + from, surface.weight.begin() + to);
+  }
+  selected.first.push_back(static_cast<std::uint32_t>(selected.point.size()));
+  return selected;
+}
+
 }  // namespace mien

@@ -32,6 +32,12 @@ Surface build_surface(const Cage& cage);
 void deform_surface(const Surface& surface, const std::vector<Float4>& points,
                     std::vector<glm::vec3>& positions);
 
+// The same surface for those who ask for some vertices only: all others have empty rows, which deform_surface
+// puts at 0, and the quads are those around the vertices with a wanted normal. Mirror images are wanted as
+// well. Both have a value for each fine vertex.
+Surface select_vertices(const Surface& surface, std::vector<bool> is_wanted,
+                        const std::vector<bool>& is_normal_wanted);
+
 // The same for one number a control point: a mask, a weight. Values are averages of neighbours, so a mask
 // stays within its range but for a little overshoot nowhere: all weights are positive.
 std::vector<float> spread_over_surface(const Surface& surface, const std::vector<double>& values);

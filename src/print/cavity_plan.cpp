@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kRows = 60;    // in the height; fewer cut the corner under the chin
 constexpr double kReach_mm = 60;     // further away nothing is looked for
-constexpr double kNear_mm = 0.01;    // of the wall, where the way along a ray ends
+constexpr double kNear_mm = 0.03;    // of the wall, where the way along a ray ends
 constexpr int kMostSteps = 60;       // of a ray; those that graze the wall end sooner than they should
 constexpr double kReserve = 1.02;    // of the wall: between two rays the cavity is flat
 constexpr double kLean = 4;          // mm outward for one of height: steeper, and a step is cut off
