@@ -7,6 +7,8 @@
 #include <queue>
 #include <utility>
 
+#include "core/parallel.hpp"
+
 namespace mien {
 
 namespace {
@@ -186,14 +188,16 @@ void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   s.around[drop].clear();
   ++s.version[keep];
   ++s.version[drop];
-  auto& [ring, old_ring] = s.rings;
-  list_neighbours(s, keep, ring);
-  for (const std::uint32_t v : ring) {
+  const auto push_with = [&](std::uint32_t v, bool is_new) {
     if (!s.is_locked[keep]) s.queue.push(find_removal(s, keep, v));
-    if (s.is_locked[v]) continue;
-    const bool is_new = !std::binary_search(old_ring.begin(), old_ring.end(), v);
-    if (is_new || s.is_refused[v]) s.queue.push(find_removal(s, v, keep));  // else it is there already
-  }
+    if (!s.is_locked[v] && (is_new || s.is_refused[v]))  // else it is there already
+      s.queue.push(find_removal(s, v, keep));
+  };
+  const auto& [dropped, kept] = s.rings;
+  for (const std::uint32_t v : kept)
+    if (v != drop) push_with(v, false);
+  for (const std::uint32_t v : dropped)
+    if (v != keep && !std::binary_search(kept.begin(), kept.end(), v)) push_with(v, true);
 }
 
 void lock_open_edges(Thinner& s) {
@@ -207,6 +211,19 @@ void lock_open_edges(Thinner& s) {
       if (std::none_of(s.around[a].begin(), s.around[a].end(),
                        [&](std::uint32_t other) { return has_edge(other, b, a); }))
         s.is_locked[a] = s.is_locked[b] = true;
+    }
+}
+
+// The planes of all triangles around a vertex.
+void add_planes(Thinner& s, std::uint32_t v) {
+  for (const std::uint32_t index : s.around[v])
+    for (std::size_t p = 0; p < s.pose_count; ++p) {
+      const Triangle& t = s.triangles[index];
+      const glm::dvec3 a(s.place(t[0], p)), b(s.place(t[1], p)), c(s.place(t[2], p));
+      const glm::dvec3 area = glm::cross(b - a, c - a);
+      const double length = glm::length(area);
+      if (length == 0) continue;
+      s.quadrics[v * s.pose_count + p].add_plane(area / length, glm::dot(area / length, a), length);
     }
 }
 
@@ -228,22 +245,29 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   s.places.reserve(count * s.pose_count);
   for (std::size_t v = 0; v < count; ++v)
     for (const std::vector<glm::vec3>& pose : poses) s.places.push_back(pose[v]);
+  constexpr std::size_t kChunk = 2048;  // of vertices; a thread's share of the work
   s.quadrics.resize(count * s.pose_count);
-  for (const Triangle& t : s.triangles)
-    for (std::size_t p = 0; p < s.pose_count; ++p) {
-      const glm::dvec3 a(s.place(t[0], p)), b(s.place(t[1], p)), c(s.place(t[2], p));
-      const glm::dvec3 area = glm::cross(b - a, c - a);
-      const double length = glm::length(area);
-      if (length == 0) continue;
-      for (const std::uint32_t v : t)
-        s.quadrics[v * s.pose_count + p].add_plane(area / length, glm::dot(area / length, a), length);
+  std::vector<std::vector<Removal>> chunks((count + kChunk - 1) / kChunk);
+  const auto for_each_chunk = [&](const auto& work) {
+    for_each_index(chunks.size(), count_cores(), [&](std::size_t chunk, int) {
+      const auto first = static_cast<std::uint32_t>(chunk * kChunk);
+      work(chunk, first, static_cast<std::uint32_t>(std::min(first + kChunk, count)));
+    });
+  };
+  for_each_chunk([&](std::size_t, std::uint32_t first, std::uint32_t end) {
+    for (std::uint32_t v = first; v < end; ++v) add_planes(s, v);
+  });
+  for_each_chunk([&](std::size_t chunk, std::uint32_t first, std::uint32_t end) {
+    std::vector<std::uint32_t> ring;
+    for (std::uint32_t v = first; v < end; ++v) {
+      if (s.is_locked[v]) continue;
+      list_neighbours(s, v, ring);
+      for (const std::uint32_t w : ring) chunks[chunk].push_back(find_removal(s, v, w));
     }
+  });
   std::vector<Removal> removals;
-  for (std::uint32_t v = 0; v < count; ++v) {
-    if (s.is_locked[v]) continue;
-    list_neighbours(s, v, s.rings[0]);
-    for (const std::uint32_t w : s.rings[0]) removals.push_back(find_removal(s, v, w));
-  }
+  for (const std::vector<Removal>& chunk : chunks)
+    removals.insert(removals.end(), chunk.begin(), chunk.end());
   s.queue = RemovalQueue(std::move(removals));
   return s;
 }

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <optional>
 
 #include "core/conventions.hpp"
@@ -24,6 +25,19 @@ double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std:
   if (unit == "mouth_width") return here.mouth_width / adult.mouth_width;
   if (unit == "iris") return here.iris / adult.iris;
   throw RunError(fmt::format("unknown face unit '{}'", unit));
+}
+
+// The points that a table's fields leave where they are, by the word that names them.
+using Anchors = std::map<std::string, std::vector<bool>>;
+
+Anchors find_anchors(const Cage& cage, const FaceData& data) {
+  Anchors anchors;
+  for (const auto& [name, own] : data.anchors) {
+    PointPatterns patterns = data.anchors.at("always");
+    patterns.insert(patterns.end(), own.begin(), own.end());
+    anchors[name] = find_points(cage, patterns);
+  }
+  return anchors;
 }
 
 struct Scales {
@@ -68,15 +82,10 @@ DrivenField build_sided_field(const Cage& cage, std::vector<SignedMove> left, st
 }
 
 // Solves one table's plus or minus side; for a sided move also its mirror image.
-DrivenField build_move_field(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, const Scales& scales,
                              const MoveTable& table, int sign) {
-  const Handles& handles = sign > 0 ? table.plus : table.minus;
-  PointPatterns patterns = data.anchors.at("always");
-  const PointPatterns& own = data.anchors.at(table.anchors);
-  patterns.insert(patterns.end(), own.begin(), own.end());
-  const std::vector<bool> anchors = find_points(*solver.cage, patterns);
-  Field field =
-      solve_field(solver, scales.apply(table, handles), anchors, table.is_sided ? Reach::left : Reach::both);
+  Field field = solve_field(solver, scales.apply(table, sign > 0 ? table.plus : table.minus),
+                            anchors.at(table.anchors), table.is_sided ? Reach::left : Reach::both);
   const auto drive = [&](Side side) {
     return std::vector<SignedMove>{{require_move(table.area, side, table.move), sign}};
   };
@@ -85,13 +94,10 @@ DrivenField build_move_field(const FieldSolver& solver, const FaceData& data, co
   return {drive(Side::none), std::move(field), {}, {}};
 }
 
-DrivenField build_corrective(const FieldSolver& solver, const FaceData& data, const Scales& scales,
+DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, const Scales& scales,
                              const CorrectiveTable& corrective) {
-  PointPatterns patterns = data.anchors.at("always");
-  const PointPatterns& own = data.anchors.at(corrective.table.anchors);
-  patterns.insert(patterns.end(), own.begin(), own.end());
   Field field = solve_field(solver, scales.apply(corrective.table, corrective.table.plus),
-                            find_points(*solver.cage, patterns), Reach::left);
+                            anchors.at(corrective.table.anchors), Reach::left);
   const auto drivers_of = [&](Side side) {
     std::vector<SignedMove> drivers;
     for (const Driver& d : corrective.drivers)
@@ -103,22 +109,23 @@ DrivenField build_corrective(const FieldSolver& solver, const FaceData& data, co
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
 std::vector<DrivenField> build_fields(const Cage& cage, const FaceData& data, const Scales& scales) {
+  const Anchors anchors = find_anchors(cage, data);
   std::vector<std::function<DrivenField(const FieldSolver&)>> works;
   for (const MoveTable& table : data.moves)
     for (const int sign : {1, -1})
       if (!(sign > 0 ? table.plus : table.minus).empty())
         works.push_back([&, sign](const FieldSolver& solver) {
-          return build_move_field(solver, data, scales, table, sign);
+          return build_move_field(solver, anchors, scales, table, sign);
         });
   for (const CorrectiveTable& corrective : data.correctives)
     works.push_back(
-        [&](const FieldSolver& solver) { return build_corrective(solver, data, scales, corrective); });
+        [&](const FieldSolver& solver) { return build_corrective(solver, anchors, scales, corrective); });
   MoveTable corner_in;
   corner_in.units = {"mouth_width", "mouth_nose", "mouth_width"};
   corner_in.anchors = "corner";
   corner_in.plus = data.jaw.corner_in;
   works.push_back([&](const FieldSolver& solver) {
-    return build_corrective(solver, data, scales, {corner_in, {{"chin", "down", 1}}});
+    return build_corrective(solver, anchors, scales, {corner_in, {{"chin", "down", 1}}});
   });
 
   std::vector<DrivenField> fields(works.size());
