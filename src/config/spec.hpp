@@ -44,7 +44,7 @@ struct BustSpec {
   double wall_mm = 2;       // of a hollow one
   double drain_mm = 4;      // diameter of its drain holes; 0: none
   glm::dvec2 magnet_mm{0};  // diameter and depth of a pocket in the underside; 0: none
-  int triangles = 15000;    // of the figure
+  int triangles = 0;        // of the figure; 0: as many as its height asks for
 };
 
 // Where somebody stands: the origin of conventions.hpp moved to `at_mm`, the whole figure turned about its

@@ -50,6 +50,7 @@ struct BustEye {
   BustGrid grid;
   glm::vec3 centre{0};
   double radius_mm = 4, iris_mm = 2, iris_depth_mm = 0.5, pupil_depth_mm = 1, slit_mm = 0.4, line_mm = 0.7;
+  double light = 0.17;  // radii of the iris
 };
 
 // What the formula in frames/bust_mouth.cpp takes, on the print, with the jaw at rest. Teeth are sampled from

@@ -22,6 +22,9 @@ constexpr float kLidLine_mm = 0.35f,
                 kLipLine_mm = 0.3f;  // of shut lids and lips: narrower fills with plastic
 constexpr float kLineDepth_mm = 0.7f;
 constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
+constexpr float kLight_mm = 0.95f;      // the width of the light in the pupil
+constexpr float kLeastLight = 0.17f,
+                kMostLight = 0.28f;     // half of it in radii of the iris: more fills the pupil
 constexpr float kIrisRadius_mm = 5.7f;  // at a ball of 13 mm
 
 std::size_t side_index(Side side) { return side == Side::left ? 0 : 1; }
@@ -135,6 +138,7 @@ void measure_carving(const Figure& figure, double whole_mm, float mm_of_print, B
     const float deepest = eye.radius_mm * 0.6f;  // a low print must not be bored through
     eye.iris_depth_mm = std::min(kIrisPerHeight * mm_of_print, deepest / 2);
     eye.pupil_depth_mm = std::min(kPupilPerHeight * mm_of_print, deepest);
+    eye.light = std::clamp(kLight_mm / 2 * per_mm / eye.iris_mm, kLeastLight, kMostLight);
     eye.slit_mm = body.eye_slit_mm;
     eye.line_mm = std::min(kLineDepth_mm * per_mm, deepest / 2);
   }

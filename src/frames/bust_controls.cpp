@@ -158,10 +158,15 @@ BustGrid find_grid(const Patch& patch) { return {patch.upper, patch.lower, patch
 BustEye find_eye(const BustBody& body, std::size_t i) {
   const CarvedEye& eye = body.carved[i];
   const double scale = body.print_per_head;
-  return {find_grid(body.eyes[i]),   turn_upright(eye.centre - body.origin) * body.print_per_head,
-          eye.radius_mm * scale,     eye.iris_mm * scale,
-          eye.iris_depth_mm * scale, eye.pupil_depth_mm * scale,
-          eye.slit_mm * scale,       eye.line_mm * scale};
+  return {find_grid(body.eyes[i]),
+          turn_upright(eye.centre - body.origin) * body.print_per_head,
+          eye.radius_mm * scale,
+          eye.iris_mm * scale,
+          eye.iris_depth_mm * scale,
+          eye.pupil_depth_mm * scale,
+          eye.slit_mm * scale,
+          eye.line_mm * scale,
+          eye.light};
 }
 
 BustMouth find_mouth(const BustBody& body, const Figure& figure) {

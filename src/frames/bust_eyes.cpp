@@ -20,12 +20,12 @@ float smooth_step(float from, float to, float x) {
 
 // 1 on the peg of light, 0 away from it; x and y in iris radii, y up. It hangs from the rim into the pupil, a
 // little to the character's right in both eyes, as one lamp would have it.
-float find_light(float x, float y) {
+float find_light(float half_width, float x, float y) {
   constexpr glm::vec2 kFrom{-0.16f, 0.34f}, kTo{-0.42f, 0.92f};
-  constexpr float kHalfWidth = 0.17f, kSoft = 0.12f;
+  constexpr float kSoft = 0.12f;
   const glm::vec2 along = kTo - kFrom, at = glm::vec2(x, y) - kFrom;
   const float share = std::clamp(glm::dot(at, along) / glm::dot(along, along), 0.0f, 1.0f);
-  return 1 - smooth_step(kHalfWidth, kHalfWidth + kSoft, glm::length(at - share * along));
+  return 1 - smooth_step(half_width, half_width + kSoft, glm::length(at - share * along));
 }
 
 // How deep the carving goes at (x, y) iris radii from the gaze.
@@ -33,7 +33,7 @@ float find_depth_mm(const CarvedEye& eye, float x, float y) {
   const float r = std::hypot(x, y);
   const float iris = 1 - smooth_step(1 - kWall, 1 + kWall, r);
   const float pupil = 1 - smooth_step(kPupilPerIris - kWall, kPupilPerIris + kWall, r);
-  return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - find_light(x, y));
+  return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - find_light(eye.light, x, y));
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ struct CarvedEye {
   float iris_mm = 5.7f;     // radius of the iris
   float iris_depth_mm = 2;  // of the dish at the iris
   float pupil_depth_mm = 4;
+  float light = 0.17f;   // half the width of the light in the pupil, in radii of the iris
   float slit_mm = 1.5f;  // rims as near as this leave a line as deep as `line_mm`; twice as far none
   float line_mm = 2;
 };

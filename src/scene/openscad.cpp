@@ -136,8 +136,8 @@ std::string list_eyes(const PosableBust& bust) {
     const BustEye& eye = bust.eyes[i];
     text += fmt::format("[[{}],\n   [{}],\n   ", list_indices(eye.grid.upper), list_indices(eye.grid.lower));
     append_scad_vector(text, eye.centre);
-    for (const double value :
-         {eye.radius_mm, eye.iris_mm, eye.iris_depth_mm, eye.pupil_depth_mm, eye.slit_mm, eye.line_mm})
+    for (const double value : {eye.radius_mm, eye.iris_mm, eye.iris_depth_mm, eye.pupil_depth_mm, eye.slit_mm,
+                               eye.line_mm, eye.light})
       text += ", " + number(value, kScadFine);
     text += ']';
   });

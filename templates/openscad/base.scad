@@ -2,8 +2,8 @@
 // point is the foot's, moved outward by a share of the way to the outline.
 
 // [how far out, how high] from top to bottom: hollow, torus and drum, or a plain block.
-base_socle = [[0.061, 0.9005], [0.234, 0.8162], [0.494, 0.7598], [0.8, 0.74], [0.871, 0.7195], [0.9, 0.67],
-              [0.871, 0.6205], [0.8, 0.6], [0.97, 0.6], [1, 0.57], [1, 0.04], [0.96, 0]];
+base_socle = [[0.061, 0.925], [0.234, 0.87], [0.494, 0.835], [0.8, 0.815], [0.871, 0.78], [0.9, 0.7075],
+              [0.871, 0.635], [0.8, 0.6], [0.97, 0.6], [1, 0.57], [1, 0.04], [0.96, 0]];
 base_block = [[0.97, 1], [1, 0.96], [1, 0.04], [0.96, 0]];
 
 // The outline's distance from the axis in the direction of the unit vector d: a circle or a square with soft corners.

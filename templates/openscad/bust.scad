@@ -93,17 +93,17 @@ module body() {
   function rim_point(rim, c) =
     c % 2 == 0 ? skin[rim[c / 2]] : (skin[rim[(c - 1) / 2]] + skin[rim[(c + 1) / 2]]) / 2;
 
-  function light(x, y) = let (
+  function light(width, x, y) = let (
       from = [-0.16, 0.34], along = [-0.26, 0.58], at = [x, y] - from,
       t = min(max(at * along / (along * along), 0), 1))
-    1 - smooth(0.17, 0.29, norm(at - t * along));
+    1 - smooth(width, width + 0.12, norm(at - t * along));
 
   // x and y in radii of the iris from the gaze; wall 0.09 of them.
   function carving(eye, x, y) = let (
       r = norm([x, y]),
       iris = 1 - smooth(0.91, 1.09, r),
       pupil = 1 - smooth(0.41, 0.59, r))
-    mix(iris * eye[5], eye[6], pupil) * (1 - light(x, y));
+    mix(iris * eye[5], eye[6], pupil) * (1 - light(eye[9], x, y));
 
   function eye_point(eye, gaze, right, up, high, low, t) = let (
       a = high - eye[2], b = low - eye[2],
@@ -246,7 +246,7 @@ gaze_side_rad = {{gaze_side_rad}};
 gaze_up_rad = {{gaze_up_rad}};
 gaze_down_rad = {{gaze_down_rad}};
 grid_rows = {{grid_rows}};
-// Eyes: upper rim, lower rim, centre, radius, iris, depth of iris and pupil, width and depth of the line when shut.
+// Eyes: upper rim, lower rim, centre, radius, iris, depth of iris and pupil, width and depth of the line when shut, light.
 eyes = [{{eyes}}];
 mouth = [{{mouth}}];
 mouth_line = {{mouth_line}};
