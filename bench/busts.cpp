@@ -67,8 +67,9 @@ void measure_busts(const fs::path& folder, const std::string& mien, const PrintR
       {"solid", "", "target 1 s", "target 5 s"},
       {"hollow", ", hollow: true, label: \"Laugh\", magnet: 6x2mm", "with label and magnet", "target 12 s"}};
   for (const Kind& kind : kinds) {
-    write_file(folder / (kind.name + ".yaml"),
-               fmt::format("mien: 1\nbusts: [{{express: laugh, height: 80mm, triangles: 15000{}}}]\n", kind.words));
+    write_file(
+        folder / (kind.name + ".yaml"),
+        fmt::format("mien: 1\nbusts: [{{express: laugh, height: 80mm, triangles: 15000{}}}]\n", kind.words));
     const fs::path out = folder / kind.name, source = out / "bust_laugh.scad", bare = out / "bare.scad";
     const Spent own =
         time_program(folder, {mien, "bust", kind.name + ".yaml", "-o", out.string(), "--quiet"});

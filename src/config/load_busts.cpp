@@ -82,6 +82,15 @@ void load_bust_list(const YamlValue& value, const ExpressionBook& book, Spec& sp
 }
 
 // {all: tezuka, height: 60mm, plate: 220x220mm}
+// What stands on the base of an expression's bust: "doubt_left" is "doubt L", as a base has little room.
+std::string build_label(const std::string& name) {
+  std::string label = name;
+  for (const auto& [word, letter] : {std::pair{"_left", " L"}, std::pair{"_right", " R"}})
+    if (label.ends_with(word)) label.replace(label.rfind('_'), std::string::npos, letter);
+  std::replace(label.begin(), label.end(), '_', ' ');
+  return label;
+}
+
 void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spec) {
   const YamlMapping entries =
       load_mapping(value, kBustSetKeys, "a mapping such as {all: tezuka, height: 60mm}");
@@ -100,7 +109,7 @@ void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spe
     if (expression.library != library) continue;
     BustSpec bust = pattern;
     bust.expression = expression;
-    if (bust.label.empty() && bust.base != "none") bust.label = expression.name;
+    if (bust.label.empty() && bust.base != "none") bust.label = build_label(expression.name);
     spec.busts.push_back(std::move(bust));
   }
 }

@@ -112,6 +112,15 @@ busts: [{}, {express: laugh, height: 12cm}, {express: {smile: 0.5, fear: 0.2}, s
   EXPECT_EQ(spec.busts[2].height_mm, 30);
 }
 
+TEST(load_spec, writes_the_names_of_a_set_on_its_bases) {
+  std::vector<std::string> labels;
+  for (const BustSpec& bust : load_text("mien: 1\nbusts: {all: tezuka}\n").busts)
+    labels.push_back(bust.label);
+  EXPECT_THAT(labels, testing::IsSupersetOf({"neutral", "laugh", "doubt L", "doubt R"}));
+  for (const BustSpec& bust : load_text("mien: 1\nbusts: {all: tezuka, base: none}\n").busts)
+    EXPECT_EQ(bust.label, "");
+}
+
 TEST(load_spec, ends_a_clip_with_its_last_key_or_as_told) {
   EXPECT_EQ(load_text("mien: 1\nclip: {keys: [{at: 0s}, {at: 3s}]}\n").clip.length_s, 3);
   EXPECT_EQ(load_text("mien: 1\nclip: {turn: [{at: 2s}], camera: [{at: 4s}]}\n").clip.length_s, 4);

@@ -49,6 +49,21 @@ TEST(bust, is_one_closed_part_for_the_slicer) {
   EXPECT_EQ(read_file(folder / "out/bust_laugh.3mf"), package);
 }
 
+TEST(bust, higher_ones_are_finer) {
+  const auto folder = make_folder("bust_fine");
+  std::size_t last = 0;
+  for (const char* height : {"50mm", "90mm"}) {
+    ASSERT_EQ(run_shell(folder, fmt::format("mien bust '{}/configs/hello.yaml' --express neutral --height {} "
+                                            "--quiet -o out",
+                                            source_folder(), height))
+                  .status,
+              0);
+    const std::size_t triangles = read_stl(folder / "out/bust_neutral.stl").triangles.size();
+    EXPECT_GE(triangles, last + 15000);
+    last = triangles;
+  }
+}
+
 TEST(bust, a_set_stands_on_plates) {
   const auto folder = make_folder("bust_set");
   write_file(folder / "set.yaml",
