@@ -54,7 +54,8 @@ double find_inner_radius(const std::vector<glm::vec3>& ring) {
 }
 
 double find_drain_mm(const Cavity& cavity, const Hollow& hollow) {
-  double drain = std::min(hollow.drain_mm, 2 * find_inner_radius(cavity.rings.front()));
+  constexpr double kFree = 0.95;  // of the floor's breadth: the corners of a round drain stand out
+  double drain = std::min(hollow.drain_mm, kFree * 2 * find_inner_radius(cavity.rings.front()));
   if (hollow.pocket_mm > 0) drain = std::min(drain, hollow.pocket_mm - 2 * kLedge_mm);
   if (drain < std::min(kLeastDrain_mm, hollow.drain_mm))
     throw RunError(

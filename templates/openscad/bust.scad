@@ -199,7 +199,7 @@ module body() {
 
   inner = hollow ? cavity_rings(ceiling) : [];
   drain = hollow && drain_mm > 0
-    ? min(concat([drain_mm, 2 * cavity_inside(inner[0])], has_magnet ? [magnet_diameter_mm - 1.6] : [])) : 0;
+    ? min(concat([drain_mm, 1.9 * cavity_inside(inner[0])], has_magnet ? [magnet_diameter_mm - 1.6] : [])) : 0;
   assert(!hollow || drain >= min(drain_mm, 1), str("a wall of ", wall_mm,
     " mm leaves no room for a drain; a thinner wall, base none or a greater height have it, and drain_mm 0 does without"));
   tube = drain > 0 ? [for (z = [ceiling, inner[0][0][2]]) base_circle(outline, drain, z)] : [];
