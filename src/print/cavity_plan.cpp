@@ -112,6 +112,8 @@ void limit_slopes(const CavityPlan& plan, std::vector<double>& reaches) {
 // Draws in what comes nearer to the outside between the rays than the wall may be.
 void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& wall) {
   constexpr int kRounds = 5;
+  constexpr double kStretch = 1.2;  // of the wall, between two samples
+  constexpr int kMostParts = 8;
   constexpr double kMore = 1.5;  // of what lacks: the way inward is seldom straight to the middle
   const std::size_t columns = plan.directions.size(), rows = plan.heights_mm.size();
   const auto place = [&](std::size_t k, std::size_t j) {
@@ -128,9 +130,13 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
         if (!is_open(k) || !is_open(k + 1) || !is_asked[k * columns + j]) continue;
         const std::size_t next = (j + 1) % columns;
         const glm::dvec3 a = place(k, j), b = place(k, next), c = place(k + 1, j), d = place(k + 1, next);
-        for (const glm::dvec3& at : {(a + c) / 2.0, (a + d) / 2.0, (b + c) / 2.0})
-          lacks[k * columns + j] =
-              std::max(lacks[k * columns + j], wall.wall_mm - find_nearest(tree, at, wall.wall_mm).distance);
+        const double longest = std::max({glm::distance(a, c), glm::distance(a, d), glm::distance(b, c)});
+        const int steps = std::clamp(int(std::ceil(longest / (kStretch * wall.wall_mm))), 2, kMostParts);
+        for (int i = 1; i < steps; ++i)
+          for (const glm::dvec3& at : {glm::mix(a, c, double(i) / steps), glm::mix(a, d, double(i) / steps),
+                                       glm::mix(b, c, double(i) / steps)})
+            lacks[k * columns + j] = std::max(lacks[k * columns + j],
+                                              wall.wall_mm - find_nearest(tree, at, wall.wall_mm).distance);
       }
     });
     std::vector<char> is_moved(rows * columns, 0);
