@@ -22,9 +22,9 @@ constexpr float kLidLine_mm = 0.35f,
                 kLipLine_mm = 0.3f;  // of shut lids and lips: narrower fills with plastic
 constexpr float kLineDepth_mm = 0.7f;
 constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
-constexpr float kLight_mm = 0.95f;      // the width of the light in the pupil
+constexpr float kLight_mm = 1.1f;      // the width of the light in the pupil
 constexpr float kLeastLight = 0.17f,
-                kMostLight = 0.28f;     // half of it in radii of the iris: more fills the pupil
+                kMostLight = 0.32f;     // half of it in radii of the iris: more fills the pupil
 constexpr float kIrisRadius_mm = 5.7f;  // at a ball of 13 mm
 
 std::size_t side_index(Side side) { return side == Side::left ? 0 : 1; }
