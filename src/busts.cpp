@@ -44,8 +44,7 @@ Base find_base(const BustSpec& bust) {
 // What is fine enough for layers of 0.2 mm, and still opens at once in OpenSCAD.
 int count_triangles(const BustSpec& bust) {
   constexpr double kAt80mm = 30000, kFewest = 15000, kMost = 45000;
-  const double scale = bust.height_mm / 80;
-  return bust.triangles > 0 ? bust.triangles : int(std::clamp(kAt80mm * scale * scale, kFewest, kMost));
+  return bust.triangles > 0 ? bust.triangles : int(std::clamp(kAt80mm * bust.height_mm / 80, kFewest, kMost));
 }
 
 BustSize find_size(const BustSpec& bust) {

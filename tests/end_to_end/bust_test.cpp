@@ -52,7 +52,7 @@ TEST(bust, is_one_closed_part_for_the_slicer) {
 TEST(bust, higher_ones_are_finer) {
   const auto folder = make_folder("bust_fine");
   std::size_t last = 0;
-  for (const char* height : {"50mm", "90mm"}) {
+  for (const char* height : {"40mm", "90mm"}) {
     ASSERT_EQ(run_shell(folder, fmt::format("mien bust '{}/configs/hello.yaml' --express neutral --height {} "
                                             "--quiet -o out",
                                             source_folder(), height))
