@@ -59,7 +59,7 @@ struct BustBody {
   CarvedMouth carved_mouth;  // its jaw at rest
 };
 
-// The body of a figure. Its pose decides nothing but where the least missed triangles are: about 1 s.
+// The body of a figure. Its pose decides nothing but where the least missed triangles are. About 0.3 s.
 BustBody build_bust_body(const Figure& figure, const BustSize& size);
 
 // The kept vertices in a pose, mm of the print: within the limits that the figure's head has. The head is not

@@ -231,7 +231,7 @@ std::vector<FineDetail> list_fine_details(const Mesh& mesh, const SurfaceTree& t
       (area > speck_mm2 ? high : low) = middle;
     }
     detail.finest_mm = low;
-    details.push_back(detail);
+    if (high < size_mm) details.push_back(detail);  // nearer to the size than one can tell
   }
   std::stable_sort(details.begin(), details.end(),
                    [](const FineDetail& a, const FineDetail& b) { return a.finest_mm < b.finest_mm; });

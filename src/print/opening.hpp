@@ -45,7 +45,8 @@ struct FineDetail {
   double finest_mm = 0;  // balls of this size come everywhere but to a speck of it
 };
 
-// The details finer than `size_mm` with more surface than `speck_mm2`, the finest first.
+// The details finer than `size_mm` (by a thirtieth of it at least: nearer is within the error of the search)
+// with more surface than `speck_mm2`, the finest first.
 std::vector<FineDetail> list_fine_details(const Mesh& mesh, const SurfaceTree& tree, double size_mm,
                                           double speck_mm2);
 
