@@ -61,14 +61,24 @@ Mesh build_figure_mesh(const BustBody& body, std::vector<glm::vec3> positions, d
   return {std::move(positions), {}, body.triangles};
 }
 
-// Ears and lids as thick as a nozzle needs, alike in every pose, and in none of the menu's through each
+// Ears, lids and lips as thick as a nozzle needs, alike in every pose, and in none of the menu's through each
 // other; what formulas look for stays.
 void thicken(const BustShop& shop, BustBody& body) {
-  const std::vector<glm::vec3> rest = place_bust(body, shop.figure, Pose{});
-  std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
+  constexpr double kWide = 0.7;  // a mouth so far open has drawn its lips thin
+  static const std::size_t kChinDown = find_move("chin", Side::none, "down").value();
   const std::vector<bool> is_fixed = list_fixed(body);
-  for (std::size_t v = 0; v < moves.size(); ++v)
-    if (is_fixed[v]) moves[v] = glm::vec3(0);
+  std::vector<glm::vec3> moves(is_fixed.size(), glm::vec3(0));
+  const auto add = [&](const std::vector<glm::vec3>& more) {
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      if (!is_fixed[v]) moves[v] += more[v];
+  };
+  add(find_thickening(build_figure_mesh(body, place_bust(body, shop.figure, Pose{}), 0), kLeastFeature_mm));
+  for (const NamedPose& named : shop.menu) {
+    if (!named.is_shown || named.pose.values[kChinDown] < kWide) continue;
+    std::vector<glm::vec3> positions = place_bust(body, shop.figure, named.pose);
+    for (std::size_t v = 0; v < moves.size(); ++v) positions[v] += moves[v];
+    add(find_thickening(build_figure_mesh(body, std::move(positions), 0), kLeastFeature_mm));
+  }
   std::vector<std::vector<glm::vec3>> poses(shop.menu.size());
   for_each_index(poses.size(), count_cores(),
                  [&](std::size_t i, int) { poses[i] = place_bust(body, shop.figure, shop.menu[i].pose); });
@@ -226,7 +236,7 @@ std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSp
     if (find_menu_entry(menu, expression) != nullptr) continue;
     std::string name = expression.name;
     for (int number = 2; is_taken(name); ++number) name = fmt::format("{}_{}", expression.name, number);
-    menu.push_back({name, expression.pose});
+    menu.push_back({name, expression.pose, true});
   }
   for (const Expression& expression : spec.expressions) {
     if (!expression.library.empty() && expression.library != spec.library) continue;

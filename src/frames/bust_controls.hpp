@@ -14,6 +14,7 @@ namespace mien {
 struct NamedPose {
   std::string name;
   Pose pose;
+  bool is_shown = false;  // by a bust that is to be made; else it is only offered
 };
 
 // Fills what of `bust` poses it: rest, states, moves, expressions, stands, eyes and mouth, triangles and
