@@ -74,10 +74,12 @@ void load_expression(const YamlMapping& entries, const YamlValue& item, const Cl
                             describe_subject(item)));
     return;
   }
-  if (areas != nullptr)
+  if (areas != nullptr && find_node(*areas).kind == NodeKind::mapping) {
+    const YamlMapping named = load_free_mapping(*areas, "");
     for (const AreaKey& key : kAreaKeys)
-      if (find_node(*areas).kind == NodeKind::mapping && find_value(load_free_mapping(*areas, ""), key.key))
+      if (find_value(named, key.key) != nullptr)
         for (const std::size_t move : list_moves_of(key)) cue.owns.set(move);
+  }
   if (express != nullptr) own_moved(cue.what, cue.owns);
   // Back to rest: of all that the others of its library move.
   if (cue.owns.none() && !shown.library.empty())

@@ -40,8 +40,8 @@ Inputs load_given(const YamlValue& value, const ScriptText& text) {
   Findings silent;  // the script's own mistakes are told when it is read
   YamlValue body = text.body;
   body.findings = &silent;
-  if (const YamlValue* parameters = find_value(load_free_mapping(body, ""), "parameters");
-      parameters != nullptr)
+  const YamlMapping entries = load_free_mapping(body, "");
+  if (const YamlValue* parameters = find_value(entries, "parameters"))
     for (const YamlEntry& entry : load_free_mapping(*parameters, "")) known.push_back(entry.key);
   Inputs given;
   for (const YamlEntry& entry : load_mapping(value, known, "numbers such as {times: 3}", "parameter")) {

@@ -49,6 +49,7 @@ YamlMapping load_free_mapping(const YamlValue& value, std::string_view expected)
 std::vector<YamlValue> load_list(const YamlValue& value, std::string_view expected);
 
 const YamlValue* find_value(const YamlMapping& mapping, std::string_view key);
+const YamlValue* find_value(YamlMapping&& mapping, std::string_view key) = delete;  // it would be gone
 // As find_value, but an absent one is a mistake at `owner`.
 const YamlValue* find_required(const YamlMapping& mapping, std::string_view key, const YamlValue& owner,
                                std::string_view expected);
