@@ -65,19 +65,25 @@ Mesh build_figure_mesh(const BustBody& body, std::vector<glm::vec3> positions, d
 // other; what formulas look for stays.
 void thicken(const BustShop& shop, BustBody& body) {
   constexpr double kWide = 0.7;  // a mouth so far open has drawn its lips thin
+  constexpr float kStill_mm = 0.05f;
   static const std::size_t kChinDown = find_move("chin", Side::none, "down").value();
   const std::vector<bool> is_fixed = list_fixed(body);
-  std::vector<glm::vec3> moves(is_fixed.size(), glm::vec3(0));
-  const auto add = [&](const std::vector<glm::vec3>& more) {
-    for (std::size_t v = 0; v < moves.size(); ++v)
-      if (!is_fixed[v]) moves[v] += more[v];
-  };
-  add(find_thickening(build_figure_mesh(body, place_bust(body, shop.figure, Pose{}), 0), kLeastFeature_mm));
+  const std::vector<glm::vec3> rest = place_bust(body, shop.figure, Pose{});
+  std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
+  for (std::size_t v = 0; v < moves.size(); ++v)
+    if (is_fixed[v]) moves[v] = glm::vec3(0);
   for (const NamedPose& named : shop.menu) {
     if (!named.is_shown || named.pose.values[kChinDown] < kWide) continue;
     std::vector<glm::vec3> positions = place_bust(body, shop.figure, named.pose);
-    for (std::size_t v = 0; v < moves.size(); ++v) positions[v] += moves[v];
-    add(find_thickening(build_figure_mesh(body, std::move(positions), 0), kLeastFeature_mm));
+    std::vector<bool> is_posed(moves.size());  // the others are as they are at rest
+    for (std::size_t v = 0; v < moves.size(); ++v) {
+      is_posed[v] = glm::distance(positions[v], rest[v]) > kStill_mm;
+      positions[v] += moves[v];
+    }
+    const std::vector<glm::vec3> more =
+        find_thickening(build_figure_mesh(body, std::move(positions), 0), kLeastFeature_mm);
+    for (std::size_t v = 0; v < moves.size(); ++v)
+      if (is_posed[v] && !is_fixed[v]) moves[v] += more[v];
   }
   std::vector<std::vector<glm::vec3>> poses(shop.menu.size());
   for_each_index(poses.size(), count_cores(),

@@ -195,8 +195,8 @@ std::vector<glm::vec3> add_moves(const std::vector<glm::vec3>& positions,
 void hold_apart_once(const std::vector<glm::vec3>& positions, const std::vector<Triangle>& triangles,
                      double least_mm, std::vector<glm::vec3>& moves) {
   // How wide the circles are, in halves of the least thickness, and what is left of the moves within.
-  constexpr std::pair<float, float> kCircles[] = {{1, 0.5f}, {1, 0.5f}, {2, 0.5f}, {2, 0.5f},
-                                                  {1, 0},    {2, 0},    {4, 0},    {6, 0}};
+  constexpr std::pair<float, float> kCircles[] = {{1, 0.5f}, {2, 0.5f}, {1, 0}, {2, 0.5f},
+                                                  {2, 0},    {3, 0},    {4, 0}, {6, 0}};
   for (const auto& [circle, left] : kCircles) {
     const std::vector<glm::vec3> moved = add_moves(positions, moves);
     const std::vector<Crossing> crossings = list_new_crossings(positions, moved, triangles);

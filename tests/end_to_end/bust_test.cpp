@@ -68,7 +68,7 @@ TEST(bust, lips_of_a_wide_open_mouth_are_thick_enough) {
   const auto folder = make_folder("bust_lips");
   const ProgramRun run = run_shell(
       folder,
-      fmt::format("mien bust '{}/configs/hello.yaml' --express tezuka/shout --height 60mm --quiet -o out",
+      fmt::format("mien bust '{}/configs/hello.yaml' --express tezuka/shout --height 80mm --quiet -o out",
                   source_folder()));
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(read_file(folder / "out/bust_shout.txt"), HasSubstr("finest detail   0.8 mm or more"));
