@@ -161,7 +161,7 @@ bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
 
 // Two ends of an edge may become one only if exactly two vertices neighbour both (the link condition).
 bool keeps_surface(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  auto& [a, b] = s.rings;
+  auto &a = s.rings[0], &b = s.rings[1];
   list_neighbours(s, drop, a);
   list_neighbours(s, keep, b);
   if (!std::binary_search(a.begin(), a.end(), keep) || a.size() + b.size() <= 7) return false;

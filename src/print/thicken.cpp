@@ -197,16 +197,17 @@ void hold_apart_once(const std::vector<glm::vec3>& positions, const std::vector<
   // How wide the circles are, in halves of the least thickness, and what is left of the moves within.
   constexpr std::pair<float, float> kCircles[] = {{1, 0.5f}, {2, 0.5f}, {1, 0}, {2, 0.5f},
                                                   {2, 0},    {3, 0},    {4, 0}, {6, 0}};
-  for (const auto& [circle, left] : kCircles) {
+  for (const auto& circle : kCircles) {
+    const float reach = circle.first * float(least_mm / 2);
     const std::vector<glm::vec3> moved = add_moves(positions, moves);
     const std::vector<Crossing> crossings = list_new_crossings(positions, moved, triangles);
     if (crossings.empty()) return;
     const std::vector<glm::vec3> places = list_crossed_places(moved, triangles, crossings);
     for (std::size_t v = 0; v < moves.size(); ++v)
       if (moves[v] != glm::vec3(0) && std::any_of(places.begin(), places.end(), [&](const glm::vec3& place) {
-            return glm::distance(moved[v], place) < circle * float(least_mm / 2);
+            return glm::distance(moved[v], place) < reach;
           }))
-        moves[v] *= left;
+        moves[v] *= circle.second;
   }
 }
 
