@@ -29,7 +29,7 @@ inline double find_seconds(Ticks ticks) {
 
 // When frame `frame` (from 0) begins.
 inline Ticks find_frame_ticks(std::int64_t frame, int fps) {
-  return (2 * frame * kTicksPerSecond + fps) / (2 * fps);
+  return (2 * frame * kTicksPerSecond + fps) / (2 * std::int64_t{fps});
 }
 
 }  // namespace mien

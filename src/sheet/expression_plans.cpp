@@ -29,7 +29,7 @@ std::vector<Expression> list_of_library(const Spec& spec, const std::string& lib
   std::vector<Expression> found;
   for (const Expression& expression : spec.expressions)
     if (expression.library == library) found.push_back(expression);
-  std::ranges::stable_partition(found, [](const Expression& e) { return e.pose == Pose{}; });
+  std::stable_partition(found.begin(), found.end(), [](const Expression& e) { return e.pose == Pose{}; });
   return found;
 }
 
