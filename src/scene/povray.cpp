@@ -41,7 +41,7 @@ constexpr double kSteepest_deg = 89.5;
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
 
 void append_numbers(std::string& text, const glm::vec3& v, int decimals) {
-  std::array<char, 4 * kLongestNumber> numbers;
+  std::array<char, std::size_t{4} * kLongestNumber> numbers;
   char* end = write_number(numbers.data(), v.x, decimals);
   *end++ = ',';
   end = write_number(end, v.y, decimals);
