@@ -22,7 +22,7 @@ struct GuideChart {
   GuideLines lines;
 };
 
-inline constexpr double kAdultHairline = 4.45;  // at 0.857 of the shipped adult's height
+inline constexpr double kAdultHairline = 5.0;  // at 0.857 of the shipped adult's height
 
 // One head as what is summed and mixed: control points in the cage's order, the eye, and marks.
 struct HeadForm {
