@@ -11,7 +11,8 @@ using Names = std::vector<std::string>;
 inline constexpr int kLanguageVersion = 1;  // `mien: 1`
 
 // Names. Those of enums stand in the enum's order (spec.hpp).
-inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult"};
+inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult", "old"};
+inline const std::string kAdult = "adult";  // what the other ages are told against
 inline const Names kSkulls{"average", "square", "round", "wide", "narrow"};
 inline const Names kCharacters{"female", "male"};
 inline const Names kHairs{"none", "crop", "bob", "bun"};  // none, and the cuts of templates/head/hair.yaml

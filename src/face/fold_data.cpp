@@ -85,13 +85,14 @@ FoldLine load_line(const YAML::Node& node) {
 }
 
 FoldSet load_set(const std::string& name, const YAML::Node& node) {
-  check_keys(node, {"drive", "from", "to", "depth_mm", "width_mm", "rolls", "spread", "across_mm", "lines"});
+  check_keys(node, {"drive", "from", "to", "rest", "depth_mm", "width_mm", "rolls", "spread", "across_mm", "lines"});
   FoldSet set;
   set.name = name;
   for (const YAML::Node& drive : require(node, "drive")) set.drives.push_back(load_drive(drive));
   set.from = load_number(node, "from", 0, 1);
   set.to = load_number(node, "to", 0, 2);
   if (set.to < set.from + 0.1) fail(node["to"], "'to' is to be at least 0.1 above 'from', or folds pop");
+  if (node["rest"]) set.rest = load_number(node["rest"], 0, 1);
   set.depth_mm = load_number(node, "depth_mm", 0, 4);
   set.width_mm = load_number(node, "width_mm", 0.5, 10);
   const YAML::Node rolls = require(node, "rolls");
@@ -104,9 +105,12 @@ FoldSet load_set(const std::string& name, const YAML::Node& node) {
 }
 
 FoldData load_root(const YAML::Node& root) {
-  check_keys(root, {"ages", "characters", "edge", "folds"});
+  check_keys(root, {"ages", "ages_at_rest", "characters", "edge", "folds"});
   FoldData data;
-  for (const auto& age : require(root, "ages")) data.ages[age.first.Scalar()] = load_number(age.second, 0, 1);
+  for (const auto& age : require(root, "ages")) data.ages[age.first.Scalar()] = load_number(age.second, 0, 2);
+  if (root["ages_at_rest"])
+    for (const auto& age : root["ages_at_rest"])
+      data.ages_at_rest[age.first.Scalar()] = load_number(age.second, 0, 1);
   const YAML::Node characters = require(root, "characters");
   data.female = load_number(characters, "female", 0, 1);
   data.male = load_number(characters, "male", 0, 1);

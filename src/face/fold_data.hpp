@@ -33,6 +33,7 @@ struct FoldSet {
   std::string name;
   std::vector<FoldDrive> drives;  // summed
   double from = 0, to = 1;        // the sum at which a fold begins and is whole
+  double rest = 0;                // of a whole fold, what an old face at rest has of it
   double depth_mm = 0;            // of the whole fold, on the adult
   double width_mm = 1;            // half width of the groove in the skin at rest
   std::array<double, 2> rolls{};  // height of the swelling left and right of the line, shares of the depth
@@ -43,6 +44,7 @@ struct FoldSet {
 
 struct FoldData {
   std::map<std::string, double> ages;  // age -> how deep folds are against an adult's
+  std::map<std::string, double> ages_at_rest;  // age -> how much of a set's `rest` its face has; none: nothing
   double female = 1, male = 1;         // the same for characters
   double edge = 1;                     // longest edge of the skin in a groove, in its widths
   std::vector<FoldSet> sets;

@@ -25,8 +25,8 @@ double find_left_share(const FoldSet& set, double x_mm) {
 }
 
 FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
-                      const std::vector<Track>& tracks, const FoldSet& set, double scale) {
-  FoldField field{set.drives, set.from, set.to, {}};
+                      const std::vector<Track>& tracks, const FoldSet& set, double scale, double rest) {
+  FoldField field{set.drives, set.from, set.to, rest, {}};
   for (std::uint32_t v = 0; v < skin.vertex_count(); ++v) {
     if (adult[v].x < 0) continue;
     const double height_mm = scale * find_height_mm(tracks, set, adult[v]);
@@ -39,12 +39,25 @@ FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
   return field;
 }
 
-double find_strength(const FoldData& data, const HeadSpec& spec) {
-  double ages = 0;
+// The mean of what a table says of the ages; `other` for those that it does not name.
+double mix_ages(const std::map<std::string, double>& table, double other, const HeadSpec& spec) {
+  double sum = 0;
   for (const auto& [age, weight] : spec.age) {
-    const auto found = data.ages.find(age);
-    ages += weight * (found == data.ages.end() ? 1 : found->second);
+    const auto found = table.find(age);
+    sum += weight * (found == table.end() ? other : found->second);
   }
+  return sum;
+}
+
+// How much of the lines at rest the head has: its own age's, or those of the heads that it is mixed of.
+double find_rest(const FoldData& data, const HeadSpec& spec) {
+  double rest = mix_ages(data.ages_at_rest, 0, spec);
+  for (const HeadShare& share : spec.mix) rest += share.weight * find_rest(data, share.head);
+  return std::min(rest, 1.0);
+}
+
+double find_strength(const FoldData& data, const HeadSpec& spec) {
+  const double ages = mix_ages(data.ages, 1, spec);
   double mixed = spec.mix.empty() ? 1 : 0;
   for (const HeadShare& share : spec.mix) mixed += share.weight * find_strength(data, share.head);
   const double other = spec.character < 0 ? data.female : data.male;
@@ -126,9 +139,10 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::file
   folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
   append_fine_points(folds.skin, adult.positions, adult.normals);
   const double scale = find_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
+  const double rest = find_rest(data, spec);
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (const FoldSet& set : data.sets) {
-    folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale));
+    folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale, rest * set.rest));
     for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.vertex] = true;
   }
   find_touched(is_folded, folds);
@@ -143,7 +157,7 @@ double find_fold_amount(const FoldField& field, const Pose& pose, Side side) {
     sum += product;
   }
   const double t = std::clamp((sum - field.from) / (field.to - field.from), 0.0, 1.0);
-  return t * t * (3 - 2 * t);
+  return std::lerp(field.rest, 1.0, t * t * (3 - 2 * t));
 }
 
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,

@@ -19,8 +19,6 @@ constexpr double kFeatures_mm = 20, kSkull_mm = 62;
 
 using Shape = HeadForm;  // as it is summed and mixed
 
-const std::string& kAdult = kAges.back();  // what the other ages are told against
-
 const GuideChart& find_adult_chart(const HeadShapes& shapes) { return shapes.charts.at(kAdult); }
 
 glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {

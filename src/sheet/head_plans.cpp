@@ -94,18 +94,19 @@ SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path&) {
   plan.blocks.resize(2);
   plan.blocks[0].heading = "To one scale";
   plan.blocks[1].heading = "To one height";
-  // The adult comes first among the heads: the others are drawn to its scale.
-  for (auto age = kAges.rbegin(); age != kAges.rend(); ++age) {
-    SheetCell cell{build_caption(*age), plan.heads.size()};
+  const auto adult = static_cast<std::size_t>(std::ranges::find(kAges, kAdult) - kAges.begin());
+  for (const std::string& age : kAges) {
+    SheetCell cell{build_caption(age), plan.heads.size()};
     plan.heads.push_back(subject.spec.head);
-    plan.heads.back().age = {{*age, 1.0}};
+    plan.heads.back().age = {{age, 1.0}};
     plan.heads.back().guides.clear();  // where an age has its lines is what the sheet is for
     cell.tells_height = true;
-    plan.blocks[0].cells.insert(plan.blocks[0].cells.begin(), cell);
+    cell.framing.scale_of = adult;
+    plan.blocks[0].cells.push_back(cell);
     cell.tells_height = false;
     cell.has_guides = true;
     cell.framing.scale_of = cell.head;
-    plan.blocks[1].cells.insert(plan.blocks[1].cells.begin(), cell);
+    plan.blocks[1].cells.push_back(cell);
   }
   return plan;
 }
