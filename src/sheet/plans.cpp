@@ -26,7 +26,7 @@ constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
                             SheetKind{"features", "Features", plan_features},
                             SheetKind{"expressions", "Expressions", plan_expressions},
                             SheetKind{"libraries", "Libraries", plan_libraries},
-                            SheetKind{"heads", "On twenty heads", plan_heads},
+                            SheetKind{"heads", "On twenty-four heads", plan_heads},
                             SheetKind{"areas", "Areas: the ways of the skin", plan_areas},
                             SheetKind{"limits", "Limits in red, rest in blue", plan_limits}};
 

@@ -86,6 +86,24 @@ TEST(folds, the_neutral_pose_is_smooth_to_the_last_bit) {
   EXPECT_TRUE(folded.normals == smooth.normals);
 }
 
+TEST(folds, only_the_old_have_lines_at_rest_and_the_more_the_older) {
+  HeadSpec spec;
+  const auto find_rest = [&](const Mix& age) {
+    spec.age = age;
+    double sum = 0;
+    for (const FoldField& field : build_figure(spec, find_data_folder()).folds.fields) {
+      EXPECT_GE(find_fold_amount(field, Pose{}, Side::left), field.rest);
+      sum += find_fold_amount(field, Pose{}, Side::left);
+    }
+    return sum;
+  };
+  for (const char* age : {"infant", "child", "teenager", "young_adult", "adult"})
+    EXPECT_EQ(find_rest({{age, 1.0}}), 0) << age;
+  const double half = find_rest({{"adult", 0.5}, {"old", 0.5}}), old = find_rest({{"old", 1.0}});
+  EXPECT_GT(half, 0.5);
+  EXPECT_NEAR(2 * half, old, 1e-9);
+}
+
 TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit) {
   const Folds& folds = adult().folds;
   std::mt19937 random(3);

@@ -110,7 +110,7 @@ TEST(head, has_an_adults_size) {
 }
 
 TEST(head, lids_lie_on_the_ball_on_every_head) {
-  for (const char* age : {"infant", "child", "teenager", "young_adult", "adult"})
+  for (const char* age : {"infant", "child", "teenager", "young_adult", "adult", "old"})
     for (const char* skull : {"average", "square", "round", "wide", "narrow"}) {
       const NeutralHead head = build(age, skull);
       for (int i = 0; i < 16; ++i)

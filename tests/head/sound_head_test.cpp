@@ -115,9 +115,11 @@ TEST(sound_head, is_its_own_mirror_image_to_the_last_bit) {
       "numbers unlike", [](const Soundness& s) { return count(s.mirror_bits, ""); }, 1, 0);
 }
 
-// infant, child, teenager, young_adult, adult: `way` from 0 to 4.
+// infant, child, teenager, young_adult, adult, old: `way` from 0 to 5.
+constexpr double kWholeLife = 5;
+
 HeadSpec spec_of_age(double way) {
-  const auto from = std::min<std::size_t>(3, static_cast<std::size_t>(way));
+  const auto from = std::min<std::size_t>(4, static_cast<std::size_t>(way));
   const double share = way - static_cast<double>(from);
   HeadSpec spec;
   spec.age.clear();
@@ -128,11 +130,11 @@ HeadSpec spec_of_age(double way) {
 
 // At each age the whole head changes its pace a little, as whole skin does; a vertex that jumps where its
 // neighbours do not is a pop.
-TEST(sound_head, grows_up_without_a_pop) {
-  constexpr int kSteps = 48;
+TEST(sound_head, grows_up_and_old_without_a_pop) {
+  constexpr int kSteps = 60;
   std::vector<NeutralHead> ages(kSteps + 1);
   for_each_index(ages.size(), count_cores(), [&](std::size_t i, int) {
-    ages[i] = build_neutral_head(spec_of_age(4.0 * static_cast<double>(i) / kSteps), find_data_folder());
+    ages[i] = build_neutral_head(spec_of_age(kWholeLife * static_cast<double>(i) / kSteps), find_data_folder());
   });
   const std::size_t count = adult().skin.positions.size();
   double worst = 0;
@@ -165,9 +167,9 @@ TEST(sound_head, keeps_its_parts_while_it_grows) {
     for (const Part& part : figure.model.parts) counts[part.name] = part.rest.positions.size();
     return counts;
   };
-  std::vector<std::map<std::string, std::size_t>> counts(9);
+  std::vector<std::map<std::string, std::size_t>> counts(11);
   for_each_index(counts.size(), count_cores(), [&](std::size_t i, int) {
-    counts[i] = count_parts(build_figure(spec_of_age(4.0 * static_cast<double>(i) / 8), find_data_folder()));
+    counts[i] = count_parts(build_figure(spec_of_age(kWholeLife * static_cast<double>(i) / 10), find_data_folder()));
   });
   for (const auto& count : counts) EXPECT_EQ(count, counts.back());
 }

@@ -73,8 +73,8 @@ TEST(sheet_plans, show_every_age_to_the_adults_scale_and_to_its_own) {
   const SheetPlan plan = build_sheet_plan("ages", build_subject(spec), kData);
   ASSERT_EQ(plan.blocks.size(), 2u);
   for (const SheetBlock& block : plan.blocks)
-    EXPECT_EQ(list_captions(block), (Captions{"infant", "child", "teenager", "young adult", "adult"}));
-  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_EQ(list_captions(block), (Captions{"infant", "child", "teenager", "young adult", "adult", "old"}));
+  for (std::size_t i = 0; i < 6; ++i) {
     const SheetCell& to_scale = plan.blocks[0].cells[i];
     const SheetCell& to_height = plan.blocks[1].cells[i];
     EXPECT_EQ(plan.heads[to_scale.head].age, (Mix{{kAges[i], 1.0}}));
@@ -210,12 +210,12 @@ TEST(sheet_plans, set_the_libraries_feelings_one_below_the_other) {
             (Captions{"joy", "sadness", "surprise", "fear", "anger", "contempt left"}));
 }
 
-TEST(sheet_plans, show_one_expression_on_twenty_heads) {
+TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
   Spec spec;
   spec.head.features = {{"nose_length", 1}};
   const SheetSubject subject = build_subject(spec);
   const SheetPlan plan = build_sheet_plan("heads", subject, kData);
-  EXPECT_EQ(plan.heads.size(), 20u);
+  EXPECT_EQ(plan.heads.size(), 24u);
   EXPECT_NE(plan.blocks[0].note.find("mien/smile"), std::string::npos);
   std::set<std::pair<Mix, Mix>> heads;
   for (const SheetBlock& block : plan.blocks)
@@ -224,7 +224,7 @@ TEST(sheet_plans, show_one_expression_on_twenty_heads) {
       EXPECT_EQ(plan.heads[cell.head].features, spec.head.features);
       heads.emplace(plan.heads[cell.head].age, plan.heads[cell.head].skull);
     }
-  EXPECT_EQ(heads.size(), 20u);
+  EXPECT_EQ(heads.size(), 24u);
 }
 
 TEST(sheet_plans, show_each_move_of_each_area_to_its_ends) {
