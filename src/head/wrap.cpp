@@ -14,9 +14,11 @@
 #include "core/parallel.hpp"
 #include "head/eye_fit.hpp"
 #include "head/half_system.hpp"
-#include "head/nearest.hpp"
 #include "head/own_half.hpp"
+#include "head/placed_scan.hpp"
+#include "head/scan_ear.hpp"
 #include "head/scan_frame.hpp"
+#include "head/scan_nose.hpp"
 #include "head/surface.hpp"
 #include "head/wrap_finish.hpp"
 
@@ -40,46 +42,69 @@ constexpr double kSlide = 0.06;  // of a closest point itself against its plane:
 constexpr double kCalm = 0.02, kLeastCalm = 0.1;
 // The least stiffness where nothing is seen (mouth bag, nostrils, inner lids) and where scans are poor: ears
 // and the thin rims of lids and lips keep the form they have and are only moved and bent.
-constexpr double kHiddenStiffness = 2, kDelicateStiffness = 1;
+constexpr double kHiddenStiffness = 2, kDelicateStiffness = 1, kEarStiffness = 1;
+// The step before which the ears are looked for: the head lies on the scan to some millimetres then.
+constexpr int kEarStep = 6;
+constexpr double kEarMark = 0.02;  // weight of a landmark on the ear, of another one's
+constexpr int kInnermostRing = 7;  // of the ear; what lies further in is the hollow before the canal
+constexpr double kEarHold = 2,
+                 kRootHold = 1;  // of its points to where it is carried: more would keep it stiff
+// The scan's nose looks for ours from this step on, and so far.
+constexpr int kNoseStep = 3;
+constexpr double kNoseReach_mm = 10;
 
 // Places of our head that no scan shows.
 bool is_hidden(std::string_view name) {
-  for (const char* prefix : {"ni_", "nd_", "EB_", "E0_", "M0_", "MB", "er8_", "er9_", "er10_", "er11_"})
+  for (const char* prefix : {"na_", "nr_", "ni_", "nd_", "EB_", "E0_", "M0_", "MB"})
     if (has_prefix(name, prefix)) return true;
-  return false;
+  return find_ear_ring(name) > kInnermostRing;
 }
 
+bool is_ear(std::string_view name) { return find_ear_ring(name) > 1; }  // its root belongs to the side
+
 double find_least_stiffness(std::string_view name) {
+  if (is_ear(name)) return kEarStiffness;
   if (is_hidden(name)) return kHiddenStiffness;
-  for (const char* prefix : {"E1_", "M1_", "er"})
-    if (has_prefix(name, prefix) && !has_prefix(name, "er1_")) return kDelicateStiffness;
+  for (const char* prefix : {"E1_", "M1_"})
+    if (has_prefix(name, prefix)) return kDelicateStiffness;
   return 0;
 }
 
+enum class Zone { skin, ear, nostril };
+
 struct Problem {
   const HeadStock* stock = nullptr;
-  SurfaceTree tree;    // the scan, laid on the adult by its landmarks
-  glm::dmat3 turn{1};  // what closest points make better of that: ours from the tree's
-  glm::dvec3 shift{0};
+  PlacedScan scan;                             // laid on the adult by its landmarks, then by closest points
   std::vector<std::uint32_t> vertices;         // of the skin's left half and middle, which a scan can show
+  std::vector<Zone> zones;                     // of each vertex
   std::vector<HalfRow> samples;                // of each vertex
   std::vector<glm::dvec3> adult;               // where the adult has each
   std::vector<HalfRow> marks;                  // of each landmark, a left one for a right one
   std::vector<glm::dvec3> mark_from, mark_to;  // where the adult and where the tree has it
   std::vector<double> mark_weights;
   std::vector<HalfRow> bends, edges;    // fairness
+  std::vector<HalfRow> ear_points;      // each on its own
   std::vector<double> least_stiffness;  // of each bend
+  EarFit ear;
+  bool has_nose = false;         // the nose is near enough to be looked for
+  std::vector<glm::dvec3> rest;  // of each point of the half: where the ear's fit carries it, from the adult
   HalfSystem system;
 };
 
-glm::dvec3 mirror(const glm::dvec3& p) { return p * glm::dvec3(-1, 1, 1); }
-
-// The share of hidden points in the vertex.
-double find_hidden_share(const HeadStock& stock, std::size_t v) {
+// The share of such points in the vertex.
+template <typename Test>
+double find_share(const HeadStock& stock, std::size_t v, Test is_such) {
   double share = 0;
   for (const auto& [point, weight] : find_limit_row(*stock.surface, v))
-    if (is_hidden(stock.adult.names[point])) share += weight;
+    if (is_such(stock.adult.names[point])) share += weight;
   return share;
+}
+
+Zone find_zone(const HeadStock& stock, std::size_t v) {
+  constexpr double kLeastShare = 0.3, kLeastNostril = 0.02;
+  if (find_share(stock, v, is_ear) > kLeastShare) return Zone::ear;
+  const auto is_nostril = [](std::string_view name) { return has_prefix(name, "na_"); };
+  return find_share(stock, v, is_nostril) > kLeastNostril ? Zone::nostril : Zone::skin;
 }
 
 void choose_samples(Problem& problem) {
@@ -87,8 +112,9 @@ void choose_samples(Problem& problem) {
   const Surface& surface = *stock.surface;
   constexpr double kMostHidden = 0.3;  // beyond, the skin turns inward
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
-    if (surface.mirror[v] < v || find_hidden_share(stock, v) > kMostHidden) continue;
+    if (surface.mirror[v] < v || find_share(stock, v, is_hidden) > kMostHidden) continue;
     problem.vertices.push_back(v);
+    problem.zones.push_back(find_zone(stock, v));
     problem.samples.push_back(build_half_row(stock.adult, find_limit_row(surface, v)));
     problem.adult.push_back(sample_row(find_limit_row(surface, v), stock.adult.points));
   }
@@ -101,6 +127,8 @@ void choose_fairness(Problem& problem) {
     problem.bends.push_back(build_half_row(cage, umbrellas[i]));
     problem.least_stiffness.push_back(find_least_stiffness(cage.names[i]));
   }
+  for (std::uint32_t i = 0; i < problem.stock->half.points.size(); ++i)
+    if (find_ear_ring(cage.names[i]) > 0) problem.ear_points.push_back(build_half_row(cage, {{i, 1.0}}));
   for (const Quad& quad : find_half_quads(*problem.stock))
     for (int i = 0; i < 4; ++i)
       problem.edges.push_back(build_half_row(cage, {{quad[i], 1.0}, {quad[(i + 1) % 4], -1.0}}));
@@ -112,7 +140,9 @@ void choose_marks(Problem& problem, const Scan& scan, const Similarity& ours_fro
     problem.marks.push_back(build_half_row(stock.adult, mark.place));
     problem.mark_from.push_back(sample_row(mark.place, stock.adult.points));
     problem.mark_to.push_back(apply_similarity(ours_from_scan, mark.at));
-    problem.mark_weights.push_back(mark.weight);
+    const auto is_on_ear = [&](const auto& entry) { return is_ear(stock.adult.names[entry.first]); };
+    problem.mark_weights.push_back(std::ranges::any_of(mark.place, is_on_ear) ? kEarMark * mark.weight
+                                                                              : mark.weight);
   }
 }
 
@@ -134,30 +164,30 @@ struct Skin {
   std::vector<glm::vec3> positions, normals;
 };
 
+// Whether the vertex asks for a place at all.
+bool is_asked(const Problem& problem, const Step& step, std::size_t i) {
+  if (i % step.stride != 0 || problem.zones[i] == Zone::nostril) return false;
+  return problem.zones[i] != Zone::ear || problem.ear.is_found;
+}
+
 Matches find_matches(const Problem& problem, const Step& step, bool is_right, const Skin& skin) {
   const std::size_t count = problem.vertices.size();
-  std::vector<NearestPlace> places(count);
+  // Not bools: threads write side by side.
+  std::vector<char> is_found(count, 0);
+  Matches matches{{}, std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count)};
   constexpr std::size_t kChunk = 250;
-  const auto in_tree = [&](const glm::dvec3& p) {
-    return glm::transpose(problem.turn) * (p - problem.shift);
-  };
   for_each_index((count + kChunk - 1) / kChunk, count_cores(), [&](std::size_t chunk, int) {
     for (std::size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
-      if (i % step.stride != 0) continue;
-      const glm::dvec3 at(skin.positions[problem.vertices[i]]);
-      places[i] = find_nearest(problem.tree, in_tree(is_right ? mirror(at) : at), step.reach_mm);
+      if (!is_asked(problem, step, i)) continue;
+      const glm::dvec3 at(skin.positions[problem.vertices[i]]), normal(skin.normals[problem.vertices[i]]);
+      const NearestPlace place = find_place(problem.scan, at, step.reach_mm, is_right);
+      matches.points[i] = place.point;
+      matches.normals[i] = place.normal;
+      is_found[i] =
+          place.distance <= step.reach_mm && !place.is_rim && glm::dot(place.normal, normal) >= step.facing;
     }
   });
-  Matches matches{std::vector<bool>(count), std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count)};
-  for (std::size_t i = 0; i < count; ++i) {
-    if (places[i].distance > step.reach_mm || places[i].is_rim) continue;
-    const glm::dvec3 point = problem.turn * places[i].point + problem.shift,
-                     normal = problem.turn * places[i].normal;
-    matches.points[i] = is_right ? mirror(point) : point;
-    matches.normals[i] = is_right ? mirror(normal) : normal;
-    matches.is_found[i] =
-        glm::dot(matches.normals[i], glm::dvec3(skin.normals[problem.vertices[i]])) >= step.facing;
-  }
+  matches.is_found.assign(is_found.begin(), is_found.end());
   return matches;
 }
 
@@ -176,8 +206,8 @@ void turn_scan(Problem& problem, const Skin& skin, const std::array<Matches, 2>&
   glm::dvec3 from_mean(0), to_mean(0);
   for (const glm::dvec3& p : from) from_mean += p / static_cast<double>(from.size());
   for (const glm::dvec3& p : to) to_mean += p / static_cast<double>(to.size());
-  problem.turn = better.rotation * problem.turn;
-  problem.shift = better.rotation * (problem.shift - from_mean) + to_mean;
+  problem.scan.turn = better.rotation * problem.scan.turn;
+  problem.scan.shift = better.rotation * (problem.scan.shift - from_mean) + to_mean;
 }
 
 Skin build_skin(const Surface& surface, const std::vector<glm::dvec3>& points) {
@@ -212,23 +242,83 @@ void orient_scan(const Scan& scan, Problem& problem, const HeadForm& form) {
          "",
          false}});
   if (2 * outward < near)
-    for (glm::dvec3& normal : problem.tree.normals) normal = -normal;
+    for (glm::dvec3& normal : problem.scan.tree.normals) normal = -normal;
+}
+
+// Where the row goes with the ear that was found; nowhere unless all of its points are the ear's.
+glm::dvec3 find_rest(const Problem& problem, const HalfRow& row) {
+  glm::dvec3 sum(0);
+  for (const HalfTerm& term : row.terms) {
+    if (find_ear_ring(problem.stock->adult.names[term.point]) == 0) return glm::dvec3(0);
+    sum += glm::dvec3(term.x, term.yz, term.yz) * problem.rest[term.point];
+  }
+  return sum;
 }
 
 void add_fairness(Problem& problem, double stiffness) {
-  for (std::size_t i = 0; i < problem.bends.size(); ++i) {
-    add_equation(problem.system, problem.bends[i], glm::dvec3(0), glm::dvec3(0), 0,
+  for (std::size_t i = 0; i < problem.bends.size(); ++i)
+    add_equation(problem.system, problem.bends[i], find_rest(problem, problem.bends[i]), glm::dvec3(0), 0,
                  std::max(stiffness, problem.least_stiffness[i]));
-  }
+  for (const HalfRow& point : problem.ear_points)
+    if (problem.ear.is_found)
+      add_equation(problem.system, point, find_rest(problem, point), glm::dvec3(0), 0,
+                   is_ear(problem.stock->adult.names[point.terms[0].point]) ? kEarHold : kRootHold);
   for (const HalfRow& edge : problem.edges)
-    add_equation(problem.system, edge, glm::dvec3(0), glm::dvec3(0), 0,
+    add_equation(problem.system, edge, find_rest(problem, edge), glm::dvec3(0), 0,
                  std::max(kCalm * stiffness, kLeastCalm));
+}
+
+// Looks for the scan's ears; from now on ours are stiff about where they are to be carried.
+void place_ears(Problem& problem, const HeadForm& form) {
+  const Cage& cage = problem.stock->adult;
+  problem.ear = find_ear(*problem.stock, problem.scan, form.points);
+  const Similarity carried =
+      problem.ear.is_found ? problem.ear.carried : carry_ear_by_root(cage, form.points);
+  for (std::size_t i = 0; i < problem.rest.size(); ++i)
+    problem.rest[i] = apply_similarity(carried, cage.points[i]) - cage.points[i];
 }
 
 void apply_moves(const Problem& problem, const std::vector<glm::dvec3>& moves, HeadForm& form) {
   form.points = problem.stock->adult.points;
   for (std::size_t i = 0; i < moves.size(); ++i) form.points[i] += moves[i];
   mirror_half(problem.stock->adult, form.points);
+}
+
+// Where the nose is, and how far it reaches.
+struct NosePlace {
+  glm::dvec3 middle{0};
+  double radius_mm = 0;
+};
+
+NosePlace find_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
+  const glm::dvec3 tip = points[find_point(cage, "p_tip")], wing = points[find_point(cage, "k_tip")],
+                   base = points[find_point(cage, "M6_0")];
+  constexpr double kRadius = 1.5;  // of the way from tip to wing: both wings and the groove around them
+  return {(tip + base + 2.0 * wing) / 4.0, kRadius * glm::distance(tip, wing)};
+}
+
+void add_nose(Problem& problem, const Step& step, const HeadForm& form, const Skin& skin) {
+  const NosePlace nose = find_nose(problem.stock->adult, form.points);
+  SkinPatch patch;
+  std::vector<std::size_t> samples;  // of each vertex of the patch
+  for (std::size_t i = 0; i < problem.vertices.size(); ++i) {
+    const glm::dvec3 at(skin.positions[problem.vertices[i]]);
+    if (glm::distance(at, nose.middle) > nose.radius_mm) continue;
+    patch.points.push_back(at);
+    patch.normals.emplace_back(skin.normals[problem.vertices[i]]);
+    samples.push_back(i);
+  }
+  const std::vector<NosePull> pulls = find_nose_pulls(problem.scan, patch, nose.middle, nose.radius_mm,
+                                                      std::min(step.reach_mm, kNoseReach_mm));
+  if (pulls.empty()) return;
+  // A dense scan is not to count for more than our own skin.
+  const double weight = static_cast<double>(samples.size()) / static_cast<double>(pulls.size());
+  for (const NosePull& pull : pulls) {
+    const std::size_t sample = samples[pull.vertex];
+    if (problem.zones[sample] == Zone::nostril) continue;  // the rim keeps its own form
+    add_equation(problem.system, problem.samples[sample], pull.at - problem.adult[sample], pull.normal,
+                 weight, weight * kSlide);
+  }
 }
 
 void add_surface(Problem& problem, const Step& step, const HeadForm& form) {
@@ -245,6 +335,7 @@ void add_surface(Problem& problem, const Step& step, const HeadForm& form) {
       if (matches.is_found[i])
         add_equation(problem.system, problem.samples[i], matches.points[i] - problem.adult[i],
                      matches.normals[i], weight, weight * kSlide);
+  if (problem.has_nose) add_nose(problem, step, form, skin);
 }
 
 void fit_step(Problem& problem, const Step& step, bool has_surface, HeadForm& form) {
@@ -252,8 +343,8 @@ void fit_step(Problem& problem, const Step& step, bool has_surface, HeadForm& fo
   add_fairness(problem, step.stiffness);
   for (std::size_t i = 0; i < problem.marks.size(); ++i)
     add_equation(problem.system, problem.marks[i],
-                 problem.turn * problem.mark_to[i] + problem.shift - problem.mark_from[i], glm::dvec3(0), 0,
-                 step.landmark * problem.mark_weights[i]);
+                 problem.scan.turn * problem.mark_to[i] + problem.scan.shift - problem.mark_from[i],
+                 glm::dvec3(0), 0, step.landmark * problem.mark_weights[i]);
   if (has_surface) add_surface(problem, step, form);
   apply_moves(problem, solve_equations(problem.system), form);
 }
@@ -267,16 +358,22 @@ HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
   for (glm::dvec3& p : mesh.positions) p = apply_similarity(ours_from_scan, p);
   Problem problem;
   problem.stock = &stock;
-  problem.tree = build_surface_tree(mesh);
+  problem.scan.tree = build_surface_tree(mesh);
+  problem.rest.assign(stock.half.points.size(), glm::dvec3(0));
   choose_samples(problem);
   choose_fairness(problem);
   choose_marks(problem, scan, ours_from_scan);
-  problem.system = build_half_system(stock.adult, stock.half.points.size(),
-                                     {&problem.samples, &problem.marks, &problem.bends, &problem.edges});
+  problem.system = build_half_system(
+      stock.adult, stock.half.points.size(),
+      {&problem.samples, &problem.marks, &problem.bends, &problem.edges, &problem.ear_points});
   HeadForm form{stock.adult.points, Eye{}};
   fit_step(problem, find_step(0), false, form);
   orient_scan(scan, problem, form);
-  for (int i = 0; i < kSteps; ++i) fit_step(problem, find_step(i), true, form);
+  for (int i = 0; i < kSteps; ++i) {
+    if (i == kEarStep) place_ears(problem, form);
+    problem.has_nose = i >= kNoseStep;
+    fit_step(problem, find_step(i), true, form);
+  }
   finish_wrap(stock, growth, form);
   return form;
 }
