@@ -45,6 +45,17 @@ float find_front(const std::vector<std::array<glm::vec2, 2>>& lines, float y) {
   return front;
 }
 
+// A gap between two teeth is narrower than what a print can show: the row goes on across it.
+void bridge_gaps(ToothRow& row) {
+  constexpr float kGap_mm = 2;  // a sample this far behind both its neighbours is a gap
+  for (int i = 1; i + 1 < kToothSamples; ++i) {
+    const glm::vec2 before = row.edge[i - 1], after = row.edge[i + 1];
+    if (row.edge[i].y > std::min(before.y, after.y) - kGap_mm) continue;
+    row.edge[i] = 0.5f * (before + after);
+    row.front[i] = 0.5f * (row.front[i - 1] + row.front[i + 1]);
+  }
+}
+
 // `sign` 1: teeth that hang down, their biting edge lowest; -1: those that stand up.
 ToothRow build_tooth_row(const Model& model, std::string_view stem, float sign) {
   constexpr float kSameTooth_mm = 5;  // further back at the same x stands another tooth
@@ -71,6 +82,7 @@ ToothRow build_tooth_row(const Model& model, std::string_view stem, float sign) 
     row.edge[i] = {edge.x, rim};
     row.front[i] = {crown, front};
   }
+  bridge_gaps(row);
   return row;
 }
 

@@ -1,5 +1,7 @@
 #include "core/holes.hpp"
 #include "head/form.hpp"
+#include "head/mouth_bag.hpp"
+#include "head/part_numbers.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -19,6 +21,17 @@ void close_slits(const Surface& surface, Mesh& skin) {
   }
 }
 
+// The ages a head is made of: its own words, unless they are none and the heads it is made from say more.
+Mix find_ages(const HeadSpec& spec) {
+  if (spec.age != HeadSpec{}.age) return spec.age;
+  if (spec.scan) return {};
+  if (spec.mix.empty()) return spec.age;
+  Mix ages;
+  for (const HeadShare& share : spec.mix)
+    for (const auto& [name, weight] : find_ages(share.head)) ages[name] += share.weight * weight;
+  return ages;
+}
+
 }  // namespace
 
 NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path& data_folder) {
@@ -32,6 +45,10 @@ NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path
   head.surface = stock.surface;
   head.hairline = form.hairline;
   head.brow_thickness = form.brow_thickness;
+  head.ages = find_ages(spec);
+  const MouthNumbers mouth = load_part_numbers(data_folder / "templates/head/parts.yaml").mouth;
+  shape_mouth_bag(mouth, head.cage, head.adult_points);
+  shape_mouth_bag(mouth, head.cage, head.cage.points);
 
   // The adult decides how quads are cut, so that all heads have the same triangles: an age can change in a
   // clip.

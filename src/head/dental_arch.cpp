@@ -1,10 +1,10 @@
-// The arch has the lips' own curve, which is flatter than a dental arch, so that the far teeth still show in
-// a smile. Widths of teeth: Wheeler, "Dental Anatomy".
+// A row's outside is a superellipse that begins with the lips' own curve. Widths, heights and years of teeth: Nelson,
+// "Wheeler's Dental Anatomy, Physiology and Occlusion".
 #include "head/dental_arch.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "head/tubes.hpp"
 
@@ -12,82 +12,110 @@ namespace mien {
 
 namespace {
 
-double find_arch_depth(const DentalArch& arch, double x) {
-  const double beyond = std::max(0.0, x - arch.scale * arch.numbers.bend_from_mm);
-  return arch.curve * x * x + arch.numbers.bend / (arch.scale * arch.scale) * beyond * beyond * beyond;
+// Out of the gum by `full` years, begun `growing` years before.
+double find_growth(double years, double full, double growing) {
+  return smooth_step(full - growing, full, years);
 }
 
-struct ArchPoint {
-  double x = 0, length_mm = 0;
+// What stands in a place at an age.
+struct Dentition {
+  double grown = 1, milk = 0;
 };
 
-std::vector<ArchPoint> measure_arch(const DentalArch& arch, double half_mm) {
-  constexpr int kSteps = 160;
-  std::vector<ArchPoint> points{{0, 0}};
-  for (int i = 1; i <= kSteps; ++i) {
-    const double x = arch.scale * half_mm * i / kSteps;
-    const double run = x - points.back().x,
-                 fall = find_arch_depth(arch, x) - find_arch_depth(arch, points.back().x);
-    points.push_back({x, points.back().length_mm + std::hypot(run, fall)});
-  }
-  return points;
-}
-
-double find_arch_x(const std::vector<ArchPoint>& points, double length_mm) {
-  std::size_t next = 1;
-  while (next + 1 < points.size() && points[next].length_mm < length_mm) ++next;
-  const ArchPoint &a = points[next - 1], &b = points[next];
-  return a.x + (b.x - a.x) * (length_mm - a.length_mm) / (b.length_mm - a.length_mm);
+Dentition find_dentition(const MouthNumbers& mouth, const TeethRowNumbers& row, std::size_t kind, double years) {
+  const double lasting = find_growth(years, row.years[kind], mouth.growing_years[1]);
+  if (kind >= kMilkTeeth) return {lasting, 0};
+  constexpr double kFall_years = 0.1;  // a tooth is out at once; longer than 0, so that a morph of ages does not jump
+  const double there = 1 - smooth_step(row.shed_years[kind], row.shed_years[kind] + kFall_years, years);
+  const double milk = find_growth(years, row.milk_years[kind], mouth.growing_years[0]) * there;
+  return {std::max(milk, lasting), there};
 }
 
 }  // namespace
 
-std::vector<ToothCut> cut_row(const DentalArch& arch, const TeethRow& row) {
-  static constexpr std::array kCuts{0.0, 0.05, 0.14, 0.3, 0.5, 0.7, 0.86, 0.95};
-  const std::vector<ArchPoint> points = measure_arch(arch, row.numbers.half_mm);
-  // Cuts are counted along the adult's row and stretched onto this one: every head has as many.
-  const double end_mm = row.numbers.row_mm, stretch = points.back().length_mm / end_mm;
-  const auto& widths = arch.numbers.widths_mm;
-  const auto& rises = arch.numbers.rise_mm;
-  std::vector<ToothCut> cuts;
-  double from_mm = 0;
-  for (std::size_t tooth = 0; from_mm < end_mm; ++tooth) {
-    const std::size_t kind = std::min(tooth, widths.size() - 1);
-    const double width_mm = widths[kind] * row.numbers.width;
-    for (const double at : kCuts) {
-      const double length_mm = from_mm + at * width_mm;
-      if (length_mm > end_mm) break;
-      const double x = find_arch_x(points, stretch * length_mm), step = 0.05;
-      const double slope = (find_arch_depth(arch, x + step) - find_arch_depth(arch, x - step)) / (2 * step);
-      ToothCut cut;
-      cut.at = glm::vec2(x, -find_arch_depth(arch, x));
-      cut.out = glm::normalize(glm::vec2(x > 0 ? slope : 0.0, 1));
-      cut.share = length_mm / end_mm;
-      const double side = std::min(at, 1 - at);
-      const double plain = 1 - smooth_step(0.4, 0.75, cut.share);  // far teeth are one band
-      cut.gap = plain * (1 - smooth_step(0, 0.2, side));
-      cut.belly = plain * smooth_step(0, 0.5, side);
-      const std::size_t other = at < 0.5 ? (kind > 0 ? kind - 1 : 0) : std::min(kind + 1, widths.size() - 1);
-      const double near = 0.5 * (1 - smooth_step(0, 0.3, side));
-      cut.rise_mm = arch.scale * ((1 - near) * rises[kind] + near * rises[other]);
-      cuts.push_back(cut);
-    }
-    from_mm += width_mm;
+ArchLine trace_arch(const DentalArch& arch, const TeethRow& row) {
+  constexpr int kSteps = 240;  // a quarter of a millimetre each
+  const double n = 2 / arch.numbers.arch.square, inset = arch.scale * row.numbers.inset_mm;
+  const auto outside = [&](double turn) {
+    return glm::dvec2(arch.half_mm * std::pow(std::sin(turn), n),
+                      arch.depth_mm * (std::pow(std::cos(turn), n) - 1));
+  };
+  ArchLine line;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double turn = 0.5 * std::numbers::pi * i / kSteps, step = 1e-4;
+    const glm::dvec2 before = outside(std::max(turn - step, 0.0)),
+                     after = outside(std::min(turn + step, 0.5 * std::numbers::pi));
+    const glm::dvec2 along = i == 0 ? glm::dvec2(1, 0) : glm::normalize(after - before);
+    const glm::dvec2 p = outside(turn) - inset * glm::dvec2(-along.y, along.x);
+    const glm::vec2 point(i == 0 ? 0 : p.x, p.y);
+    line.length_mm.push_back(i == 0 ? 0 : line.length_mm.back() + glm::distance(line.points.back(), point));
+    line.points.push_back(point);
   }
-  return cuts;
+  return line;
 }
 
-glm::vec3 place_in_row(const DentalArch& arch, const TeethRow& row, const ToothCut& cut, double height_mm,
-                       double out_mm) {
-  const glm::vec2 flat = cut.at + cut.out * static_cast<float>(out_mm - arch.scale * row.numbers.inset_mm);
-  return {flat.x, arch.lips_y_mm + row.sign * height_mm, arch.front_z_mm + flat.y};
+ArchPlace find_arch_place(const ArchLine& line, double length_mm) {
+  const auto above = std::upper_bound(line.length_mm.begin() + 1, line.length_mm.end() - 1, length_mm);
+  const auto next = static_cast<std::size_t>(above - line.length_mm.begin());
+  const double step = line.length_mm[next] - line.length_mm[next - 1];
+  const auto share = static_cast<float>((length_mm - line.length_mm[next - 1]) / step);
+  ArchPlace place;
+  place.at = glm::mix(line.points[next - 1], line.points[next], share);  // goes on straight beyond the end
+  const std::size_t from = next > 2 ? next - 3 : 0, to = std::min(next + 2, line.points.size() - 1);
+  place.along = glm::normalize(line.points[to] - line.points[from]);
+  if (length_mm <= 0) place.along = {1, 0};
+  place.out = {-place.along.y, place.along.x};
+  return place;
 }
 
-double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm) {
+std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const ArchLine& line) {
+  const MouthNumbers& mouth = arch.numbers;
+  const TeethRowNumbers& numbers = row.numbers;
+  std::vector<Tooth> teeth(kTeeth);
+  double sum_mm = 0;
+  for (std::size_t kind = 0; kind < kTeeth; ++kind) {
+    Tooth& tooth = teeth[kind];
+    const Dentition now = find_dentition(mouth, numbers, kind, arch.years);
+    tooth.kind = kind;
+    tooth.grown = now.grown;
+    tooth.milk = now.milk;
+    tooth.free_mm = mouth.milk_space_mm * now.milk;
+    const double small = kind < kMilkTeeth ? numbers.milk[kind] : 1;
+    // What is not there yet has half its place: jaws grow at their far ends.
+    const double place = kind < kMilkTeeth ? 1 : 0.4 + 0.6 * now.grown;
+    tooth.width_mm = numbers.width_mm[kind] * place * (1 + (small - 1) * now.milk) + tooth.free_mm;
+    sum_mm += tooth.width_mm;
+  }
+  const double stretch = line.length_mm.back() / sum_mm;
+  double from_mm = 0;
+  for (Tooth& tooth : teeth) {
+    tooth.width_mm *= stretch;
+    tooth.free_mm *= stretch;
+    tooth.from_mm = from_mm;
+    from_mm += tooth.width_mm;
+    const double middle_mm = tooth.from_mm + 0.5 * tooth.width_mm;
+    tooth.share = middle_mm / line.length_mm.back();
+    tooth.place = find_arch_place(line, middle_mm);
+    const double edge = -numbers.edge_mm + numbers.rise_mm[tooth.kind];
+    const double height = (numbers.gum_mm + numbers.neck_mm[tooth.kind] - edge) *
+                          (1 + (mouth.milk_height - 1) * tooth.milk);
+    tooth.edge_mm = arch.scale * edge;
+    tooth.neck_mm = arch.scale * (edge + height);
+  }
+  return teeth;
+}
+
+double find_arch_half_mm(const DentalArch& arch, double behind_mm) {
+  const double rest = 1 - std::clamp(behind_mm / arch.depth_mm, 0.0, 1.0);
+  return arch.half_mm *
+         std::pow(1 - std::pow(rest, arch.numbers.arch.square), 1 / arch.numbers.arch.square);
+}
+
+double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share) {
+  constexpr double kUpright = 0.6;  // of the lean is gone at the row's end
   const TeethRowNumbers& teeth = row.numbers;
-  const double share =
-      std::max(0.0, (height_mm / arch.scale + teeth.edge_mm) / (teeth.gum_mm + teeth.edge_mm));
-  return arch.scale * teeth.lean_mm * share * share;
+  const double up = std::max(0.0, (height_mm / arch.scale + teeth.edge_mm) / (teeth.gum_mm + teeth.edge_mm));
+  return arch.scale * teeth.lean_mm * up * up * (1 - kUpright * share);
 }
 
 }  // namespace mien

@@ -113,14 +113,22 @@ BrowNumbers read_brow(const Table& table) {
 
 TeethRowNumbers read_teeth_row(const Table& table) {
   TeethRowNumbers row;
-  table.read("half", row.half_mm);
-  table.read("row", row.row_mm);
-  table.read("width", row.width);
   table.read("gum", row.gum_mm);
   table.read("edge", row.edge_mm);
   table.read("lean", row.lean_mm);
-  table.read("thick", row.thick_mm);
   table.read("inset", row.inset_mm);
+  table.read("width", row.width_mm);
+  table.read("thick", row.thick_mm);
+  table.read("table", row.table_mm);
+  table.read("rise", row.rise_mm);
+  table.read("point", row.point_mm);
+  table.read("cusps", row.cusps);
+  table.read("neck", row.neck_mm);
+  table.read("turn", row.turn_deg);
+  table.read("milk", row.milk);
+  table.read("milk_years", row.milk_years);
+  table.read("shed_years", row.shed_years);
+  table.read("years", row.years);
   return row;
 }
 
@@ -129,24 +137,31 @@ MouthNumbers read_mouth(const Table& table) {
   table.read("corner", mouth.corner_mm);
   table.read("setback", mouth.setback_mm);
   table.read("clearance", mouth.clearance_mm);
-  table.read("bend_from", mouth.bend_from_mm);
-  table.read("bend", mouth.bend);
-  table.read("widths", mouth.widths_mm);
-  table.read("rise", mouth.rise_mm);
-  if (mouth.rise_mm.size() != mouth.widths_mm.size())
-    throw RunError(table.origin + ".rise: not as many numbers as 'widths' has");
-  table.read("grown", mouth.grown_mm);
+  const Table arch = table.at("arch");
+  arch.read("depth", mouth.arch.depth_mm);
+  arch.read("square", mouth.arch.square);
+  arch.read("half", mouth.arch.half_mm);
   mouth.upper = read_teeth_row(table.at("upper"));
   mouth.lower = read_teeth_row(table.at("lower"));
+  table.read("growing", mouth.growing_years);
+  table.read("milk_height", mouth.milk_height);
+  table.read("milk_space", mouth.milk_space_mm);
+  table.read("years", mouth.years);
+  table.read("scan_years", mouth.scan_years);
+  if (mouth.scan_years.empty()) throw RunError(table.origin + ".scan_years: a pair of numbers is missing here");
   table.read("scallop", mouth.scallop_mm);
-  table.read("groove", mouth.groove_mm);
-  table.read("notch", mouth.notch_mm);
+  table.read("ridge", mouth.ridge_mm);
   table.read("gum_thick", mouth.gum_thick_mm);
   const Table tongue = table.at("tongue");
   tongue.read("half", mouth.tongue.half_mm);
   tongue.read("tip", mouth.tongue.tip_mm);
   tongue.read("top", mouth.tongue.top_mm);
+  tongue.read("rise", mouth.tongue.rise_mm);
   tongue.read("back", mouth.tongue.back_mm);
+  tongue.read("room", mouth.tongue.room_mm);
+  const Table bag = table.at("bag");
+  bag.read("front", mouth.bag.front_mm);
+  bag.read("back", mouth.bag.back_mm);
   return mouth;
 }
 

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace mien {
@@ -55,21 +57,45 @@ struct BrowNumbers {
   std::vector<double> station, above_mm, half_mm, density, length_mm, lower_angle_deg, upper_angle_deg;
 };
 
+inline constexpr std::size_t kTeeth = 7;      // of half a row, wisdom teeth left out
+inline constexpr std::size_t kMilkTeeth = 5;  // of them have a milk tooth before them
+
+template <typename T>
+using PerTooth = std::array<T, kTeeth>;  // from the middle outward
+
 struct TeethRowNumbers {
-  double half_mm = 0, row_mm = 0, width = 0, gum_mm = 0, edge_mm = 0, lean_mm = 0, thick_mm = 0, inset_mm = 0;
+  double gum_mm = 0, edge_mm = 0, lean_mm = 0, inset_mm = 0;
+  PerTooth<double> width_mm{}, thick_mm{}, table_mm{}, rise_mm{}, point_mm{}, neck_mm{}, turn_deg{}, years{};
+  PerTooth<int> cusps{};
+  std::array<double, kMilkTeeth> milk{}, milk_years{}, shed_years{};
+};
+
+struct ArchNumbers {
+  double depth_mm = 0, square = 2;
+  std::array<double, 2> half_mm{};
 };
 
 struct TongueNumbers {
-  double half_mm = 0, tip_mm = 0, top_mm = 0, back_mm = 0;
+  double half_mm = 0, tip_mm = 0, top_mm = 0, rise_mm = 0, back_mm = 0, room_mm = 0;
+};
+
+// Control points of the cavity's skin, column by column as the rings M0, MB1 and MB2 have them.
+struct MouthBagNumbers {
+  static constexpr std::size_t kColumns = 13;
+  std::array<std::array<double, 3>, kColumns> front_mm{}, back_mm{};
 };
 
 struct MouthNumbers {
-  double corner_mm = 0, setback_mm = 0, clearance_mm = 0, bend_from_mm = 0, bend = 0;
-  std::vector<double> widths_mm, rise_mm;
-  std::array<double, 2> grown_mm{};
+  double corner_mm = 0, setback_mm = 0, clearance_mm = 0;
+  ArchNumbers arch;
   TeethRowNumbers upper, lower;
-  double scallop_mm = 0, groove_mm = 0, notch_mm = 0, gum_thick_mm = 0;
+  std::array<double, 2> growing_years{};
+  double milk_height = 1, milk_space_mm = 0;
+  std::map<std::string, double> years;                // by an age's name
+  std::vector<std::array<double, 2>> scan_years;      // eye to chin in mm, years; both rising
+  double scallop_mm = 0, ridge_mm = 0, gum_thick_mm = 0;
   TongueNumbers tongue;
+  MouthBagNumbers bag;
 };
 
 struct PartNumbers {

@@ -20,7 +20,7 @@ namespace {
 constexpr std::array<glm::vec3, kSkinMaskCount> kTints = {
     glm::vec3(1),                     // lips: see find_lip_colour
     glm::vec3(1),                     // mouth: a colour of its own
-    glm::vec3(0.30f, 0.20f, 0.20f),   // throat
+    glm::vec3(0.045f, 0.035f, 0.04f),  // throat
     glm::vec3(0.07f, 0.03f, 0.025f),  // nostril
     glm::vec3(0.98f, 0.74f, 0.70f),   // rim of the lids
     glm::vec3(0.97f, 0.90f, 0.88f),   // lids
@@ -33,7 +33,7 @@ constexpr std::array<glm::vec3, kSkinMaskCount> kTints = {
     glm::vec3(1),                     // shine
 };
 
-constexpr glm::vec3 kMouthColour{0.20f, 0.045f, 0.04f};  // linear: deep red, whatever the skin
+constexpr glm::vec3 kMouthColour{0.30f, 0.085f, 0.075f};  // linear: deep red, whatever the skin
 // A photographer opens up for dark skin and stops down for light skin, whose forehead would else burn out.
 constexpr float kExposure = 1.30f, kShoulder = 0.46f;
 constexpr float kShadesPerChannel = 160;  // steps of the palette; fewer show as patches on dark skin
