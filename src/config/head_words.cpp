@@ -25,14 +25,14 @@ void load_looks(const YamlMapping& entries, std::vector<std::pair<std::string, L
   if (mapping == nullptr) return;
   for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping")) {
     Look look;
-    load_colours(load_free_mapping(entry.value, "colours"), look);
+    load_look_words(load_free_mapping(entry.value, "colours"), look);
     looks.emplace_back(entry.key, look);
   }
 }
 
 }  // namespace
 
-void load_colours(const YamlMapping& entries, Look& look) {
+void load_look_words(const YamlMapping& entries, Look& look) {
   const auto load = [&](const char* key, glm::vec3& into) {
     const YamlValue* value = find_value(entries, key);
     return value != nullptr && load_colour(*value, into);
@@ -43,6 +43,11 @@ void load_colours(const YamlMapping& entries, Look& look) {
   load("hair", look.hair);
   glm::vec3 lips{0};
   if (load("lips", lips)) look.lips = lips;
+  const auto load_dial = [&](const char* key, double& into) {
+    if (const YamlValue* value = find_value(entries, key)) load_number(*value, 0, 1, into);
+  };
+  load_dial("freckles", look.freckles);
+  load_dial("age_spots", look.age_spots);
 }
 
 HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings) {

@@ -23,8 +23,9 @@ struct HeadWords {
 // has no words.
 HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings);
 
-// The colours of `entries` by their keys, each as "#rrggbb"; what is missing stays as it is.
-void load_colours(const YamlMapping& entries, Look& look);
+// The colours of `entries` by their keys, each as "#rrggbb", and the dials, from 0 to 1; what is missing
+// stays as it is.
+void load_look_words(const YamlMapping& entries, Look& look);
 
 // Every word for a place: the middle ones, then each sided one alone, with _l and with _r.
 Names list_places(const HeadWords& words);

@@ -105,7 +105,7 @@ void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
       look = found->second;
     entries.erase(skin);
   }
-  load_colours(entries, look);
+  load_look_words(entries, look);
 }
 
 // `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides.

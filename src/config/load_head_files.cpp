@@ -52,7 +52,11 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
 }
 
 void mix_looks(HeadSpec& head) {
-  Look sum{glm::vec3(0), std::nullopt, glm::vec3(0), glm::vec3(0), glm::vec3(0)};
+  Look sum{.skin = glm::vec3(0),
+           .lips = std::nullopt,
+           .iris = glm::vec3(0),
+           .brow = glm::vec3(0),
+           .hair = glm::vec3(0)};
   glm::vec3 lips{0};
   float lips_weight = 0;
   for (const auto& [other, share] : head.mix) {
@@ -61,6 +65,8 @@ void mix_looks(HeadSpec& head) {
     sum.iris += weight * other.look.iris;
     sum.brow += weight * other.look.brow;
     sum.hair += weight * other.look.hair;
+    sum.freckles += share * other.look.freckles;
+    sum.age_spots += share * other.look.age_spots;
     if (!other.look.lips) continue;  // made from the skin's colour then, which is mixed
     lips += weight * *other.look.lips;
     lips_weight += weight;

@@ -41,7 +41,7 @@ inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features",
                              "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
 inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
 inline const Names kSculptKeys{"at", "move", "radius"};
-inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair"};
+inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "freckles", "age_spots"};
 inline const Names kExpressionKeys{"from", "strength", "exaggerate", "attack"};  // and every area's
 inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "turn", "blink",
                              "blinks",    "length",  "between", "lead",      "cues", "laws",

@@ -8,6 +8,7 @@
 #include "core/parallel.hpp"
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
+#include "head/skin_spots.hpp"
 #include "head/surface.hpp"
 #include "timeline/head_turn.hpp"
 
@@ -75,8 +76,8 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
   figure.head = build_neutral_head(spec, data_folder);
   figure.limits = find_limit_shares(spec.limits);
   // Independent of each other, the slow ones first.
-  std::array<std::vector<HeadPart>, 5> made;
-  const std::array<std::function<void()>, 7> works{
+  std::array<std::vector<HeadPart>, 6> made;
+  const std::array<std::function<void()>, 8> works{
       [&] { figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml"); },
       [&] {
         if (!is_print)
@@ -87,6 +88,9 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
                                     : build_skin_part(figure.head, spec.look),
                            Mount::skin,
                            {}});
+      },
+      [&] {
+        if (!is_print) made[5] = build_skin_spots(figure.head, spec.look);
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
       [&] { made[3] = build_hairs(figure.head, spec.look); },

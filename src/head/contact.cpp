@@ -10,6 +10,7 @@
 
 #include "core/conventions.hpp"
 #include "head/cage.hpp"
+#include "head/lid_rest.hpp"
 
 namespace mien {
 
@@ -111,7 +112,10 @@ double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dv
   return scale * (length - numbers.ball_mm - rise * along / length);
 }
 
-void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
+namespace {
+
+// Puts the inner edge on the ball.
+void touch_ball(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr double kOff_mm = 0.16;  // 0 shows the ball's facets through the lid, 0.4 a gap from the side
   constexpr int kRounds = 8;        // a round leaves about a third of what is amiss
   const std::vector<MarginVertex> margin = find_lid_ring(surface, cage);
@@ -132,6 +136,16 @@ void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye
       if (weight[c] > 0)
         move_both(cage, points[c],
                   glm::normalize(cage.points[points[c]] - eye.centre) * (1.3 * sum[c] / weight[c]));
+  }
+}
+
+}  // namespace
+
+void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
+  constexpr int kTurns = 2;  // seating a lid that was turned far shifts its edge by a tenth of a millimetre
+  for (int turn = 0; turn < kTurns; ++turn) {
+    rest_lids(surface, numbers, eye, cage);
+    touch_ball(surface, numbers, eye, cage);
   }
 }
 

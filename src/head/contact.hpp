@@ -34,8 +34,8 @@ std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage
 // own and the inner one the caruncle.
 bool touches_eye(double at);
 
-// Moves the inner edge of the lids' margins (E0) out of the ball or onto it where they touch it. Both
-// eyes alike.
+// Turns the lids to where they rest over the iris (head/lid_rest.hpp), then moves the inner edge of their
+// margins (E0) out of the ball or onto it where they touch it. Both eyes alike.
 void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage);
 
 // Parts the lips where the smooth skin of one passes through the other's: rows M0 to M2 of both give way by

@@ -54,7 +54,8 @@ void move_into_head(Mesh& mesh, const EyeFrame& frame) {
 
 // 1 under the upper lid, 0 in the open. The ball is painted so once, looking ahead.
 double find_lid_shadow(double up_mm) { return smooth_step(1.2, 5.4, up_mm); }
-constexpr float kLidShadow = 0.34f;  // share of the light that is kept off
+constexpr float kLidShadow = 0.46f;    // share of the light that is kept off
+constexpr double kLowerShadow = 0.35;  // of that, above the lower lid
 
 double sphere_z(double ball, double radius) {
   return std::sqrt(std::max(0.0, ball * ball - radius * radius));
@@ -65,7 +66,7 @@ double sphere_z(double ball, double radius) {
 constexpr int kLimbusSteps = 6, kCornerSteps = 8, kLidSteps = 5;
 
 std::vector<Shade> make_sclera_palette() {
-  const glm::vec3 white(0.93f, 0.905f, 0.88f), pink(0.84f, 0.61f, 0.56f), grey(0.42f, 0.43f, 0.46f);
+  const glm::vec3 white(0.86f, 0.825f, 0.80f), pink(0.77f, 0.52f, 0.47f), grey(0.36f, 0.37f, 0.40f);
   std::vector<Shade> palette;
   for (int limbus = 0; limbus < kLimbusSteps; ++limbus)
     for (int corner = 0; corner < kCornerSteps; ++corner)
@@ -101,7 +102,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
     const double radius = std::hypot(p.x, p.y);
     const double limbus = p.z > 0 ? 1 - smooth_step(eye.limbus_mm - 0.1, eye.limbus_mm + 1.0, radius) : 0;
     const double corner = smooth_step(0.5, 0.95, std::abs(p.x) / eye.ball_mm);
-    const double lid = find_lid_shadow(p.y);
+    const double lid = std::max(find_lid_shadow(p.y), kLowerShadow * find_lid_shadow(-p.y));
     const auto row = std::lround(limbus * (kLimbusSteps - 1)),
                column = std::lround(corner * (kCornerSteps - 1));
     part.part.shade.push_back(static_cast<std::uint16_t>((row * kCornerSteps + column) * kLidSteps +

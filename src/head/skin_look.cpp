@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "head/adult_places.hpp"
 #include "head/occlusion.hpp"
 #include "head/skin_masks.hpp"
 #include "head/surface.hpp"
@@ -16,28 +17,44 @@ namespace mien {
 
 namespace {
 
-// What light keeps of its red, green and blue in a full mask, before it leaves the skin.
-constexpr std::array<glm::vec3, kSkinMaskCount> kTints = {
-    glm::vec3(1),                     // lips: see find_lip_colour
-    glm::vec3(1),                     // mouth: a colour of its own
-    glm::vec3(0.045f, 0.035f, 0.04f),  // throat
-    glm::vec3(0.07f, 0.03f, 0.025f),  // nostril
-    glm::vec3(0.98f, 0.74f, 0.70f),   // rim of the lids
-    glm::vec3(0.97f, 0.90f, 0.88f),   // lids
-    glm::vec3(0.42f, 0.34f, 0.32f),   // lashes' roots
-    glm::vec3(0.88f, 0.82f, 0.86f),   // socket
-    glm::vec3(1.02f, 0.76f, 0.70f),   // blood
-    glm::vec3(1.02f, 0.99f, 0.94f),   // forehead
-    glm::vec3(0.95f, 0.96f, 0.98f),   // beard
-    glm::vec3(0.80f, 0.78f, 0.77f),   // brow
-    glm::vec3(1),                     // shine
+// What light keeps of its red, green and blue in a full mask, before it leaves the skin: of a light one,
+// where blood shows, and of a dark one, where melanin hides it.
+struct Tint {
+  glm::vec3 on_light, on_dark;
 };
+constexpr Tint make_tint(const glm::vec3& any) { return {any, any}; }
+constexpr std::array<Tint, kSkinMaskCount> kTints = {{
+    make_tint(glm::vec3(1)),                                           // lips: see find_lip_colour
+    make_tint(glm::vec3(1)),                                           // inside of the lips: there too
+    make_tint(glm::vec3(1)),                                           // corners of the lips: there too
+    make_tint(glm::vec3(1)),                                           // mouth: a colour of its own
+    make_tint(glm::vec3(0.045f, 0.035f, 0.04f)),                       // throat
+    make_tint(glm::vec3(0.07f, 0.03f, 0.025f)),                        // nostril
+    {glm::vec3(0.96f, 0.70f, 0.66f), glm::vec3(1.05f, 0.84f, 0.80f)},  // rim of the lids
+    {glm::vec3(0.95f, 0.85f, 0.85f), glm::vec3(0.86f, 0.82f, 0.84f)},  // lids
+    make_tint(glm::vec3(0.42f, 0.34f, 0.32f)),                         // lashes' roots
+    {glm::vec3(0.89f, 0.82f, 0.87f), glm::vec3(0.84f, 0.81f, 0.82f)},  // socket
+    {glm::vec3(1.03f, 0.71f, 0.65f), glm::vec3(0.98f, 0.85f, 0.82f)},  // blood
+    {glm::vec3(1.02f, 0.99f, 0.92f), glm::vec3(0.97f, 0.96f, 0.95f)},  // forehead
+    make_tint(glm::vec3(0.95f, 0.96f, 0.98f)),                         // beard
+    make_tint(glm::vec3(0.80f, 0.78f, 0.77f)),                         // brow
+    make_tint(glm::vec3(1)),                                           // shine
+}};
+
+// Lips: what of the light their wet inside keeps (of dark lips it is the pink part), and how far they go back
+// to the skin's colour in the corners.
+constexpr Tint kInnerLip{glm::vec3(0.66f, 0.52f, 0.52f), glm::vec3(1.02f, 0.78f, 0.78f)};
+constexpr float kCornerFade = 0.55f;
 
 constexpr glm::vec3 kMouthColour{0.30f, 0.085f, 0.075f};  // linear: deep red, whatever the skin
 // A photographer opens up for dark skin and stops down for light skin, whose forehead would else burn out.
 constexpr float kExposure = 1.30f, kShoulder = 0.46f;
 constexpr float kShadesPerChannel = 160;  // steps of the palette; fewer show as patches on dark skin
+constexpr float kLightSkin = 0.45f;       // luminance from which blood shows through in full
 constexpr float kGlossSteps = 16;
+// Light that does get into a hollow of flesh has met flesh before: it comes out redder. The share of the open
+// sky to the power of these; dark skin takes the red as well.
+constexpr glm::vec3 kHollowLight{0.32f, 0.46f, 0.52f}, kHollowDark{0.42f, 0.46f, 0.48f};
 constexpr float kOpenEnough = 0.5f;  // share of the sky above which a place is as glossy as it is wet
 
 glm::vec3 to_linear(const glm::vec3& srgb) { return glm::pow(srgb, glm::vec3(2.2f)); }
@@ -69,9 +86,9 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
 glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   const auto share = static_cast<float>(look.lips ? look.lips_share : 0);
   if (share == 1) return to_linear(*look.lips);
-  const float light = std::clamp(find_luminance(skin) / 0.45f, 0.0f, 1.0f);
+  const float light = std::clamp(find_luminance(skin) / kLightSkin, 0.0f, 1.0f);
   const glm::vec3 own =
-      skin * glm::mix(glm::vec3(0.92f, 0.62f, 0.66f), glm::vec3(0.76f, 0.44f, 0.47f), light);
+      skin * glm::mix(glm::vec3(0.92f, 0.66f, 0.70f), glm::vec3(0.79f, 0.47f, 0.50f), light);
   return share == 0 ? own : glm::mix(own, to_linear(*look.lips), share);
 }
 
@@ -88,17 +105,21 @@ glm::vec2 unroll(const glm::vec3& p) {
   return {round * angle - kPush * (radius - round), p.y + pole * (kRound_mm - round) + kSlant * p.x};
 }
 
-// Where each vertex lies on the adult. Pores and patches belong to a place of the skin and not of the room:
-// on a head that grows they must not crawl.
-std::vector<glm::vec3> find_places_on_adult(const NeutralHead& head) {
-  std::vector<Float4> packed;
-  pack_points(head.adult_points, packed);
-  std::vector<glm::vec3> places;
-  deform_surface(*head.surface, packed, places);
-  return places;
+// Before the part's own: gloss of dry skin, and what sheen (mask) and socket add. Dark skin gives back little
+// else, so that its sheen is what shows its form.
+float find_gloss(const SkinMasks& masks, std::size_t i, float light) {
+  float gloss = 0.24f + 0.24f * masks[kShine][i] - 0.15f * masks[kSocket][i];
+  gloss *= glm::mix(1.45f, 1.0f, light);
+  const float lip = glm::mix(0.42f, 0.62f, masks[kLipInner][i]);  // moist, and wet inside
+  gloss = std::max({gloss, lip * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});
+  return std::min(gloss, 1.0f) * (1 - masks[kNostril][i]);
 }
 
 }  // namespace
+
+float find_lightness(const glm::vec3& skin_srgb) {
+  return std::clamp(find_luminance(to_linear(skin_srgb)) / kLightSkin, 0.0f, 1.0f);
+}
 
 Part build_skin_part(const NeutralHead& head, const Look& look) {
   SkinMasks masks = paint_skin_masks(head);
@@ -107,6 +128,12 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const glm::vec3 given = to_linear(look.skin),
                   skin = given * (kExposure - kShoulder * find_luminance(given));
   const glm::vec3 lips = find_lip_colour(skin, look);
+  const float light = find_lightness(look.skin);
+  std::array<glm::vec3, kSkinMaskCount> tints{};
+  for (std::size_t mask = 0; mask < kSkinMaskCount; ++mask)
+    tints[mask] = glm::mix(kTints[mask].on_dark, kTints[mask].on_light, light);
+  const glm::vec3 inner_lip = glm::mix(kInnerLip.on_dark, kInnerLip.on_light, light);
+  const glm::vec3 hollow = glm::mix(kHollowDark, kHollowLight, light);
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
   const std::vector<glm::vec3> places = find_places_on_adult(head);
@@ -115,23 +142,22 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     part.grain.push_back(unroll(place));
     place.x = std::abs(place.x);
     const float patches = 0.6f * sample_noise(place, 9) + 0.4f * sample_noise(place, 4);
-    const float grain = sample_noise(place + 50.0f, 2.5f);
-    masks[kBlood][i] = std::max(0.0f, masks[kBlood][i] + 0.10f * patches);
+    const float grain = sample_noise(place + 50.0f, 2.5f), sallow = sample_noise(place + 90.0f, 22);
+    masks[kBlood][i] = std::clamp(masks[kBlood][i] + 0.10f * patches + 0.05f * sallow, 0.0f, 1.0f);
 
     glm::vec3 colour = skin;
     for (std::size_t mask = kNostril; mask < kSkinMaskCount; ++mask)
-      colour *= glm::mix(glm::vec3(1), kTints[mask], masks[mask][i]);
-    colour = glm::mix(colour, lips, masks[kLips][i]);
+      colour *= glm::mix(glm::vec3(1), tints[mask], masks[mask][i]);
+    const glm::vec3 lip = glm::mix(lips, colour, kCornerFade * masks[kLipCorner][i]) *
+                          glm::mix(glm::vec3(1), inner_lip, masks[kLipInner][i]) * (1 + 0.07f * patches);
+    colour = glm::mix(colour, lip, masks[kLips][i]);
     colour *= 1 + 0.025f * grain;
-    // Light that does get into a hollow of flesh has met flesh before: it comes out redder.
-    colour *= glm::pow(glm::vec3(openness[i]), glm::vec3(0.36f, 0.45f, 0.48f));
-    colour = glm::mix(colour, kMouthColour * glm::mix(glm::vec3(1), kTints[kThroat], masks[kThroat][i]),
+    colour *= glm::pow(glm::vec3(openness[i]), hollow);
+    colour = glm::mix(colour, kMouthColour * glm::mix(glm::vec3(1), tints[kThroat], masks[kThroat][i]),
                       masks[kMouth][i]);
 
-    float gloss = 0.25f + 0.20f * masks[kShine][i] - 0.15f * masks[kSocket][i];
-    gloss = std::max({gloss, 0.62f * masks[kLips][i], masks[kMouth][i], 0.8f * masks[kRim][i]});
-    gloss *= 1 - masks[kNostril][i];
-    gloss *= glm::smoothstep(0.0f, kOpenEnough, openness[i]);  // no lamp is mirrored in a slit
+    // No lamp is mirrored in a slit.
+    float gloss = find_gloss(masks, i, light) * glm::smoothstep(0.0f, kOpenEnough, openness[i]);
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
     gloss = std::round(gloss * kGlossSteps) / kGlossSteps;

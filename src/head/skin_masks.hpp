@@ -8,10 +8,13 @@
 
 namespace mien {
 
-// kRim is the wet edge of the lids, kLash the roots of the upper lashes, kBlood where it shows through,
-// kBeard where one would grow, kShine where skin is oily.
+// kLipInner is where the lips go over into the mouth, kLipCorner their corners, kRim is the wet edge of the
+// lids, kLash the roots of the upper lashes, kBlood where it shows through, kBeard where one would grow,
+// kShine where skin is oily.
 enum SkinMask {
   kLips,
+  kLipInner,
+  kLipCorner,
   kMouth,
   kThroat,
   kNostril,

@@ -37,12 +37,13 @@ TEST(head_files, landmarks_stand_beside_the_mesh) {
 
 TEST(head_files, looks_are_mixed_and_can_be_changed) {
   const auto folder = make_test_folder();
-  write_head(folder / "a.yaml", "{look: {skin: \"#000000\", iris: \"#ff0000\"}}");
+  write_head(folder / "a.yaml", "{look: {skin: \"#000000\", iris: \"#ff0000\", freckles: 1}}");
   write_head(folder / "b.yaml", "{look: {skin: \"#ffffff\", lips: \"#00ff00\"}}");
   write_head(folder / "c.yaml", "{mix: {a.yaml: 1, b.yaml: 1}, look: {iris: \"#0000ff\"}}");
   const Look look = load_spec(folder / "c.yaml", kData).head.look;
   EXPECT_EQ(look.skin, glm::vec3(0.5f));
   EXPECT_EQ(look.iris, glm::vec3(0, 0, 1));
+  EXPECT_EQ(look.freckles, 0.5);
   EXPECT_EQ(look.lips, glm::vec3(0, 1, 0)) << "only one head has lips of its own";
 }
 

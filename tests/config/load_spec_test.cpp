@@ -210,6 +210,18 @@ TEST(load_spec, a_named_skin_brings_its_colours_and_what_is_said_stands_above_th
   EXPECT_EQ(deep.iris, glm::vec3(1));
 }
 
+TEST(load_spec, spots_of_the_skin_are_dials) {
+  EXPECT_EQ(load_text("mien: 1\n").head.look.freckles, 0);
+  const Look look = load_text("mien: 1\nhead: {look: {freckles: 0.6, age_spots: 0.3}}\n").head.look;
+  EXPECT_EQ(look.freckles, 0.6);
+  EXPECT_EQ(look.age_spots, 0.3);
+  const auto folder = make_test_folder();
+  write_file(folder / "bad.yaml", "mien: 1\nhead: {look: {freckles: 1.5}}\n");
+  EXPECT_THAT(find_mistakes(folder / "bad.yaml", kData),
+              testing::HasSubstr(
+                  "bad.yaml:2:25: error: 'head.look.freckles' is '1.5'; expected a number from 0 to 1"));
+}
+
 TEST(load_spec, knows_the_features_of_the_data) {
   const auto folder = make_test_folder();
   std::filesystem::create_directories(folder / "configs");

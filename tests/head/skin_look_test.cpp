@@ -126,6 +126,47 @@ TEST(skin_look, reddens_lips_and_darkens_the_mouth) {
   EXPECT_GT(find_shade(skin, "M2_12").gloss, find_shade(skin, "q12_C4").gloss);
 }
 
+TEST(skin_look, lets_lips_fade_into_the_skin_and_darken_inward) {
+  const Part skin = build_skin_part(average_head(), Look{});
+  const auto redness = [&](const std::string& point) {
+    const Shade shade = find_shade(skin, point.c_str());
+    return shade.srgb.x / shade.srgb.y;
+  };
+  const auto brightness = [&](const std::string& point) {
+    const Shade shade = find_shade(skin, point.c_str());
+    return shade.srgb.x + shade.srgb.y + shade.srgb.z;
+  };
+  for (const char* column : {"_0", "_12"}) {  // from the mouth's line out to the skin
+    EXPECT_LT(brightness("M0" + std::string(column)), 0.9f * brightness("M2" + std::string(column)));
+    EXPECT_LT(redness("M3" + std::string(column)), redness("M2" + std::string(column)));
+  }
+  EXPECT_LT(redness("M2_6"), redness("M2_12")) << "corners are paler";
+}
+
+TEST(skin_look, shows_blood_on_light_skin_more_than_on_dark) {
+  Look dark;
+  dark.skin = {0.34f, 0.23f, 0.18f};
+  const auto blush = [&](const Look& look) {
+    const Part skin = build_skin_part(average_head(), look);
+    const auto redness = [&](const char* point) {
+      const Shade shade = find_shade(skin, point);
+      return shade.srgb.x / shade.srgb.y;
+    };
+    return redness("q12_C2") / redness("p_F2");
+  };
+  EXPECT_GT(blush(Look{}), 1.04f);
+  EXPECT_LT(blush(dark), 0.7f * (blush(Look{}) - 1) + 1);
+}
+
+TEST(skin_look, gives_dark_skin_the_stronger_sheen) {
+  Look dark;
+  dark.skin = {0.34f, 0.23f, 0.18f};
+  EXPECT_GT(find_lightness(Look{}.skin), 0.9f);
+  EXPECT_LT(find_lightness(dark.skin), 0.2f);
+  EXPECT_GT(find_shade(build_skin_part(average_head(), dark), "p_F1").gloss,
+            find_shade(build_skin_part(average_head(), Look{}), "p_F1").gloss);
+}
+
 TEST(skin_look, paints_lips_in_the_colour_that_was_asked_for) {
   Look look;
   look.lips = glm::vec3(0.2f, 0.2f, 0.8f);

@@ -40,6 +40,7 @@ TEST(head_track, mixes_what_lies_between) {
   to.guides["eye_line"] = 0.5;
   to.look.skin = from.look.skin * 0.5f;
   to.look.lips = glm::vec3(0.5f);
+  to.look.age_spots = 0.6;
   const HeadSpec half = sample_head({key_at(0, from), key_at(2, to)}, 1);
   EXPECT_EQ(half.age, (Mix{{"infant", 0.5}, {"adult", 0.5}}));
   EXPECT_EQ(half.skull, from.skull);
@@ -50,11 +51,12 @@ TEST(head_track, mixes_what_lies_between) {
   EXPECT_NEAR(half.look.skin.x, from.look.skin.x * 0.75, 1e-6);
   EXPECT_EQ(half.look.lips, to.look.lips);
   EXPECT_DOUBLE_EQ(half.look.lips_share, 0.5);
+  EXPECT_DOUBLE_EQ(half.look.age_spots, 0.3);
 }
 
 TEST(head_track, tells_heads_apart_by_each_thing_that_may_change) {
   const HeadSpec plain;
-  std::vector<HeadSpec> heads(8);
+  std::vector<HeadSpec> heads(10);
   heads[1].age = {{"child", 1.0}};
   heads[2].skull = {{"round", 1.0}};
   heads[3].character = 0.1;
@@ -62,6 +64,8 @@ TEST(head_track, tells_heads_apart_by_each_thing_that_may_change) {
   heads[5].features["nose_length"] = 0.5;
   heads[6].look.iris = glm::vec3(0);
   heads[7].look.lips = glm::vec3(0);
+  heads[8].look.freckles = 0.5;
+  heads[9].look.age_spots = 0.5;
   for (std::size_t i = 0; i < heads.size(); ++i)
     for (std::size_t j = 0; j < heads.size(); ++j)
       EXPECT_EQ(find_head_key(heads[i]) == find_head_key(heads[j]), i == j) << i << " " << j;

@@ -1,0 +1,256 @@
+// Where spots lie: freckles where the sun falls on the face of the young, across nose and cheeks, fewer on
+// the forehead (ephelides); age spots at the temples, on the forehead and the cheekbones (solar lentigines).
+#include "head/skin_spots.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "head/adult_places.hpp"
+#include "head/binding.hpp"
+#include "head/cage.hpp"
+#include "head/skin_look.hpp"
+#include "head/skin_masks.hpp"
+#include "head/surface.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+constexpr int kSpokes = 9;                                    // fewer show as polygons in a close-up
+constexpr std::array<double, 3> kRingRadii{0.45, 0.75, 1.0};  // of a spot's; the last lets all light through
+constexpr int kStrengths = 8;                                 // from faint to full
+constexpr int kRingShades = 2;                                // the middle, and the ring before the last
+
+enum Channel : std::uint32_t { kTriangle, kAlong, kAcross, kSize, kStrength, kStretch, kTurn, kOutline };
+
+// Spots are thrown where this is dense: exp(-(distance / radius)^2) about points of the adult, both sides.
+struct Area {
+  const char* point;
+  double radius_mm, density;
+};
+
+struct SpotKind {
+  std::uint32_t series;  // of scatter()
+  std::size_t count;     // at 1, before those that fall on others are left out
+  std::array<double, 2> radius_mm;
+  double small;                 // exponent: 1 all sizes alike, more: mostly small ones
+  double ragged;                // of the outline, as a share of the radius
+  glm::vec3 on_light, on_dark;  // what a full spot lets through of the light, linear
+  std::vector<Area> areas;
+};
+
+const std::array<SpotKind, 2>& list_kinds() {
+  static const std::array<SpotKind, 2> kinds{SpotKind{101,
+                                                      620,
+                                                      {0.45, 1.45},
+                                                      2.6,
+                                                      0.16,
+                                                      {0.66f, 0.44f, 0.32f},
+                                                      {0.50f, 0.44f, 0.40f},
+                                                      {{"q12_C2", 15, 1},
+                                                       {"q11_C3", 14, 0.6},
+                                                       {"p_b1", 10, 0.9},
+                                                       {"p_tip", 10, 0.8},
+                                                       {"p_F2", 30, 0.22},
+                                                       {"f4_F2", 26, 0.16},
+                                                       {"q12_C4", 18, 0.25},
+                                                       {"M6_12", 16, 0.10}}},
+                                             SpotKind{202,
+                                                      44,
+                                                      {1.2, 3.6},
+                                                      1.8,
+                                                      0.26,
+                                                      {0.72f, 0.55f, 0.42f},
+                                                      {0.55f, 0.50f, 0.46f},
+                                                      {{"f4_F2", 24, 1},
+                                                       {"p_F3", 30, 0.5},
+                                                       {"q11_C3", 18, 0.6},
+                                                       {"q11_C5", 22, 0.7},
+                                                       {"q12_C2", 14, 0.3}}}};
+  return kinds;
+}
+
+// The adult's skin, and for each triangle how many spots fall on it and before it.
+struct Ground {
+  Mesh skin;
+  std::vector<double> sum;
+};
+
+// No spots on lips, lids and what is wet.
+std::vector<double> find_bare_skin(const NeutralHead& head) {
+  const SkinMasks masks = paint_skin_masks(head);
+  std::vector<double> bare(head.surface->vertex_count(), 1);
+  for (const SkinMask mask : {kLips, kMouth, kNostril, kRim, kLash, kLid})
+    for (std::size_t i = 0; i < bare.size(); ++i) bare[i] *= 1 - static_cast<double>(masks[mask][i]);
+  return bare;
+}
+
+double find_density(const NeutralHead& head, const Mesh& adult, const SpotKind& kind, glm::vec3 place) {
+  place.x = std::abs(place.x);
+  double none = 1;  // areas overlap like veils
+  for (const Area& area : kind.areas) {
+    const glm::dvec3 away = glm::dvec3(place - adult.positions[find_point(head.cage, area.point)]);
+    none *= 1 - area.density * std::exp(-glm::dot(away, away) / (area.radius_mm * area.radius_mm));
+  }
+  return 1 - none;
+}
+
+std::vector<double> sum_densities(const NeutralHead& head, const Mesh& adult, const std::vector<double>& bare,
+                                  const SpotKind& kind) {
+  std::vector<double> at(adult.positions.size());
+  for (std::size_t i = 0; i < at.size(); ++i)
+    at[i] = bare[i] > 0.5 ? bare[i] * find_density(head, adult, kind, adult.positions[i]) : 0;
+  std::vector<double> sums;
+  double sum = 0;
+  for (const auto& [a, b, c] : adult.triangles) {
+    const glm::dvec3 p(adult.positions[a]);
+    const double area =
+        glm::length(glm::cross(glm::dvec3(adult.positions[b]) - p, glm::dvec3(adult.positions[c]) - p));
+    sums.push_back(sum += area * std::min({at[a], at[b], at[c]}));
+  }
+  return sums;
+}
+
+struct Spot {
+  std::uint32_t index = 0;
+  glm::vec3 middle{0}, normal{0, 0, 1};
+  double radius_mm = 1, strength = 1;
+};
+
+// The spots of a kind in a fixed order, those that would touch an earlier one left out.
+std::vector<Spot> throw_spots(const Mesh& adult, const std::vector<double>& sums, const SpotKind& kind) {
+  std::vector<Spot> spots;
+  if (sums.empty() || sums.back() <= 0) return spots;
+  for (std::uint32_t i = 0; i < kind.count; ++i) {
+    const double at = scatter(kind.series, i, kTriangle) * sums.back();
+    const auto triangle =
+        static_cast<std::size_t>(std::upper_bound(sums.begin(), sums.end(), at) - sums.begin());
+    if (triangle >= sums.size()) continue;
+    const auto& [a, b, c] = adult.triangles[triangle];
+    const double root = std::sqrt(scatter(kind.series, i, kAlong)), across = scatter(kind.series, i, kAcross);
+    const auto u = static_cast<float>(1 - root), v = static_cast<float>(root * (1 - across)), w = 1 - u - v;
+    Spot spot;
+    spot.index = i;
+    spot.middle = u * adult.positions[a] + v * adult.positions[b] + w * adult.positions[c];
+    spot.normal = glm::normalize(u * adult.normals[a] + v * adult.normals[b] + w * adult.normals[c]);
+    spot.radius_mm =
+        glm::mix(kind.radius_mm[0], kind.radius_mm[1], std::pow(scatter(kind.series, i, kSize), kind.small));
+    spot.strength = 0.35 + 0.65 * scatter(kind.series, i, kStrength);
+    const bool is_free = std::none_of(spots.begin(), spots.end(), [&](const Spot& other) {
+      return glm::distance(other.middle, spot.middle) <
+             static_cast<float>(1.1 * (other.radius_mm + spot.radius_mm));
+    });
+    if (is_free) spots.push_back(spot);
+  }
+  return spots;
+}
+
+// The places of the skin under a spot's vertices: its middle, then ring by ring.
+std::vector<SkinPlace> find_spot_places(const Mesh& adult, const SpotKind& kind, const Spot& spot) {
+  const auto reach = static_cast<float>(1.6 * spot.radius_mm + 1.5);
+  const SkinPatch patch = build_skin_patch(adult, {spot.middle - reach, spot.middle + reach});
+  const glm::vec3 aside = std::abs(spot.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
+  const glm::vec3 right = glm::normalize(glm::cross(aside, spot.normal)), up = glm::cross(spot.normal, right);
+  const double turn = 2 * kPi * scatter(kind.series, spot.index, kTurn),
+               stretch = 1 + 0.35 * scatter(kind.series, spot.index, kStretch);
+  std::vector<SkinPlace> places{find_nearest_place(patch, spot.middle)};
+  for (const double ring : kRingRadii)
+    for (int k = 0; k < kSpokes; ++k) {
+      const double angle = 2 * kPi * k / kSpokes;
+      const double out = scatter(kind.series, spot.index, kOutline + static_cast<std::uint32_t>(k)) - 0.5;
+      const double radius = spot.radius_mm * ring * (1 + 2 * kind.ragged * out);
+      const double x = radius * stretch * std::cos(angle), y = radius / stretch * std::sin(angle);
+      const auto along = static_cast<float>(x * std::cos(turn) - y * std::sin(turn)),
+                 across = static_cast<float>(x * std::sin(turn) + y * std::cos(turn));
+      places.push_back(find_nearest_place(patch, spot.middle + along * right + across * up));
+    }
+  return places;
+}
+
+void append_spot_faces(Mesh& mesh, std::uint32_t first) {
+  const auto at = [&](int ring, int k) {
+    return first + 1 + static_cast<std::uint32_t>(ring * kSpokes + k % kSpokes);
+  };
+  for (int k = 0; k < kSpokes; ++k) {
+    mesh.triangles.push_back({first, at(0, k), at(0, k + 1)});
+    for (int r = 1; r < static_cast<int>(kRingRadii.size()); ++r) {
+      mesh.triangles.push_back({at(r - 1, k), at(r, k), at(r, k + 1)});
+      mesh.triangles.push_back({at(r - 1, k), at(r, k + 1), at(r - 1, k + 1)});
+    }
+  }
+}
+
+// Shade 0 lets all light through; then for each kind and strength the middle's and the ring's.
+std::vector<Shade> make_spot_palette(float light) {
+  std::vector<Shade> palette{{glm::vec3(1), 0}};
+  constexpr std::array<float, kRingShades> kShares{1.0f, 0.62f};
+  for (const SpotKind& kind : list_kinds())
+    for (int strength = 1; strength <= kStrengths; ++strength)
+      for (const float share : kShares) {
+        const glm::vec3 full = glm::mix(kind.on_dark, kind.on_light, light);
+        const glm::vec3 through =
+            glm::mix(glm::vec3(1), full, share * static_cast<float>(strength) / kStrengths);
+        palette.push_back({glm::pow(through, glm::vec3(1 / 2.2f)), 0});
+      }
+  return palette;
+}
+
+void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<double>& bare,
+                  std::size_t kind_index, double dial, HeadPart& part) {
+  const SpotKind& kind = list_kinds()[kind_index];
+  constexpr double kFaint = 0.55;  // of their full strength, where the dial is near 0
+  const std::vector<Spot> spots = throw_spots(adult, sum_densities(head, adult, bare, kind), kind);
+  const auto shown = static_cast<std::size_t>(std::lround(dial * static_cast<double>(spots.size())));
+  Mesh& mesh = part.part.rest;
+  for (std::size_t s = 0; s < shown; ++s) {
+    const double strength = spots[s].strength * glm::mix(kFaint, 1.0, dial);
+    const auto level = std::clamp<long>(std::lround(strength * kStrengths), 1, kStrengths);
+    const auto middle = static_cast<std::uint16_t>(
+        1 + (static_cast<long>(kind_index) * kStrengths + level - 1) * kRingShades);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const std::vector<SkinPlace> places = find_spot_places(adult, kind, spots[s]);
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      const auto& [a, b, c] = adult.triangles[places[v].triangle];
+      const glm::vec3& w = places[v].barycentric;
+      const auto blend = [&](const std::vector<glm::vec3>& of) {
+        return w.x * of[a] + w.y * of[b] + w.z * of[c];
+      };
+      const glm::vec3 normal = glm::normalize(blend(head.skin.normals));
+      mesh.positions.push_back(blend(head.skin.positions) + kSpotLift_mm * normal);
+      mesh.normals.push_back(normal);
+      part.bindings.push_back({places[v].triangle, w, static_cast<std::uint32_t>(first + v), 1});
+      const bool is_last = v > 2 * kSpokes, is_middle = v <= kSpokes;
+      part.part.shade.push_back(is_last ? 0 : is_middle ? middle : static_cast<std::uint16_t>(middle + 1));
+    }
+    append_spot_faces(mesh, first);
+  }
+}
+
+}  // namespace
+
+std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look) {
+  if (look.freckles == 0 && look.age_spots == 0) return {};
+  Mesh adult;
+  adult.positions = find_places_on_adult(head);
+  adult.triangles = head.skin.triangles;
+  update_normals(adult);
+  const std::vector<double> bare = find_bare_skin(head);
+  HeadPart part;
+  part.part.name = "spots";
+  part.part.material = "spot";
+  part.part.is_printed = false;
+  part.part.palette = make_spot_palette(find_lightness(look.skin));
+  part.mount = Mount::strands;
+  append_spots(head, adult, bare, 0, look.freckles, part);
+  append_spots(head, adult, bare, 1, look.age_spots, part);
+  if (part.part.rest.triangles.empty()) return {};
+  std::vector<HeadPart> parts;
+  parts.push_back(std::move(part));
+  return parts;
+}
+
+}  // namespace mien

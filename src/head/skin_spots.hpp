@@ -1,0 +1,22 @@
+// Freckles and age spots: soft brown patches that lie on the skin like decals and take of the light beneath
+// them.
+#pragma once
+
+#include <vector>
+
+#include "config/head_spec.hpp"
+#include "head/head.hpp"
+
+namespace mien {
+
+// One part "spots" (Mount::strands, material "spot", not printed), or none if both dials of `look` are 0. Its
+// palette is what of the light a spot lets through, in srgb; white lets all through. Each vertex is bound to
+// its own place of the skin and lies kSpotLift_mm above it. Places are drawn on the adult, from a fixed seed
+// and without mirror symmetry: a spot stays at its place of the skin on every head, and a higher dial adds
+// spots to those of a lower one and darkens them. About 0.1 s.
+std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look);
+
+// Lower and the smooth skin's facets come through on the nose, higher and a spot shows beside the silhouette.
+inline constexpr float kSpotLift_mm = 0.10f;
+
+}  // namespace mien
