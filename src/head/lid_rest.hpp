@@ -23,7 +23,7 @@ IrisCover measure_iris_cover(const Surface& surface, const Cage& cage, const Eye
 struct RestRange {
   double least_mm, most_mm;
 };
-inline constexpr RestRange kUpperLidRest{1.4, 2.2}, kLowerLidRest{0.0, 0.9};
+inline constexpr RestRange kUpperLidRest{1.3, 2.2}, kLowerLidRest{0.0, 0.9};
 
 // Turns lids that hide less or more than that about the eye until they do not, with the skin around them, the
 // corners left where they are. Lids that rest well stay. Both eyes alike. Afterwards the margin may stand off

@@ -80,7 +80,7 @@ struct Spot {
 constexpr Spot kSpots[] = {
     {kBlood, "q12_C2", 18, 0.46}, {kBlood, "q11_C3", 17, 0.30}, {kBlood, "p_tip", 11, 0.75},
     {kBlood, "c3_tip", 8, 0.6},   {kBlood, "k_it", 6, 0.5},     {kBlood, "M6_12", 12, 0.38},
-    {kBlood, "E3_12", 9, 0.12},   {kBlood, "E3_0", 6, 0.3},     {kBlood, "p_b2", 9, 0.3},
+    {kBlood, "E3_12", 9, 0.12},   {kBlood, "E3_0", 6, 0.2},     {kBlood, "p_b2", 9, 0.3},
     {kBlood, "p_s", 8, 0.15},     {kForehead, "p_F2", 34, 1},   {kForehead, "f4_F2", 30, 0.8},
     {kSocket, "E3_12", 8, 0.55},  {kSocket, "E3_14", 7, 0.6},   {kSocket, "E3_0", 6, 0.6},
     {kSocket, "E4_1", 7, 0.3},    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},
@@ -134,7 +134,7 @@ SkinMasks paint_skin_masks(const NeutralHead& head) {
   SkinMasks masks;
   add_rings(head, masks);
   add_spots(head, masks);
-  sharpen(masks[kLips], 0.10f, 0.85f);
+  sharpen(masks[kLips], 0.10f, 0.80f);
   sharpen(masks[kMouth], 0.15f, 0.85f);
   sharpen(masks[kLash], 0.30f, 0.70f);
   sharpen(masks[kNostril], 0.10f, 0.80f);

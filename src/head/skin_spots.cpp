@@ -21,7 +21,8 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr int kSpokes = 9;                                    // fewer show as polygons in a close-up
-constexpr std::array<double, 3> kRingRadii{0.45, 0.75, 1.0};  // of a spot's; the last lets all light through
+constexpr std::array<double, 3> kRingRadii{0.32, 0.66, 1.0};  // of a spot's; the last lets all light through
+constexpr double kStretchMost = 0.14;                         // longer ones look like grains of rice
 constexpr int kStrengths = 8;                                 // from faint to full
 constexpr int kRingShades = 2;                                // the middle, and the ring before the last
 
@@ -44,33 +45,35 @@ struct SpotKind {
 };
 
 const std::array<SpotKind, 2>& list_kinds() {
-  static const std::array<SpotKind, 2> kinds{SpotKind{101,
-                                                      620,
-                                                      {0.45, 1.45},
-                                                      2.6,
-                                                      0.16,
-                                                      {0.66f, 0.44f, 0.32f},
-                                                      {0.50f, 0.44f, 0.40f},
-                                                      {{"q12_C2", 15, 1},
-                                                       {"q11_C3", 14, 0.6},
-                                                       {"p_b1", 10, 0.9},
-                                                       {"p_tip", 10, 0.8},
-                                                       {"p_F2", 30, 0.22},
-                                                       {"f4_F2", 26, 0.16},
-                                                       {"q12_C4", 18, 0.25},
-                                                       {"M6_12", 16, 0.10}}},
-                                             SpotKind{202,
-                                                      44,
-                                                      {1.2, 3.6},
-                                                      1.8,
-                                                      0.26,
-                                                      {0.72f, 0.55f, 0.42f},
-                                                      {0.55f, 0.50f, 0.46f},
-                                                      {{"f4_F2", 24, 1},
-                                                       {"p_F3", 30, 0.5},
-                                                       {"q11_C3", 18, 0.6},
-                                                       {"q11_C5", 22, 0.7},
-                                                       {"q12_C2", 14, 0.3}}}};
+  static const std::array<SpotKind, 2> kinds{SpotKind{.series = 101,
+                                                      .count = 900,
+                                                      .radius_mm = {0.50, 1.45},
+                                                      .small = 2.4,
+                                                      .ragged = 0.16,
+                                                      .on_light = {0.62f, 0.38f, 0.27f},
+                                                      .on_dark = {0.50f, 0.44f, 0.40f},
+                                                      .areas = {{"q12_C2", 15, 0.9},
+                                                                {"q11_C3", 15, 0.5},
+                                                                {"p_b1", 8, 0.7},
+                                                                {"p_b2", 9, 1},
+                                                                {"c2_b2", 8, 0.9},
+                                                                {"p_tip", 8, 0.7},
+                                                                {"p_F2", 30, 0.13},
+                                                                {"f4_F2", 26, 0.10},
+                                                                {"q12_C4", 18, 0.22},
+                                                                {"M6_12", 16, 0.10}}},
+                                             SpotKind{.series = 202,
+                                                      .count = 44,
+                                                      .radius_mm = {1.4, 4.0},
+                                                      .small = 1.8,
+                                                      .ragged = 0.26,
+                                                      .on_light = {0.72f, 0.55f, 0.42f},
+                                                      .on_dark = {0.55f, 0.50f, 0.46f},
+                                                      .areas = {{"f4_F2", 24, 1},
+                                                                {"p_F3", 30, 0.5},
+                                                                {"q11_C3", 18, 0.6},
+                                                                {"q11_C5", 22, 0.7},
+                                                                {"q12_C2", 14, 0.3}}}};
   return kinds;
 }
 
@@ -139,7 +142,7 @@ std::vector<Spot> throw_spots(const Mesh& adult, const std::vector<double>& sums
     spot.normal = glm::normalize(u * adult.normals[a] + v * adult.normals[b] + w * adult.normals[c]);
     spot.radius_mm =
         glm::mix(kind.radius_mm[0], kind.radius_mm[1], std::pow(scatter(kind.series, i, kSize), kind.small));
-    spot.strength = 0.35 + 0.65 * scatter(kind.series, i, kStrength);
+    spot.strength = 0.28 + 0.72 * std::pow(scatter(kind.series, i, kStrength), 1.6);
     const bool is_free = std::none_of(spots.begin(), spots.end(), [&](const Spot& other) {
       return glm::distance(other.middle, spot.middle) <
              static_cast<float>(1.1 * (other.radius_mm + spot.radius_mm));
@@ -156,7 +159,7 @@ std::vector<SkinPlace> find_spot_places(const Mesh& adult, const SpotKind& kind,
   const glm::vec3 aside = std::abs(spot.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 right = glm::normalize(glm::cross(aside, spot.normal)), up = glm::cross(spot.normal, right);
   const double turn = 2 * kPi * scatter(kind.series, spot.index, kTurn),
-               stretch = 1 + 0.35 * scatter(kind.series, spot.index, kStretch);
+               stretch = 1 + kStretchMost * scatter(kind.series, spot.index, kStretch);
   std::vector<SkinPlace> places{find_nearest_place(patch, spot.middle)};
   for (const double ring : kRingRadii)
     for (int k = 0; k < kSpokes; ++k) {
