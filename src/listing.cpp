@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "config/findings.hpp"
+#include "config/head_words.hpp"
 #include "config/load_spec.hpp"
 #include "config/words.hpp"
 #include "core/data.hpp"
@@ -133,6 +135,30 @@ Rows list_features(const std::filesystem::path& data) {
   return rows;
 }
 
+// What `random` draws: each dial with its standard deviation and what it goes together with.
+Rows list_people(const std::filesystem::path& data) {
+  Findings findings;
+  const People people = load_head_words(data, findings).people;
+  throw_mistakes(std::move(findings));
+  std::map<std::string, std::string> meanings{
+      {"character", fmt::format("{:.2f} +-{:.2f} from 0 on either side", people.character_middle,
+                                people.character_spread)},
+      {"tone", "of the skin, + darker"}};
+  for (const SkullWay& way : people.skulls)
+    meanings[way.name] = fmt::format("+-{:.2f}  of the skull, + {}, - {}", way.spread, way.more, way.less);
+  for (const auto& [feature, spread] : people.features) meanings[feature] = fmt::format("+-{:.2f}", spread);
+  Rows rows;
+  for (std::size_t i = 0; i < people.dials.size(); ++i) {
+    std::string others;
+    for (std::size_t j = 0; j < people.dials.size(); ++j)
+      if (i != j && people.together[i][j] != 0)
+        others += fmt::format("{}{} {:+.2f}", others.empty() ? "; goes with " : ", ", people.dials[j],
+                              people.together[i][j]);
+    rows.emplace_back(people.dials[i], meanings[people.dials[i]] + others);
+  }
+  return rows;
+}
+
 Rows list_qualities(const std::filesystem::path&) {
   return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
           {"good", "about 3 s: the default"},
@@ -149,6 +175,7 @@ constexpr std::array kKinds{
     Kind{"skulls", [](const std::filesystem::path& data) { return list_heads(data, "skulls"); }},
     Kind{"guides", list_guides},
     Kind{"features", list_features},
+    Kind{"people", list_people},
     Kind{"hair", list_hair},
     Kind{"looks", list_looks},
     Kind{"areas", list_areas},

@@ -26,6 +26,7 @@
 #include "scene/wavefront.hpp"
 #include "sheet/sheet.hpp"
 #include "sheet_strip.hpp"
+#include "starter.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/parts.hpp"
 
@@ -290,8 +291,7 @@ void write_starter(const Options& options) {
   if (path.extension() != ".yaml" && path.extension() != ".yml") path += ".yaml";
   if (fs::exists(path))
     throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
-  const fs::path origin = find_data_folder() / "templates/new.yaml";
-  write_file(path, fill_template(read_file(origin), {{"name", build_name(path)}}, origin.string()));
+  write_file(path, build_starter(build_name(path), options.random_head, find_data_folder()));
   tell_result(options, "file", path);
 }
 

@@ -33,6 +33,8 @@ struct Options {
   bool has_stl = true;                                              // --no-stl, for bust
   bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
   bool is_half = false;                                             // --half, for mesh
+  std::optional<int> seed;         // --seed, of the first head, for sheet people
+  std::optional<int> random_head;  // --random-head SEED, for new
 };
 
 // Each throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted (exit 130).

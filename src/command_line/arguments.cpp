@@ -21,6 +21,8 @@ struct Typed {
   TypedValues values;
 };
 
+constexpr std::string_view kSheetWithoutFile = "people";
+
 // A command that takes only what every command takes: for what stands before the command's name.
 constexpr CommandInfo kNoCommand{Command::text, "", "", "", "", "", ""};
 
@@ -95,7 +97,9 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
   if (!typed.command || !typed.unknown.empty()) return;
   const std::string_view argument = typed.command->argument;
   const std::size_t wanted = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
-  if (typed.words.size() < wanted) add(describe_missing_argument(*typed.command));
+  const bool needs_no_file = typed.command->command == Command::sheet && !typed.words.empty() &&
+                             typed.words.front() == kSheetWithoutFile;
+  if (typed.words.size() + (needs_no_file ? 1 : 0) < wanted) add(describe_missing_argument(*typed.command));
   for (std::size_t i = wanted; i < typed.words.size(); ++i)
     add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
 }
@@ -123,6 +127,9 @@ Request read_arguments(int argc, const char* const* argv) {
   if (request.command == Command::sheet && request.options.express && request.kind != "heads")
     throw InputError(fmt::format(
         "--express says nothing to 'mien sheet {}'; expected it with 'mien sheet heads'", request.kind));
+  if (request.command == Command::sheet && request.options.seed && request.kind != kSheetWithoutFile)
+    throw InputError(fmt::format("--seed says nothing to 'mien sheet {}'; expected it with 'mien sheet {}'",
+                                 request.kind, kSheetWithoutFile));
   if (!words.empty()) request.options.file = words.front();
   return request;
 }

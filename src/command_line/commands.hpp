@@ -45,6 +45,8 @@ inline constexpr std::array kOptions{
     OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
+    OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
+    OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},
     OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
     OptionInfo{"output", 'o', "PATH", "where to write: a folder, or the one file a command makes"},
     OptionInfo{"frames", 0, "A-B", "only these frames, counted from 1"},
@@ -89,14 +91,16 @@ inline constexpr std::array kCommands{
         "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
         "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, features (each at -1, 0\n"
         "and 1), areas (each move with its arrows), limits (of each area, drawn on the face), expressions,\n"
-        "libraries (what each means by six feelings) or heads (one expression at five ages of four skulls).\n"
-        "FILE may be a library's name after expressions and an expression's after heads, for a FILE of\n"
+        "libraries (what each means by six feelings), heads (one expression at five ages of four skulls) or\n"
+        "people (twelve random heads, each with the seed that makes it; FILE, which may be left out, says\n"
+        "what they have in common). FILE may be a library's name after expressions and an expression's after "
+        "heads, for a FILE of\n"
         "which --express names another than its poster's. --size is the size of one picture. Two kinds put\n"
         "the clip itself on paper: strip (drawings and the curves of each area, as SVG) and exposure (each\n"
         "frame's drawing and what changed, as CSV).",
-        "actor express",
+        "actor express seed",
         "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
-        "mien sheet expressions tezuka\nmien sheet heads smile"},
+        "mien sheet expressions tezuka\nmien sheet heads smile\nmien sheet people --seed 13"},
     CommandInfo{
         Command::mesh, "mesh", "FILE", "one head as OBJ, PLY or STL, its landmarks as JSON",
         "Writes one head in millimetres, right-handed (x to the character's left, y up, z forward), in the\n"
@@ -132,11 +136,14 @@ inline constexpr std::array kCommands{
     CommandInfo{
         Command::list, "list", "KIND", "the words of the language",
         "Lists one kind of word: ages, skulls, guides, features, hair, looks, areas, limits, expressions,\n"
-        "landmarks or qualities.",
+        "landmarks or qualities; people tells how far random heads differ and what of them goes together.",
         "", "mien list expressions\nmien list areas --json"},
-    CommandInfo{Command::create, "new", "NAME", "a commented file to begin with",
-                "Writes NAME.yaml with a short performance and a comment on every part of the language.", "",
-                "mien new my_face && mien render my_face.yaml"},
+    CommandInfo{
+        Command::create, "new", "NAME", "a commented file to begin with",
+        "Writes NAME.yaml with a short performance and a comment on every part of the language. With\n"
+        "--random-head its head is one of a crowd, the same as `head: {random: SEED}` gives, with its\n"
+        "skull, character, features, look and hair in words to go on from.",
+        "random-head", "mien new my_face && mien render my_face.yaml\nmien new otto --random-head 7"},
     CommandInfo{Command::schema, "schema", "", "the JSON Schema of the file, for editors",
                 "Prints the JSON Schema of the YAML file. Editors complete and check with it.", "",
                 "mien schema > mien.schema.json"},

@@ -8,6 +8,7 @@
 
 #include "config/load_spec.hpp"
 #include "config/quantity.hpp"
+#include "core/seeded.hpp"
 #include "core/text.hpp"
 
 namespace mien {
@@ -91,6 +92,13 @@ std::string read_height(const std::string& text, Options& options) {
   return {};
 }
 
+std::string read_seed(const std::string& text, int most, std::optional<int>& seed) {
+  const auto whole = read_whole(text);
+  if (!whole || *whole < 0 || *whole > most) return fmt::format("is not a whole number within 0..{}", most);
+  seed = whole;
+  return {};
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -99,6 +107,8 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "at") return read_at(text, options);
   if (name == "angle") return read_angle(text, options);
   if (name == "height") return read_height(text, options);
+  if (name == "seed") return read_seed(text, kMaxSeed, options.seed);
+  if (name == "random-head") return read_seed(text, kMaxSeed, options.random_head);
   if (name == "quiet") options.is_quiet = true;
   if (name == "stl") options.has_stl = true;
   if (name == "no-stl") options.has_stl = false;

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,8 @@ struct HeadSpec {
   std::map<std::string, double> features;      // feature -> -1..1
   std::map<std::string, double> limits;        // limit of an area -> share of the head's own, 0..2
   Look look;
+  std::optional<int> random;   // a seed: whatever the file says nothing of was drawn from it (people.hpp)
+  std::set<std::string> said;  // what the file said: "skull", "features.nose_length", "look.iris"
 };
 
 struct HeadShare {

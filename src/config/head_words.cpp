@@ -63,6 +63,8 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
   }
   if (const auto document = load_data(data_folder / "templates/head/looks.yaml", findings))
     load_looks(load_free_mapping(find_root(*document, findings), "a mapping"), words.looks);
+  words.people =
+      load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);
   return words;
 }
 

@@ -7,6 +7,7 @@
 
 #include "config/findings.hpp"
 #include "config/head_spec.hpp"
+#include "config/people.hpp"
 #include "config/words.hpp"
 #include "config/yaml_reader.hpp"
 
@@ -16,11 +17,12 @@ struct HeadWords {
   Names features;  // the keys of `head.features`
   Names middle;    // places of the mid-plane: Farkas' codes and everyday words
   std::vector<std::pair<std::string, Look>> looks;  // what `look.skin` may name, from light to dark
-  Names sided;  // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+  Names sided;    // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+  People people;  // whom `random` draws from
 };
 
-// From templates/head/features.yaml, landmarks.yaml and looks.yaml of the data folder; what does not exist
-// has no words.
+// From templates/head/features.yaml, landmarks.yaml, looks.yaml and people.yaml of the data folder; what does
+// not exist has no words.
 HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings);
 
 // The colours of `entries` by their keys, each as "#rrggbb", and the dials, from 0 to 1; what is missing

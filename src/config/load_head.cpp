@@ -5,6 +5,7 @@
 
 #include "config/limits.hpp"
 #include "config/sections.hpp"
+#include "core/seeded.hpp"
 
 namespace mien {
 
@@ -147,6 +148,30 @@ void load_start(const YamlMapping& entries, const HeadSource& source, HeadSpec& 
   }
 }
 
+// What of a head is said, which `random` leaves alone. A skin by its name says all colours that go with it.
+std::set<std::string> find_said(const YamlMapping& entries) {
+  std::set<std::string> said;
+  for (const YamlEntry& entry : entries) {
+    said.insert(entry.key);
+    if ((entry.key != "features" && entry.key != "look") || find_node(entry.value).kind != NodeKind::mapping)
+      continue;
+    for (const YamlEntry& part : load_free_mapping(entry.value, "a mapping")) {
+      said.insert(entry.key + "." + part.key);
+      if (part.key == "skin" && !find_node(part.value).text.starts_with('#'))
+        for (const std::string& colour : kLookKeys) said.insert("look." + colour);
+    }
+  }
+  return said;
+}
+
+// A number from which all is drawn that the file says nothing of.
+void load_random(const YamlValue& value, const People& people, HeadSpec& head) {
+  int seed = 0;
+  if (!load_whole(value, 0, kMaxSeed, seed)) return;
+  head.random = seed;
+  draw_person(people, static_cast<std::uint64_t>(seed), head);
+}
+
 }  // namespace
 
 HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
@@ -158,6 +183,9 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
   if (const YamlValue* sculpt = find_value(entries, "sculpt"))
     load_sculpt(*sculpt, *source.words, head.sculpt);
+  head.said = find_said(entries);
+  if (const YamlValue* random = find_value(entries, "random"))
+    load_random(*random, source.words->people, head);
   return head;
 }
 

@@ -4,13 +4,13 @@
 #include <tuple>
 
 #include "config/load_clip.hpp"
+#include "core/seeded.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr double kMaxPerMinute = 60;  // blinks; people come to 15 or 20
-constexpr int kMaxSeed = 1'000'000'000;
+constexpr double kMaxPerMinute = 60;   // blinks; people come to 15 or 20
 constexpr double kMaxAsymmetry = 0.3;  // more is no life but contempt: say it with `brow.left` and the like
 constexpr double kMaxSide_deg = 90, kMaxUp_deg = 60;  // eyes and head together look no further
 constexpr double kFurthest_mm = 100'000;              // beyond, the two eyes look the same way

@@ -37,8 +37,8 @@ inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
 inline const Names kFileKeys{"mien",        "title", "head",   "library", "exaggerate",
                              "expressions", "clip",  "render", "busts",   "actors"};
 inline const Names kLibraryFileKeys{"mien", "library", "source", "expressions"};
-inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",
-                             "mesh", "scan",  "mix",       "sculpt", "hair",     "limits"};
+inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",  "mesh",
+                             "scan", "mix",   "sculpt",    "hair",   "limits",   "random"};
 inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
 inline const Names kSculptKeys{"at", "move", "radius"};
 inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "freckles", "age_spots"};

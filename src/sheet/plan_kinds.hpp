@@ -14,6 +14,9 @@ SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path& da
 SheetPlan plan_skulls(const SheetSubject& subject, const std::filesystem::path& data_folder);
 SheetPlan plan_features(const SheetSubject& subject, const std::filesystem::path& data_folder);
 
+// people_plan.cpp: heads as a crowd has them, each with the seed that makes it.
+SheetPlan plan_people(const SheetSubject& subject, const std::filesystem::path& data_folder);
+
 // expression_plans.cpp: faces compared. One expression on every age of four skulls; all of a library, with
 // the areas that each uses; what each library means by a feeling.
 SheetPlan plan_heads(const SheetSubject& subject, const std::filesystem::path& data_folder);

@@ -27,6 +27,7 @@ constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
                             SheetKind{"expressions", "Expressions", plan_expressions},
                             SheetKind{"libraries", "Libraries", plan_libraries},
                             SheetKind{"heads", "On twenty-four heads", plan_heads},
+                            SheetKind{"people", "Twelve people", plan_people},
                             SheetKind{"areas", "Areas: the ways of the skin", plan_areas},
                             SheetKind{"limits", "Limits in red, rest in blue", plan_limits}};
 

@@ -97,6 +97,9 @@ SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
 // Kinds that are made elsewhere (sheet_strip.hpp): suggested like the others.
 inline constexpr std::array<std::string_view, 2> kClipSheets{"strip", "exposure"};
 
+// The one that needs no file.
+inline constexpr std::string_view kPeopleSheet = "people";
+
 // Throws InputError as build_sheet_plan does for a word that is no kind.
 void check_sheet_kind(const std::string& kind);
 

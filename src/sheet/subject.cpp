@@ -8,6 +8,7 @@
 #include "config/findings.hpp"
 #include "config/load_spec.hpp"
 #include "core/error.hpp"
+#include "sheet/plans.hpp"
 #include "timeline/drawings.hpp"
 
 namespace mien {
@@ -57,6 +58,12 @@ SheetSubject load_sheet_subject(const std::string& kind, const Options& options,
   const std::string word = options.file.string();
   SheetSubject subject;
   subject.sources = load_library_sources(data / "configs/expressions");
+  subject.seed = options.seed.value_or(subject.seed);
+  if (kind == kPeopleSheet && word.empty()) {
+    subject.spec = build_plain_spec(word, options, data);
+    subject.spec.name = kind;
+    return subject;
+  }
   if (is_file(options.file) || (kind != "expressions" && !is_of_heads)) {
     subject.spec = load_actor_request(options, data);
     if (is_of_heads)

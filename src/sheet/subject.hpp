@@ -13,13 +13,14 @@ namespace mien {
 struct SheetSubject {
   Spec spec;                                   // of a name: the adult, with that library as `spec.library`
   Expression expression;                       // of `sheet heads`
+  int seed = 1;                                // of the first head of `sheet people`
   std::map<std::string, std::string> sources;  // of the libraries: in one line, where each is from
 };
 
 // `options.file` is the word: a FILE if there is one or if it ends as files do, else a name. A library may
 // stand for `sheet expressions`, an expression for `sheet heads`; `sheet heads FILE` shows what --express
-// says, else the face of the clip's poster. Throws InputError: a wrong file's mistakes, an unknown
-// name with the nearest known one, --express beside an expression's name.
+// says, else the face of the clip's poster. `sheet people` needs no word. Throws InputError: a wrong file's
+// mistakes, an unknown name with the nearest known one, --express beside an expression's name.
 SheetSubject load_sheet_subject(const std::string& kind, const Options& options,
                                 const std::filesystem::path& data_folder);
 

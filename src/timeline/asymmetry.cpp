@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "config/pose_mix.hpp"
-#include "timeline/seeded.hpp"
+#include "core/seeded.hpp"
 #include "timeline/track.hpp"
 
 namespace mien {

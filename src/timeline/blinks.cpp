@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/seeded.hpp"
 #include "timeline/easing.hpp"
 #include "timeline/gaze.hpp"
-#include "timeline/seeded.hpp"
 
 namespace mien {
 namespace {

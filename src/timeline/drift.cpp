@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "timeline/seeded.hpp"
+#include "core/seeded.hpp"
 
 namespace mien {
 namespace {

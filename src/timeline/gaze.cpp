@@ -9,9 +9,9 @@
 #include <cmath>
 
 #include "core/conventions.hpp"
+#include "core/seeded.hpp"
 #include "timeline/easing.hpp"
 #include "timeline/head_turn.hpp"
-#include "timeline/seeded.hpp"
 
 namespace mien {
 namespace {

@@ -87,6 +87,25 @@ TEST(arguments, give_sheet_a_kind_and_a_file) {
   EXPECT_EQ(read_mistakes({"sheet", "views", "a", "b"}), "'b' is one word too many for 'mien sheet'\n");
 }
 
+TEST(arguments, give_people_a_seed_and_no_file) {
+  const Request request = read({"sheet", "people"});
+  EXPECT_EQ(request.kind, "people");
+  EXPECT_TRUE(request.options.file.empty());
+  EXPECT_FALSE(request.options.seed);
+  EXPECT_EQ(read({"sheet", "people", "--seed", "13"}).options.seed, 13);
+  EXPECT_EQ(read({"sheet", "people", "a.yaml"}).options.file, "a.yaml");
+  EXPECT_EQ(read_mistakes({"sheet", "views", "a.yaml", "--seed", "3"}),
+            "--seed says nothing to 'mien sheet views'; expected it with 'mien sheet people'\n");
+  EXPECT_EQ(read_mistakes({"sheet", "people", "--seed", "-3"}),
+            "--seed: '-3' is not a whole number within 0..1000000000\n");
+  EXPECT_EQ(read({"new", "otto", "--random-head", "7"}).options.random_head, 7);
+  EXPECT_FALSE(read({"new", "otto"}).options.random_head);
+  EXPECT_EQ(read_mistakes({"new", "otto", "--random-head", "seven"}),
+            "--random-head: 'seven' is not a whole number within 0..1000000000\n");
+  EXPECT_EQ(read_mistakes({"new", "otto", "--random-haed", "7"}),
+            "unknown option '--random-haed' of 'mien new'; did you mean '--random-head'?\n");
+}
+
 TEST(arguments, ask_for_texts) {
   EXPECT_EQ(read({"--version"}).text, "mien 0.1.0\n");
   EXPECT_EQ(read({"--version"}).command, Command::text);

@@ -99,7 +99,7 @@ TEST(commands, end_with_2_if_the_file_is_not_there) {
 TEST(commands, list_every_kind_in_words_and_in_json) {
   const auto folder = make_folder("list");
   for (const char* kind :
-       {"ages", "skulls", "hair", "features", "areas", "expressions", "landmarks", "qualities"}) {
+       {"ages", "skulls", "people", "hair", "features", "areas", "expressions", "landmarks", "qualities"}) {
     ProgramRun run = run_shell(folder, std::string("mien list ") + kind);
     EXPECT_EQ(run.status, 0) << kind << run.err;
     EXPECT_GT(std::count(run.out.begin(), run.out.end(), '\n'), 1) << kind;

@@ -35,8 +35,8 @@ const std::map<std::string, Rooms> kMayUse{
 std::string find_room(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   const std::string room = path.substr(0, path.find_first_of("/."));
-  return room == "check" || room == "explain" || room == "listing" || room.starts_with("bust") ||
-                 room.starts_with("clip") || room.starts_with("sheet")
+  return room == "check" || room == "explain" || room == "listing" || room == "starter" ||
+                 room.starts_with("bust") || room.starts_with("clip") || room.starts_with("sheet")
              ? "pipeline"
              : room;
 }

@@ -36,7 +36,7 @@ using Captions = std::vector<std::string>;
 
 TEST(sheet_plans, have_blocks_of_one_length_and_heads_in_order) {
   for (const char* kind : {"views", "details", "ages", "skulls", "features", "expressions", "libraries",
-                           "heads", "areas", "limits"}) {
+                           "people", "heads", "areas", "limits"}) {
     const SheetPlan plan = build_sheet_plan(kind, build_subject(), kData);
     ASSERT_FALSE(plan.blocks.empty()) << kind;
     EXPECT_FALSE(plan.subject.empty());
@@ -106,6 +106,25 @@ TEST(sheet_plans, show_every_feature_at_its_ends_and_at_rest) {
     EXPECT_EQ(plan.blocks[i].cells[1].head, 0u);
     EXPECT_EQ(plan.heads[plan.blocks[i].cells[2].head].features.at(features[i].name), 1);
   }
+}
+
+TEST(sheet_plans, show_twelve_people_by_their_seeds) {
+  SheetSubject subject = build_subject();
+  subject.seed = 5;
+  subject.spec.head.age = {{"child", 1.0}};
+  subject.spec.head.hair = "bob";
+  subject.spec.head.said = {"age", "hair"};
+  const SheetPlan plan = build_sheet_plan("people", subject, kData);
+  ASSERT_EQ(plan.heads.size(), 12u);
+  EXPECT_EQ(list_captions(plan.blocks.front()).front(), "5");
+  EXPECT_EQ(list_captions(plan.blocks.front()).back(), "16");
+  for (std::size_t i = 0; i < plan.heads.size(); ++i) {
+    EXPECT_EQ(plan.heads[i].age, subject.spec.head.age) << "what the file says they have in common";
+    EXPECT_EQ(plan.heads[i].hair, "bob");
+    for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plan.heads[i].features, plan.heads[j].features);
+  }
+  subject.seed = 1'000'000'000;
+  EXPECT_EQ(list_captions(build_sheet_plan("people", subject, kData).blocks.front()).back(), "1000000000");
 }
 
 TEST(sheet_plans, show_details_around_landmarks) {

@@ -78,6 +78,17 @@ TEST(sheet_subject, names_what_was_meant) {
   EXPECT_NE(find_mistake("expressions", "away.yaml").find("away.yaml"), std::string::npos);
 }
 
+TEST(sheet_subject, of_people_needs_no_word) {
+  Options options;
+  options.seed = 13;
+  const SheetSubject subject = load_sheet_subject("people", options, kData);
+  EXPECT_EQ(subject.seed, 13);
+  EXPECT_EQ(subject.spec.name, "people");
+  EXPECT_EQ(subject.spec.head.age, (Mix{{"adult", 1.0}}));
+  EXPECT_EQ(load("people", write_sly()).spec.title, "Sly");
+  EXPECT_EQ(load("people", write_sly()).seed, 1);
+}
+
 TEST(sheet_subject, takes_one_expression) {
   EXPECT_EQ(find_mistake("heads", "smile", "anger"),
             "--express says another expression than 'smile'; expected one of the two, or a FILE");

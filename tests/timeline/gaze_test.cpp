@@ -5,9 +5,9 @@
 #include <cmath>
 
 #include "core/conventions.hpp"
+#include "core/seeded.hpp"
 #include "timeline/head_turn.hpp"
 #include "timeline/performance.hpp"
-#include "timeline/seeded.hpp"
 
 namespace mien {
 namespace {

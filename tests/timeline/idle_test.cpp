@@ -6,8 +6,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "core/seeded.hpp"
 #include "timeline/performance.hpp"
-#include "timeline/seeded.hpp"
 
 namespace mien {
 namespace {

@@ -7,6 +7,8 @@
 
 namespace mien {
 
+inline constexpr int kMaxSeed = 1'000'000'000;  // that an author may give; from 0
+
 // A generator of its own for each use of one seed, so that one more use changes no other.
 inline std::mt19937_64 build_random(std::uint64_t seed, std::uint64_t use) {
   return std::mt19937_64(seed * 0x9E3779B97F4A7C15u + use);  // the golden ratio's bits: seeds lie far apart

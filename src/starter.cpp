@@ -1,0 +1,89 @@
+#include "starter.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "config/findings.hpp"
+#include "config/head_words.hpp"
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "head/shapes.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string format_colour(const glm::vec3& colour) {
+  const auto byte = [&](int i) { return std::lround(colour[i] * 255.0f); };
+  return fmt::format("\"#{:02x}{:02x}{:02x}\"", byte(0), byte(1), byte(2));
+}
+
+std::string format_mix(const Mix& mix) {
+  std::string text;
+  for (const auto& [name, weight] : mix)
+    text += fmt::format("{}{}: {:.2f}", text.empty() ? "" : ", ", name, weight);
+  return mix.size() == 1 ? mix.begin()->first : "{" + text + "}";
+}
+
+std::string format_look(const Look& look) {
+  std::string text = "skin: " + format_colour(look.skin);
+  if (look.lips) text += ", lips: " + format_colour(*look.lips);
+  return fmt::format("{{{}, iris: {}, brow: {}, hair: {}}}", text, format_colour(look.iris),
+                     format_colour(look.brow), format_colour(look.hair));
+}
+
+// A line of a mapping, and its comment behind all other comments.
+std::string build_line(int indent, const std::string& words, const std::string& comment) {
+  constexpr int kColumn = 29;  // the longest feature's name has its value before it
+  return fmt::format("{:{}}{:<{}} # {}\n", "", indent, words, kColumn - indent, comment);
+}
+
+// `head:` in the words of the language, which the reader makes into the same head.
+std::string build_head_text(const HeadSpec& head, const std::vector<FeatureInfo>& features) {
+  std::string text =
+      build_line(0, "head:", fmt::format("the same as {{random: {}}}; go on from it", *head.random));
+  text += build_line(2, "age: " + head.age.begin()->first, join_names(kAges) + ", or a mix of them");
+  text += build_line(2, "skull: " + format_mix(head.skull), join_names(kSkulls) + ", or a mix");
+  text += build_line(2, fmt::format("character: {:.2f}", head.character), "from -1 (female) to 1 (male)");
+  text += build_line(2, "features:", "each from -1 to 1; behind it what 1 does, and -1 backwards");
+  for (const FeatureInfo& feature : features)
+    if (const auto value = head.features.find(feature.name); value != head.features.end())
+      text += build_line(4, fmt::format("{}: {:.2f}", feature.name, value->second), feature.meaning);
+  text += build_line(2, "hair: " + head.hair, join_names(kHairs));
+  return text + fmt::format("  look: {}\n", format_look(head.look));
+}
+
+HeadSpec draw_head(int seed, const fs::path& data) {
+  Findings findings;
+  const HeadWords words = load_head_words(data, findings);
+  throw_mistakes(std::move(findings));
+  HeadSpec head;
+  head.random = seed;
+  draw_person(words.people, static_cast<std::uint64_t>(seed), head);
+  return head;
+}
+
+// The template's own head, from `head:` to the next empty line, gives way.
+std::string replace_head(std::string text, const std::string& head, const fs::path& origin) {
+  const std::size_t begin = text.find("\nhead:"), end = text.find("\n\n", begin + 1);
+  if (begin == text.npos || end == text.npos)
+    throw RunError(fmt::format("{} has no 'head:' with an empty line behind it", origin.string()));
+  return text.replace(begin + 1, end - begin, head);
+}
+
+}  // namespace
+
+std::string build_starter(const std::string& name, std::optional<int> random_head, const fs::path& data) {
+  const fs::path origin = data / "templates/new.yaml";
+  std::string text = fill_template(read_file(origin), {{"name", name}}, origin.string());
+  if (!random_head) return text;
+  const std::string head =
+      build_head_text(draw_head(*random_head, data), load_features(data / "templates/head"));
+  return replace_head(std::move(text), head, origin);
+}
+
+}  // namespace mien
