@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
@@ -10,6 +11,7 @@
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "explain.hpp"
+#include "head/wrap.hpp"
 #include "render/terminal.hpp"
 #include "timeline/advice.hpp"
 #include "timeline/chart.hpp"
@@ -48,6 +50,32 @@ void tell_advice(const Options& options, const Performance& performance, const R
     fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
 }
 
+// What scans do not show, a line each; of mixed heads, of each.
+void tell_kept(const Options& options, const HeadSpec& head, const HeadStock& stock) {
+  for (const HeadShare& share : head.mix) tell_kept(options, share.head, stock);
+  if (!head.scan) return;
+  const auto& [path, place] = *head.scan;
+  for (const std::string& part : list_kept_parts(stock, load_scan_files(stock, path, false))) {
+    const std::string text =
+        fmt::format("scan '{}' has no {}: kept from the shipped head", path.filename().string(), part);
+    if (options.is_json)
+      fmt::print("{}\n", nlohmann::ordered_json{{"kind", "note"},
+                                                {"file", place.file},
+                                                {"line", place.line},
+                                                {"column", place.column},
+                                                {"kept", part},
+                                                {"message", text}}
+                             .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+      fmt::print("{}:{}:{}: note: {}\n", place.file, place.line, place.column, text);
+  }
+}
+
+bool has_scan(const HeadSpec& head) {
+  return head.scan ||
+         std::ranges::any_of(head.mix, [](const HeadShare& share) { return has_scan(share.head); });
+}
+
 // As wide as the terminal and in its letters; plain ASCII in 80 columns into a pipe or a file, since nobody
 // knows what will read it and the same clip shall be the same text.
 void tell_chart(const ClipSpec& clip, const Rehearsal& rehearsal) {
@@ -82,6 +110,8 @@ void check_file(const Options& options) {
   clip.plan = plan_frames(find_clip_drawings(clip, rehearsals), options.frames);
   tell_held(options, list_held(clip.spec, rehearsals));
   if (options.is_quiet) return;
+  for (const Actor& actor : clip.actors)
+    if (has_scan(actor.head)) tell_kept(options, actor.head, load_head_stock(data));
   for (std::size_t i = 0; i < figures.size(); ++i)
     tell_advice(options, performances[i], rehearsals[i], *figures[i], data);
   const RenderSpec& render = clip.spec.render;

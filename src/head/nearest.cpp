@@ -37,7 +37,9 @@ void find_rims(SurfaceTree& tree) {
       edges.push_back(a < b ? a << 32 | b : b << 32 | a);
     }
   std::sort(edges.begin(), edges.end());
-  tree.is_rim.assign(tree.positions.size(), false);
+  tree.is_rim.assign(tree.positions.size(), true);  // a position that no triangle has is no surface's
+  for (const Triangle& t : tree.triangles)
+    for (const std::uint32_t v : t) tree.is_rim[v] = false;
   for (std::size_t i = 0; i < edges.size(); ++i) {
     const bool is_shared =
         (i > 0 && edges[i - 1] == edges[i]) || (i + 1 < edges.size() && edges[i + 1] == edges[i]);

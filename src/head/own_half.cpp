@@ -157,7 +157,7 @@ std::vector<Quad> find_half_quads(const HeadStock& stock) {
 }
 
 HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& file) {
-  Polygons mesh = load_polygons(file);
+  Polygons mesh = load_polygons(file, find_landmark_file(file) ? Faces::optional : Faces::needed);
   if (!has_our_faces(stock, mesh)) {
     if (find_landmark_file(file)) return wrap_head(stock, load_scan_files(stock, file, true));
     fail_at_point(

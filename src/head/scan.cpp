@@ -6,6 +6,7 @@
 
 #include "config/head_files.hpp"
 #include "core/error.hpp"
+#include "head/cloud.hpp"
 #include "head/landmarks.hpp"
 #include "head/nearest.hpp"
 #include "head/surface.hpp"
@@ -55,7 +56,8 @@ bool load_mark(const YamlValue& value, const Polygons& mesh, glm::dvec3& at) {
 }
 
 // Makes a half whole: mirrored triangles beside it, points of the middle shared.
-void complete_half(Polygons& mesh) {
+void complete_half(Scan& scan) {
+  Polygons& mesh = scan.mesh;
   const double near = 1e-4 * find_size(mesh);
   std::vector<std::uint32_t> image(mesh.positions.size());
   const std::size_t count = mesh.positions.size(), faces = mesh.face_count();
@@ -68,6 +70,7 @@ void complete_half(Polygons& mesh) {
     image[i] = static_cast<std::uint32_t>(mesh.positions.size());
     p.x = -p.x;
     mesh.positions.push_back(p);
+    if (!scan.rims.empty()) scan.rims.push_back(scan.rims[i]);
   }
   for (std::size_t f = 0; f < faces; ++f) {
     for (std::uint32_t i = mesh.first[f + 1]; i-- > mesh.first[f];)
@@ -86,6 +89,16 @@ void check_half(const Polygons& mesh) {
            "not a half: points lie from x = {:.4g} to x = {:.4g}; expected all on one side of x = 0 (a whole "
            "head is named by head.scan)",
            low->x, high->x),
+       "",
+       false}});
+}
+
+void check_cloud(const Polygons& mesh) {
+  if (mesh.face_count() > 0 || mesh.positions.size() >= kLeastCloudPoints) return;
+  throw InputError(std::vector<Diagnostic>{
+      {{mesh.file, 0, 0},
+       fmt::format("has {} points and no faces; expected a surface, or a cloud of {} points at least",
+                   mesh.positions.size(), kLeastCloudPoints),
        "",
        false}});
 }
@@ -155,7 +168,8 @@ void check_needed(const MarkReader& reader, const YamlValue& root) {
 
 Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half) {
   Scan scan;
-  scan.mesh = load_polygons(file);
+  scan.mesh = load_polygons(file, Faces::optional);
+  check_cloud(scan.mesh);
   if (is_half) check_half(scan.mesh);
   const auto beside = find_landmark_file(file);
   if (!beside)
@@ -166,6 +180,10 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
              fs::path(file).replace_extension(".yaml").filename().string()),
          "",
          false}});
+
+  CloudSurface cloud;
+  const bool is_cloud = scan.mesh.face_count() == 0;
+  if (is_cloud) cloud = build_cloud_surface(scan.mesh);
 
   Findings findings;
   const HeadWords words = load_head_words(stock.folder.parent_path().parent_path(), findings);
@@ -186,11 +204,15 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
     }
     if (const YamlValue* marks = find_required(entries, "landmarks", root, "names and places"))
       load_marks(reader, load_mapping(*marks, names, "names and places such as {prn: [x, y, z]}", "landmark"),
-                 build_surface_tree(scan.mesh));
+                 build_surface_tree(is_cloud ? cloud.mesh : scan.mesh));
     if (findings.mistakes.empty()) check_needed(reader, root);
   }
   throw_mistakes(std::move(findings));
-  if (is_half) complete_half(scan.mesh);
+  if (is_cloud) {
+    scan.mesh = std::move(cloud.mesh);
+    scan.rims = std::move(cloud.rims);
+  }
+  if (is_half) complete_half(scan);
   return scan;
 }
 

@@ -19,14 +19,16 @@ struct ScanMark {
 };
 
 struct Scan {
-  Polygons mesh;
+  Polygons mesh;           // a cloud of points is made a surface when it is loaded
+  std::vector<bool> rims;  // of each position: the cloud ends there; empty: open edges tell
   std::vector<ScanMark> marks;
   double unit_mm = 0;  // 0: not told; the unit that makes a head of it is taken
 };
 
 // The mesh and the landmarks beside it (NAME.landmarks.yaml, else NAME.yaml). A half (all x on one side of 0,
 // to a hundredth of its size) is made whole; of its landmarks one side is enough. Throws InputError for
-// broken files, unknown or missing landmarks, and landmarks that do not lie on the mesh.
+// broken files, clouds of too few points, unknown or missing landmarks, and landmarks that do not lie on the
+// mesh.
 Scan load_scan_files(const HeadStock& stock, const std::filesystem::path& mesh, bool is_half);
 
 }  // namespace mien

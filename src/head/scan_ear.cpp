@@ -117,6 +117,7 @@ Cloud find_standing_out(const PlacedScan& scan, const Cloud& head, const glm::dv
     if (glm::distance(p, middle) < kAround_mm + 2 * kStandsOut_mm) near_head.points.push_back(p);
   Cloud out;
   for (std::size_t v = 0; v < scan.tree.positions.size(); ++v) {
+    if (scan.tree.is_rim[v]) continue;
     glm::dvec3 at = scan.turn * scan.tree.positions[v] + scan.shift,
                normal = scan.turn * scan.tree.normals[v];
     if (at.x < 0) at = mirror(at), normal = mirror(normal);

@@ -293,7 +293,7 @@ struct NosePlace {
 NosePlace find_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
   const glm::dvec3 tip = points[find_point(cage, "p_tip")], wing = points[find_point(cage, "k_tip")],
                    base = points[find_point(cage, "M6_0")];
-  constexpr double kRadius = 1.5;  // of the way from tip to wing: both wings and the groove around them
+  constexpr double kRadius = 0.9;  // of the way from tip to wing: more would reach lids and lips
   return {(tip + base + 2.0 * wing) / 4.0, kRadius * glm::distance(tip, wing)};
 }
 
@@ -349,16 +349,14 @@ void fit_step(Problem& problem, const Step& step, bool has_surface, HeadForm& fo
   apply_moves(problem, solve_equations(problem.system), form);
 }
 
-}  // namespace
-
-HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
-  const Similarity ours_from_scan = align_marks(stock, scan);
-  const double growth = find_growth(scan, ours_from_scan.scale);
+// Lays the scan on the adult; the equations are those of the adult's half.
+Problem build_problem(const HeadStock& stock, const Scan& scan, const Similarity& ours_from_scan) {
   Polygons mesh = scan.mesh;
   for (glm::dvec3& p : mesh.positions) p = apply_similarity(ours_from_scan, p);
   Problem problem;
   problem.stock = &stock;
   problem.scan.tree = build_surface_tree(mesh);
+  if (!scan.rims.empty()) problem.scan.tree.is_rim = scan.rims;
   problem.rest.assign(stock.half.points.size(), glm::dvec3(0));
   choose_samples(problem);
   choose_fairness(problem);
@@ -366,16 +364,39 @@ HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
   problem.system = build_half_system(
       stock.adult, stock.half.points.size(),
       {&problem.samples, &problem.marks, &problem.bends, &problem.edges, &problem.ear_points});
-  HeadForm form{stock.adult.points, Eye{}};
+  return problem;
+}
+
+// The first steps, until the ears have been looked for.
+HeadForm begin_fit(Problem& problem, const Scan& scan) {
+  HeadForm form{problem.stock->adult.points, Eye{}};
   fit_step(problem, find_step(0), false, form);
   orient_scan(scan, problem, form);
-  for (int i = 0; i < kSteps; ++i) {
-    if (i == kEarStep) place_ears(problem, form);
+  for (int i = 0; i < kEarStep; ++i) {
     problem.has_nose = i >= kNoseStep;
     fit_step(problem, find_step(i), true, form);
   }
+  place_ears(problem, form);
+  return form;
+}
+
+}  // namespace
+
+HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
+  const Similarity ours_from_scan = align_marks(stock, scan);
+  const double growth = find_growth(scan, ours_from_scan.scale);
+  Problem problem = build_problem(stock, scan, ours_from_scan);
+  HeadForm form = begin_fit(problem, scan);
+  for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, find_step(i), true, form);
   finish_wrap(stock, growth, form);
   return form;
+}
+
+std::vector<std::string> list_kept_parts(const HeadStock& stock, const Scan& scan) {
+  Problem problem = build_problem(stock, scan, align_marks(stock, scan));
+  begin_fit(problem, scan);
+  if (problem.ear.is_found) return {};
+  return {"ears"};
 }
 
 }  // namespace mien

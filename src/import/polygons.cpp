@@ -43,7 +43,7 @@ bool is_geometry_name(const std::filesystem::path& file) {
   return ending == ".obj" || ending == ".ply" || ending == ".stl";
 }
 
-Polygons load_polygons(const std::filesystem::path& path) {
+Polygons load_polygons(const std::filesystem::path& path, Faces faces) {
   const std::string file = path.string(), ending = find_ending(path);
   if (!is_geometry_name(path)) fail_file(file, "the name ends otherwise; expected .obj, .ply or .stl");
   const std::string bytes = read_bytes(path, file);
@@ -52,7 +52,11 @@ Polygons load_polygons(const std::filesystem::path& path) {
                   : ending == ".ply" ? read_ply(file, bytes)
                                      : read_stl(file, bytes);
   mesh.file = file;
-  if (mesh.face_count() == 0) fail_file(file, "has no faces; expected a surface of triangles or quads");
+  if (mesh.face_count() == 0 && faces == Faces::needed)
+    fail_file(file, "has no faces; expected a surface of triangles or quads");
+  if (mesh.positions.empty()) fail_file(file, "has no points; expected a surface or a cloud of points");
+  // Of a surface the faces tell; and normals count only if each position has one.
+  if (mesh.face_count() > 0 || mesh.normals.size() != mesh.positions.size()) mesh.normals.clear();
   return mesh;
 }
 

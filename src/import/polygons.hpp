@@ -1,4 +1,5 @@
-// A mesh of somebody else's: positions and polygons, as read from OBJ, PLY or STL.
+// A mesh of somebody else's: positions and polygons, as read from OBJ, PLY or STL; or a cloud of positions
+// alone.
 #pragma once
 
 #include <cstdint>
@@ -23,6 +24,8 @@ struct Polygons {
   std::vector<std::uint32_t> corners;
   std::vector<std::uint32_t> first{0};
   std::vector<std::uint32_t> lines;  // each position's line in the file; empty if it is not text
+  std::vector<glm::dvec3>
+      normals;  // one a position, of any length, where a cloud's file has them; else empty
 
   std::size_t face_count() const { return first.size() - 1; }
 };
@@ -30,9 +33,12 @@ struct Polygons {
 // Whether the name's ending is one that load_polygons reads: .obj, .ply or .stl, letters of either case.
 bool is_geometry_name(const std::filesystem::path& file);
 
-// Reads the file by its ending. The result has at least one face and all its indices are right. STL's
-// triangles share the points that are equal to the last digit. Throws InputError "FILE:LINE: what was found;
-// what was expected" (or with the offset of the byte, in binary files) for anything else.
-Polygons load_polygons(const std::filesystem::path& file);
+enum class Faces { needed, optional };
+
+// Reads the file by its ending. The result has at least one face (or, with Faces::optional, one position) and
+// all its indices are right. STL's triangles share the points that are equal to the last digit. Throws
+// InputError "FILE:LINE: what was found; what was expected" (or with the offset of the byte, in binary files)
+// for anything else.
+Polygons load_polygons(const std::filesystem::path& file, Faces faces = Faces::needed);
 
 }  // namespace mien

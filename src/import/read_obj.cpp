@@ -1,4 +1,5 @@
-// Wavefront OBJ as Blender, MeshLab and ZBrush write it: v and f lines count, all else about looks is passed.
+// Wavefront OBJ as Blender, MeshLab and ZBrush write it: v and f lines count, vn where there are no f; all
+// else about looks is passed.
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
@@ -32,6 +33,18 @@ void read_point(ObjReader& reader) {
       parse_position(reader.lines.file, reader.lines.number, words[1], words[2], words[3]));
   reader.mesh.lines.push_back(static_cast<std::uint32_t>(reader.lines.number));
   check_point_count(reader.lines.file, reader.lines.number, reader.mesh.positions.size());
+}
+
+// Of a cloud, one a point. Broken ones are passed like all that is about looks: too few are none at all.
+void read_normal(ObjReader& reader) {
+  const auto& words = reader.words;
+  glm::dvec3 normal{0};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto value = axis + 1 < words.size() ? parse_coordinate(words[axis + 1]) : std::nullopt;
+    if (!value) return;
+    normal[static_cast<glm::length_t>(axis)] = *value;
+  }
+  reader.mesh.normals.push_back(normal);
 }
 
 void read_face(ObjReader& reader) {
@@ -83,6 +96,8 @@ Polygons read_obj(const std::string& file, std::string_view bytes) {
       read_point(reader);
     } else if (word == "f") {
       read_face(reader);
+    } else if (word == "vn" && reader.mesh.face_count() == 0) {
+      read_normal(reader);
     } else if (std::ranges::find(kPassed, word) == kPassed.end()) {
       fail_line(
           file, reader.lines.number,

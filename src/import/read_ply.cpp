@@ -165,7 +165,9 @@ double read_number(PlyReader& reader, const PlyType& type) {
 }
 
 void read_vertex(PlyReader& reader, Polygons& mesh) {
-  glm::dvec3 position{0};
+  constexpr std::string_view kNormal[] = {"nx", "ny", "nz"};
+  glm::dvec3 position{0}, normal{0};
+  int normal_axes = 0;
   for (const Property& property : reader.element->properties) {
     const std::size_t count =
         property.count_type
@@ -173,7 +175,13 @@ void read_vertex(PlyReader& reader, Polygons& mesh) {
             : 1;
     for (std::size_t i = 0; i < count; ++i) {
       const double value = read_number(reader, *property.type);
-      if (property.count_type || property.name.size() != 1) continue;
+      if (property.count_type) continue;
+      if (const auto found = std::ranges::find(kNormal, property.name); found != std::end(kNormal)) {
+        if (!std::isfinite(value)) continue;  // looks only: a file with such a normal has none
+        normal[static_cast<glm::length_t>(found - std::begin(kNormal))] = value;
+        ++normal_axes;
+      }
+      if (property.name.size() != 1) continue;
       const int axis = property.name[0] - 'x';
       if (axis < 0 || axis > 2) continue;
       if (!std::isfinite(value) || std::abs(value) > kMaxCoordinate)
@@ -184,6 +192,7 @@ void read_vertex(PlyReader& reader, Polygons& mesh) {
     }
   }
   mesh.positions.push_back(position);
+  if (normal_axes == 3) mesh.normals.push_back(normal);
   if (reader.format == Format::text) mesh.lines.push_back(static_cast<std::uint32_t>(reader.lines.number));
 }
 

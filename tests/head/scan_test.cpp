@@ -10,7 +10,9 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "face/face.hpp"
+#include "head/eye_fit.hpp"
 #include "head/landmarks.hpp"
+#include "head/nearest.hpp"
 #include "head/own_half.hpp"
 #include "head/surface.hpp"
 
@@ -118,6 +120,61 @@ TEST(scan, a_half_of_other_points_is_made_whole) {
     const std::uint32_t v = find_point(head.cage, name);
     EXPECT_LT(glm::distance(head.skin.positions[v], sitter.skin.positions[v]), 1.5) << name;
   }
+}
+
+// The points of configs/scans/model.ply as a cloud, its landmarks beside it.
+void write_cloud(const std::string& name, bool is_obj, bool has_normals) {
+  const fs::path model = find_data_folder() / "configs/scans/model.ply";
+  const Polygons mesh = load_polygons(model);
+  const SurfaceTree tree = build_surface_tree(mesh);
+  const std::size_t count = mesh.positions.size();
+  std::string text;
+  if (!is_obj) {
+    text = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n", count);
+    for (const char* property : {"x", "y", "z"}) text += fmt::format("property float {}\n", property);
+    for (const char* property : {"nx", "ny", "nz"})
+      if (has_normals) text += fmt::format("property float {}\n", property);
+    text += "end_header\n";
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::dvec3 &p = mesh.positions[i], &n = tree.normals[i];
+    text += fmt::format("{}{:.6f} {:.6f} {:.6f}", is_obj ? "v " : "", p.x, p.y, p.z);
+    if (has_normals) text += fmt::format("{}{:.4f} {:.4f} {:.4f}", is_obj ? "\nvn " : " ", n.x, n.y, n.z);
+    text += "\n";
+  }
+  write_file(find_file(name), text);
+  write_file(find_file(name).replace_extension(".yaml"),
+             read_file(fs::path(model).replace_extension(".yaml")));
+}
+
+TEST(scan, a_cloud_of_points_is_as_good_as_its_surface) {
+  const NeutralHead surface = build(find_data_folder() / "configs/scans/model.ply", false);
+  for (const bool is_obj : {false, true})
+    for (const bool has_normals : {false, true}) {
+      const std::string name = is_obj ? "cloud.obj" : "cloud.ply";
+      write_cloud(name, is_obj, has_normals);
+      const NeutralHead head = build(find_file(name), false);
+      std::vector<glm::dvec3> from, to, normals;  // of the face
+      for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
+        const glm::vec3& p = surface.skin.positions[v];
+        if (p.z < 30 || p.y < -90) continue;
+        from.emplace_back(head.skin.positions[v]);
+        to.emplace_back(p);
+        normals.emplace_back(surface.skin.normals[v]);
+      }
+      const Similarity same = fit_similarity(from, to);  // eyes and ears say where a head stands, and differ
+      double sum = 0;
+      for (std::size_t i = 0; i < from.size(); ++i)
+        sum += std::abs(glm::dot(apply_similarity(same, from[i]) - to[i], normals[i]));
+      EXPECT_LT(sum / static_cast<double>(from.size()), 0.5)
+          << name << (has_normals ? " with normals" : " without");
+    }
+}
+
+TEST(scan, refuses_a_cloud_that_is_no_surface) {
+  EXPECT_EQ(find_fault(build_landmarks(build_sitter(), {"_l", "_r"}), "v 0 0 0\nv 1 0 0\n"),
+            "fault.obj: error: has 2 points and no faces; expected a surface, or a cloud of 100 points at "
+            "least\n");
 }
 
 TEST(scan, tells_what_is_wrong_with_its_landmarks) {

@@ -14,6 +14,7 @@
 #include "head/eye_fit.hpp"
 #include "head/landmarks.hpp"
 #include "head/nearest.hpp"
+#include "head/scan_ear.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -33,7 +34,10 @@ bool is_of(std::size_t v, const std::vector<const char*>& prefixes) {
   return share > 0.02;
 }
 
-bool is_unseen(std::size_t v) { return is_of(v, {"ni_", "nd_", "EB_", "E0_", "M0_", "MB", "er"}); }
+// Hidden, or of a form that is kept: nostrils and ears.
+bool is_unseen(std::size_t v) {
+  return is_of(v, {"na_", "nr_", "ni_", "nd_", "EB_", "E0_", "M0_", "MB", "er"});
+}
 
 struct ScanMaking {
   double noise_mm = 0;  // of the landmarks
@@ -46,6 +50,7 @@ struct ScanMaking {
   double least_z_mm = -1e9;  // behind, nothing was seen
   double least_x_mm = -1e9;  // and further to the right
   double rough_mm = 0;       // noise of the surface
+  bool has_ears = true;      // else there are holes
 };
 
 constexpr std::array kHoles{glm::vec3(45, -45, 75), glm::vec3(-60, 60, 20), glm::vec3(20, 40, 95),
@@ -87,6 +92,7 @@ Polygons build_scan_mesh(const NeutralHead& head, const ScanMaking& making) {
   }
   for (const auto& [a, b, c, d] : head.surface->quads) {
     const glm::dvec3 at = mesh.positions[a];
+    if (!making.has_ears && is_of(a, {"er"})) continue;
     bool is_seen = at.y > making.neck_mm && at.z > making.least_z_mm && at.x > making.least_x_mm;
     for (int h = 0; h < making.holes; ++h)
       is_seen = is_seen && glm::distance(at, glm::dvec3(kHoles[static_cast<std::size_t>(h)])) > 16;
@@ -196,6 +202,7 @@ std::string name_nearest_point(std::size_t v) {
 struct Outcome {
   Miss out, back;    // ours to the scan, the scan to ours
   double marks = 0;  // greatest miss of a landmark
+  double ear = 0;    // and of one on the ear, which keeps its own form
   double seconds = 0;
   HeadForm form;
 };
@@ -225,10 +232,11 @@ Outcome wrap(const NeutralHead& head, const ScanMaking& making) {
   const double lowest = std::max(making.neck_mm, double(find_bounds(head.skin.positions).low.y)) + 15;
   outcome.out = measure(ours, head.skin.positions, lowest);
   outcome.back = measure(head.skin.positions, ours, lowest);
-  for (const ScanMark& mark : scan.marks)
-    outcome.marks = std::max(
-        outcome.marks, glm::distance(sample_row(mark.place, head.cage.points),
-                                     apply_similarity(same, sample_row(mark.place, outcome.form.points))));
+  for (const ScanMark& mark : scan.marks) {
+    double& most = mark.name == "t" ? outcome.ear : outcome.marks;
+    most = std::max(most, glm::distance(sample_row(mark.place, head.cage.points),
+                                        apply_similarity(same, sample_row(mark.place, outcome.form.points))));
+  }
   return outcome;
 }
 
@@ -273,11 +281,89 @@ TEST(wrap, comes_back_with_the_shape_that_was_scanned) {
           << sitter.name << " at " << name_nearest_point(miss.vertex);
     }
     EXPECT_LT(outcome.marks, is_off ? 3 * sitter.making.noise_mm : 1) << sitter.name;
+    EXPECT_LT(outcome.ear, 2.5) << sitter.name;
     EXPECT_NEAR(outcome.form.eye.radius_mm / head.eye.radius_mm, 1, is_off ? 0.06 : 0.03) << sitter.name;
     EXPECT_EQ(std::abs(outcome.form.eye.centre.y), 0) << sitter.name;
     RecordProperty(sitter.name,
                    fmt::format("mean {:.3f} max {:.2f} back {:.3f} {:.2f} in {:.1f} s", outcome.out.mean,
                                outcome.out.max, outcome.back.mean, outcome.back.max, outcome.seconds));
+  }
+}
+
+// The skin's vertices of the left ear: its rim and what lies around it.
+std::vector<std::size_t> list_ear() {
+  std::vector<std::size_t> ear;
+  for (std::size_t v = 0; v < stock().half.points.size(); ++v) {
+    const int ring = find_ear_ring(stock().adult.names[v]);
+    if (ring >= 3 && ring <= 7) ear.push_back(v);
+  }
+  return ear;
+}
+
+std::vector<glm::dvec3> pick(const std::vector<glm::vec3>& skin, const std::vector<std::size_t>& vertices) {
+  std::vector<glm::dvec3> points;
+  for (const std::size_t v : vertices) points.emplace_back(skin[v]);
+  return points;
+}
+
+// How far `from` is from `to` in the mean, after the similarity that lays it there.
+double find_mean_miss(const Similarity& similarity, const std::vector<glm::dvec3>& from,
+                      const std::vector<glm::dvec3>& to) {
+  double sum = 0;
+  for (std::size_t i = 0; i < from.size(); ++i)
+    sum += glm::distance(apply_similarity(similarity, from[i]), to[i]);
+  return sum / static_cast<double>(from.size());
+}
+
+TEST(wrap, ears_take_place_size_and_angle_of_the_scans_and_keep_their_own_form) {
+  HeadSpec spec;
+  spec.features = {{"ear_size", -1}, {"ear_angle", 1}};
+  const NeutralHead head = build_neutral_head(spec, find_data_folder());
+  const auto ear = list_ear();
+  const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
+  const std::vector<glm::dvec3> theirs = pick(head.skin.positions, ear),
+                                own = pick(adult.skin.positions, ear);
+  const Scan scan = build_scan(head, {});
+  EXPECT_TRUE(list_kept_parts(stock(), scan).empty());
+  const NeutralHead wrapped = build_bare_head(stock(), wrap_head(stock(), scan).points);
+  std::vector<glm::dvec3> from, to;
+  for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
+    if (is_unseen(v)) continue;
+    from.emplace_back(wrapped.skin.positions[v]);
+    to.emplace_back(head.skin.positions[v]);
+  }
+  const std::vector<glm::dvec3> ours = pick(wrapped.skin.positions, ear);
+  EXPECT_GT(find_mean_miss({}, own, theirs), 2.5) << "there is something to be found";
+  EXPECT_LT(find_mean_miss(fit_similarity(from, to), ours, theirs), 1);
+  EXPECT_LT(find_mean_miss(fit_similarity(own, ours), own, ours), 0.5);
+}
+
+TEST(wrap, keeps_our_own_ears_where_a_scan_has_none_and_says_so) {
+  ScanMaking making;
+  making.has_ears = false;
+  const NeutralHead head = build_neutral_head(list_sitters()[1].spec, find_data_folder());
+  const Scan scan = build_scan(head, making);
+  EXPECT_EQ(list_kept_parts(stock(), scan), std::vector<std::string>{"ears"});
+  const NeutralHead wrapped = build_bare_head(stock(), wrap_head(stock(), scan).points);
+  const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
+  const auto own = pick(adult.skin.positions, list_ear()), ours = pick(wrapped.skin.positions, list_ear());
+  EXPECT_LT(find_mean_miss(fit_similarity(own, ours), own, ours), 1);
+}
+
+TEST(wrap, nostrils_keep_their_form) {
+  std::vector<std::size_t> rim;
+  for (std::size_t v = 0; v < stock().half.points.size(); ++v)
+    if (has_prefix(stock().adult.names[v], "na_") || has_prefix(stock().adult.names[v], "nr_"))
+      rim.push_back(v);
+  ASSERT_FALSE(rim.empty());
+  const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
+  const auto own = pick(adult.skin.positions, rim);
+  for (const Sitter& sitter : list_sitters()) {
+    const NeutralHead head = build_neutral_head(sitter.spec, find_data_folder());
+    const NeutralHead wrapped =
+        build_bare_head(stock(), wrap_head(stock(), build_scan(head, sitter.making)).points);
+    const auto ours = pick(wrapped.skin.positions, rim);
+    EXPECT_LT(find_mean_miss(fit_similarity(own, ours), own, ours), 1) << sitter.name;
   }
 }
 
