@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kColumns = 6;           // of the lips from the middle to a corner
 constexpr int kSteps = 2;             // rings of the flap for each of them
-constexpr double kHang_mm = 1.0;      // below the slit; more shows under a raised lip, less lets a low lamp's light out
+constexpr double kHang_mm = 0.5;      // below the slit; more shows under a raised lip, less lets a low lamp's light out
 constexpr double kThick_mm = 0.12;    // half; two sides of one plane would flicker
 constexpr double kLast = 5.5;         // column where it ends, before the corner's fold
 
@@ -80,7 +80,7 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
   }
   part.part.name = "lip_veil";
   part.part.material = "plain";
-  part.part.palette = {{glm::vec3(0.16f, 0.06f, 0.05f), 0}};
+  part.part.palette = {{glm::vec3(0.24f, 0.09f, 0.08f), 0}};
   part.part.is_printed = false;
   part.mount = Mount::strands;
   return part;

@@ -22,8 +22,8 @@ struct Station {
   double thick;    // from the thickness of its edge (0) to that of its neck (1)
 };
 
-constexpr std::array<Station, 6> kStations{{{0.0, 0.90, 0.42, 0.0},
-                                            {0.10, 0.975, 0.08, 0.22},
+constexpr std::array<Station, 6> kStations{{{0.0, 0.935, 0.42, 0.0},
+                                            {0.10, 0.985, 0.08, 0.22},
                                             {0.36, 1.0, 0.0, 0.62},
                                             {0.70, 0.955, 0.08, 0.92},
                                             {1.0, 0.87, 0.50, 1.0},
@@ -36,23 +36,24 @@ struct RingPoint {
 };
 
 constexpr std::array<RingPoint, 14> kRing{{{1.0, 0.42},
-                                           {0.80, 0.84},
-                                           {0.42, 0.97},
+                                           {0.82, 0.86},
+                                           {0.42, 0.98},
                                            {0.0, 1.0},
-                                           {-0.42, 0.97},
-                                           {-0.80, 0.84},
+                                           {-0.42, 0.98},
+                                           {-0.82, 0.86},
                                            {-1.0, 0.42},
-                                           {-0.965, 0.13},
+                                           {-0.98, 0.11},
                                            {-0.80, 0.0},
                                            {-0.45, 0.0},
                                            {0.0, 0.0},
                                            {0.45, 0.0},
                                            {0.80, 0.0},
-                                           {0.965, 0.13}}};
+                                           {0.98, 0.11}}};
 
-constexpr double kBow = 0.10;         // how far the front's sides lie behind its middle, of the width
-constexpr double kCorner_mm = 0.75;   // how much higher the edge ends at its sides; more cuts notches that show from afar
-constexpr double kFossa_mm = 0.9;     // depth of the table of a grinding tooth
+constexpr double kBow = 0.075;        // how far the front's sides lie behind its middle, of the width
+constexpr double kCorner_mm = 0.5;    // how much higher the edge ends at its sides; more cuts notches that show from afar
+constexpr double kFossa_mm = 0.5;     // depth of the table of a grinding tooth
+constexpr double kTouch = 1.02;       // neighbours overlap by this: 1 lets the dark behind shine through between them
 constexpr double kLeastGrown = 0.12;  // of a tooth deep in the gum: a body, if a small one
 
 // Height of the biting edge above its own lowest place, mm of the adult.
@@ -86,7 +87,7 @@ ToothShape shape_tooth(const DentalArch& arch, const TeethRow& row, const Tooth&
 glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const RingPoint& point) {
   const Tooth& tooth = shape.tooth;
   const TeethRowNumbers& numbers = shape.row.numbers;
-  const double scale = shape.arch.scale, wide = 0.5 * (tooth.width_mm - tooth.free_mm);
+  const double scale = shape.arch.scale, wide = 0.5 * (kTouch * tooth.width_mm - tooth.free_mm);
   const double grown = std::max(tooth.grown, kLeastGrown);
   const double edge = tooth.edge_mm + scale * (find_edge_rise_mm(numbers, tooth.kind, point.across) +
                                                0.5 * point.behind * (numbers.cusps[tooth.kind] > 0));
@@ -99,8 +100,9 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
   const double table = numbers.table_mm[tooth.kind], neck = numbers.thick_mm[tooth.kind];
   const double thick = scale * small * (table + (neck - table) * station.thick);
   const double bow = kBow * 2 * wide * point.across * point.across;
-  // The inner half is narrower: the arch is round.
-  const double across = wide * small * narrow * station.wide * point.across * (1 - 0.16 * point.behind);
+  // The inner half of a front tooth is narrower: the arch is round there.
+  const double taper = 0.2 * (1 - smooth_step(0.35, 0.65, tooth.share));
+  const double across = wide * small * narrow * station.wide * point.across * (1 - taper * point.behind);
   const double behind = find_lean_mm(shape.arch, shape.row, height, tooth.share) + scale * station.back_mm +
                         bow * (1 - point.behind) + thick * point.behind;
   return shape.place(across, behind, height);
@@ -134,7 +136,7 @@ std::vector<Shade> make_teeth_palette() {
         for (int gap = 0; gap < kGapShades; ++gap) {
           const float up = static_cast<float>(height) / (kHeightShades - 1);
           const float far = 0.88f * static_cast<float>(depth) / (kDepthShades - 1);
-          const float between = 0.14f * static_cast<float>(gap) / (kGapShades - 1);
+          const float between = 0.09f * static_cast<float>(gap) / (kGapShades - 1);
           const glm::vec3 low = glm::mix(enamel.edge, enamel.body, std::min(1.0f, 4 * up));
           const glm::vec3 own = glm::mix(low, enamel.neck, glm::smoothstep(0.35f, 1.0f, up));
           palette.push_back({glm::mix(glm::mix(own, enamel.neck * 0.8f, between), shade, far), 0.5f});
@@ -167,7 +169,8 @@ constexpr int kGumShades = 6;
 struct GumCut {
   ArchPlace place;
   double across = 0;           // of its tooth, -1..1
-  double margin_mm = 0;        // height of the gum's edge
+  double margin_mm = 0;        // height of the gum's edge before the teeth
+  double inner_mm = 0;         // and behind them, where it is nearly level
   double neck_mm = 0;          // height of the row's gums there
   double thick_mm = 0, bow_mm = 0, share = 0, grown = 1;
 };
@@ -177,7 +180,7 @@ std::vector<GumCut> cut_gum(const DentalArch& arch, const TeethRow& row) {
   const std::vector<Tooth> teeth = lay_teeth(arch, row, line);
   const MouthNumbers& mouth = arch.numbers;
   const double scale = arch.scale;
-  static constexpr std::array kAcross{-1.0, -0.8, -0.45, 0.0, 0.45, 0.8};
+  static constexpr std::array kAcross{-1.0, -0.72, -0.28, 0.28, 0.72};
   std::vector<GumCut> cuts;
   const auto add = [&](std::size_t kind, double across, double beyond_mm) {
     const Tooth& tooth = teeth[kind];
@@ -195,6 +198,7 @@ std::vector<GumCut> cut_gum(const DentalArch& arch, const TeethRow& row) {
     cut.bow_mm = kBow * blend(tooth.width_mm, other.width_mm) * across * across;
     cut.margin_mm = cut.neck_mm - scale * mouth.scallop_mm * side * side * side * cut.grown -
                     scale * mouth.ridge_mm * (1 - cut.grown);
+    cut.inner_mm = cut.margin_mm + (0.5 * (cut.neck_mm - cut.margin_mm) - 1.2 * scale * cut.share) * cut.grown;
     cuts.push_back(cut);
   };
   for (std::size_t kind = 0; kind < kTeeth; ++kind)
@@ -226,9 +230,10 @@ Ring build_gum_ring(const DentalArch& arch, const TeethRow& row, const GumCut& c
   add(margin + 0.9 * scale, front_at(margin + 0.9 * scale) - thick + 0.5 * valley, 0);
   add(margin + 0.15 * scale, front_at(margin) - 0.45 * thick, 0);
   add(margin - 0.05 * scale, front_at(margin) + 0.8 * scale, 0);
-  add(margin, front_at(margin) + deep - 0.9 * scale, 0.5);
-  add(margin + 1.2 * scale, front_at(margin) + deep + 0.7 * scale, 0.6);
-  add(top, front_at(margin) + deep + 2.4 * scale, 0.8);
+  const double inner = cut.inner_mm;
+  add(inner, front_at(inner) + deep - 0.9 * scale, 0.5);
+  add(inner + 1.2 * scale, front_at(inner) + deep + 0.7 * scale, 0.6);
+  add(top, front_at(inner) + deep + 2.4 * scale, 0.8);
   return ring;
 }
 

@@ -11,7 +11,7 @@ namespace mien {
 
 namespace {
 
-constexpr int kDepthShades = 8, kGrooveShades = 2;
+constexpr int kDepthShades = 20, kGrooveShades = 4;
 constexpr int kRings = 20, kHalf = 12;  // points of half a ring, from the top to the bottom
 constexpr double kThick_mm = 9;         // of its sides; its underside is never seen
 constexpr double kTip_mm = 11;          // over which it grows from its tip to its full width
@@ -37,7 +37,8 @@ HeadPart build_tongue(const DentalArch& arch) {
   HeadPart part;
   std::vector<Ring> rings;
   const auto find_shade = [](double way, double groove) {
-    return static_cast<std::uint16_t>(std::lround((kDepthShades - 1) * way) * kGrooveShades + std::lround(groove));
+    return static_cast<std::uint16_t>(std::lround((kDepthShades - 1) * way) * kGrooveShades +
+                                      std::lround((kGrooveShades - 1) * groove));
   };
   part.part.shade.push_back(find_shade(1, 0));
   for (int r = 0; r < kRings; ++r) {
@@ -87,7 +88,7 @@ HeadPart build_tongue(const DentalArch& arch) {
   for (int depth = 0; depth < kDepthShades; ++depth)
     for (int groove = 0; groove < kGrooveShades; ++groove) {
       const float far = static_cast<float>(depth) / (kDepthShades - 1);
-      part.part.palette.push_back({glm::mix(front, back, far) * (groove > 0 ? 0.86f : 1.0f), 0.7f});
+      part.part.palette.push_back({glm::mix(front, back, far) * (1 - 0.14f * static_cast<float>(groove) / (kGrooveShades - 1)), 0.7f});
     }
   part.part.is_rigid = true;
   part.mount = Mount::jaw;

@@ -25,7 +25,7 @@ const std::vector<NamedFigure>& figures() {
   static const std::vector<NamedFigure> list = [] {
     std::vector<NamedFigure> made;
     const auto add = [&](const std::string& name, const HeadSpec& spec) {
-      made.push_back({name, build_figure(spec, source_folder(), FigureUse::print)});
+      made.push_back({name, build_figure(spec, source_folder())});
     };
     for (const char* age : {"adult", "infant", "child"}) {
       HeadSpec spec;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "head/binding.hpp"
 #include "head/dental_arch.hpp"
 #include "head/head.hpp"
 #include "places.hpp"
@@ -120,6 +121,26 @@ TEST(mouth, of_an_adult_has_arches_as_deep_as_people_have) {
     EXPECT_LE(box.high.z - box.low.z, 37) << row;
     EXPECT_GE(box.high.x, 25) << row;
     EXPECT_LE(box.high.x, 33) << row;
+  }
+}
+
+// The cavity's skin lies around the teeth, not before them.
+TEST(mouth, has_its_teeth_inside_the_cavity) {
+  for (const char* age : {"infant", "child", "adult"}) {
+    const NeutralHead head = build_aged({{age, 1.0}});
+    const auto at = [&](const char* name) { return head.skin.positions[head.cage.index.at(name)]; };
+    const glm::vec3 reach(60, 40, 60);
+    const SkinPatch patch = build_skin_patch(head.skin, {at("M1_0") - reach, at("M1_0") + glm::vec3(60, 40, 2)});
+    for (const HeadPart& part : build_mouth(head, Look{})) {
+      if (!part.part.name.starts_with("teeth")) continue;
+      const float edge = part.mount == Mount::skull ? find_bounds(part.part.rest.positions).low.y
+                                                    : find_bounds(part.part.rest.positions).high.y;
+      for (const glm::vec3& p : part.part.rest.positions) {
+        if (std::abs(p.y - edge) > 2) continue;  // the crowns' ends: what an open mouth shows
+        const SkinPlace place = find_nearest_place(patch, p);
+        ASSERT_GT(glm::dot(p - place.point, place.normal), 0) << age << " " << part.part.name << " " << p.x;
+      }
+    }
   }
 }
 
