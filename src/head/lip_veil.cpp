@@ -17,9 +17,9 @@ namespace {
 
 constexpr int kColumns = 6;           // of the lips from the middle to a corner
 constexpr int kSteps = 2;             // rings of the flap for each of them
-constexpr double kHang_mm = 0.5;      // below the slit; more shows under a raised lip, less lets a low lamp's light out
+constexpr double kHang_mm = 0.75;     // below the slit; more shows under a raised lip, less lets a low lamp's light out
 constexpr double kThick_mm = 0.12;    // half; two sides of one plane would flicker
-constexpr double kLast = 5.5;         // column where it ends, before the corner's fold
+constexpr double kLast = 5;           // column where it ends, before the corner's fold
 
 // One cross-section: it grows from the inner edge of the lip and hangs down.
 struct VeilCut {
@@ -46,7 +46,7 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
     if (i == 0) cut.root.x = 0;
     const float low = sample_curve(slit, column).y -
                       static_cast<float>(scale * kHang_mm * (1 - smooth_step(3, kLast, column)));
-    cut.tip = {cut.root.x, std::min(low, cut.root.y - static_cast<float>(0.3 * scale)), cut.root.z};
+    cut.tip = {cut.root.x, std::min(low, cut.root.y - static_cast<float>(0.1 * scale)), cut.root.z};
     cuts.push_back(cut);
   }
 

@@ -55,6 +55,8 @@ double find_scale(const Figure& figure) {
   return figure.head.skin.positions[find_point(figure.head.cage, "M1_6")].x / load_part_numbers().mouth.corner_mm;
 }
 
+constexpr float kBare_mm = 3;  // beyond the inner edge of a lip; past it gum and flesh are one
+
 // The least way from a tooth's front to the skin of the lips before it, mm; negative: the tooth is through it.
 double find_clearance_mm(const Figure& figure, const Pose& pose) {
   DeformBuffers buffers;
@@ -76,8 +78,12 @@ double find_clearance_mm(const Figure& figure, const Pose& pose) {
       if (part.rest.normals[v].z < 0.2f) continue;
       const glm::vec3 p(drawing.parts[i].world_from_rest * glm::vec4(part.rest.positions[v], 1));
       if (std::abs(p.x) > 15 * scale) continue;
+      if (p.y > at("M0_0").y + kBare_mm * scale || p.y < at("M0_12").y - kBare_mm * scale) continue;
       const SkinPlace place = find_nearest_place(patch, p);
-      least = std::min<double>(least, glm::dot(p - place.point, place.normal));
+      const double free_mm = glm::dot(p - place.point, place.normal);
+      if (std::getenv("MOUTH_PRINT") && free_mm < least && free_mm < 0)
+        printf("  %s %.1f %.1f %.1f %.2f | line %.1f %.1f\n", part.name.c_str(), p.x, p.y, p.z, free_mm, at("M0_0").y, at("M0_12").y);
+      least = std::min(least, free_mm);
     }
   }
   return least;
