@@ -1,5 +1,5 @@
-// A row's outside is a superellipse that begins with the lips' own curve. Widths, heights and years of teeth: Nelson,
-// "Wheeler's Dental Anatomy, Physiology and Occlusion".
+// A row's outside is a superellipse that begins with the lips' own curve. Widths, heights and years of teeth:
+// Nelson, "Wheeler's Dental Anatomy, Physiology and Occlusion".
 #include "head/dental_arch.hpp"
 
 #include <algorithm>
@@ -22,10 +22,12 @@ struct Dentition {
   double grown = 1, milk = 0;
 };
 
-Dentition find_dentition(const MouthNumbers& mouth, const TeethRowNumbers& row, std::size_t kind, double years) {
+Dentition find_dentition(const MouthNumbers& mouth, const TeethRowNumbers& row, std::size_t kind,
+                         double years) {
   const double lasting = find_growth(years, row.years[kind], mouth.growing_years[1]);
   if (kind >= kMilkTeeth) return {lasting, 0};
-  constexpr double kFall_years = 0.1;  // a tooth is out at once; longer than 0, so that a morph of ages does not jump
+  constexpr double kFall_years =
+      0.1;  // a tooth is out at once; longer than 0, so that a morph of ages does not jump
   const double there = 1 - smooth_step(row.shed_years[kind], row.shed_years[kind] + kFall_years, years);
   const double milk = find_growth(years, row.milk_years[kind], mouth.growing_years[0]) * there;
   return {std::max(milk, lasting), there};
@@ -97,8 +99,8 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
     tooth.share = middle_mm / line.length_mm.back();
     tooth.place = find_arch_place(line, middle_mm);
     const double edge = -numbers.edge_mm + numbers.rise_mm[tooth.kind];
-    const double height = (numbers.gum_mm + numbers.neck_mm[tooth.kind] - edge) *
-                          (1 + (mouth.milk_height - 1) * tooth.milk);
+    const double height =
+        (numbers.gum_mm + numbers.neck_mm[tooth.kind] - edge) * (1 + (mouth.milk_height - 1) * tooth.milk);
     tooth.edge_mm = arch.scale * edge;
     tooth.neck_mm = arch.scale * (edge + height);
   }
@@ -107,8 +109,7 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
 
 double find_arch_half_mm(const DentalArch& arch, double behind_mm) {
   const double rest = 1 - std::clamp(behind_mm / arch.depth_mm, 0.0, 1.0);
-  return arch.half_mm *
-         std::pow(1 - std::pow(rest, arch.numbers.arch.square), 1 / arch.numbers.arch.square);
+  return arch.half_mm * std::pow(1 - std::pow(rest, arch.numbers.arch.square), 1 / arch.numbers.arch.square);
 }
 
 double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share) {

@@ -28,20 +28,20 @@ struct TeethRow {
 
 // A place of the row's outside, x >= 0, seen from above.
 struct ArchPlace {
-  glm::vec2 at{0};      // x, z behind the arch's front (negative)
-  glm::vec2 out{0, 1};  // unit, toward lips and cheeks
+  glm::vec2 at{0};        // x, z behind the arch's front (negative)
+  glm::vec2 out{0, 1};    // unit, toward lips and cheeks
   glm::vec2 along{1, 0};  // unit, away from the middle of the face
 };
 
 // The row's outside as a line that can be walked along.
 struct ArchLine {
-  std::vector<glm::vec2> points;   // x, z
+  std::vector<glm::vec2> points;  // x, z
   std::vector<double> length_mm;  // from the middle to each
 };
 
 // One tooth of the left half. Lengths in mm of this head; heights as place_on_tooth takes them.
 struct Tooth {
-  std::size_t kind = 0;  // 0 the first incisor .. 6 the second molar
+  std::size_t kind = 0;              // 0 the first incisor .. 6 the second molar
   double from_mm = 0, width_mm = 0;  // along the row; a milk tooth leaves some of its place free
   double free_mm = 0;
   double edge_mm = 0, neck_mm = 0;  // heights of its biting edge and of the gum's margin over its middle
@@ -54,21 +54,24 @@ struct Tooth {
 ArchLine trace_arch(const DentalArch& arch, const TeethRow& row);
 ArchPlace find_arch_place(const ArchLine& line, double length_mm);
 
-// The teeth of half a row, first incisor first, side by side from the middle of the face to the row's end. All seven
-// at every age: those that are not out yet, or just fallen, have grown 0.
+// The teeth of half a row, first incisor first, side by side from the middle of the face to the row's end.
+// All seven at every age: those that are not out yet, or just fallen, have grown 0.
 std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const ArchLine& line);
 
-// How far inward from the arch's middle line the row's outside lies at a way behind its front, mm: half its width there.
+// How far inward from the arch's middle line the row's outside lies at a way behind its front, mm: half its
+// width there.
 double find_arch_half_mm(const DentalArch& arch, double behind_mm);
 
-// How far the row's front lies behind the arch at a height: it leans back toward the gum, less so further back.
+// How far the row's front lies behind the arch at a height: it leans back toward the gum, less so further
+// back.
 double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share);
 
 // The whole row, left and right, and the gum it grows from.
 HeadPart build_teeth(const DentalArch& arch, const TeethRow& row);
 HeadPart build_gum(const DentalArch& arch, const TeethRow& row);
 
-// What hangs behind shut lips of a mouth of this scale and keeps the teeth from shining through; it rides on the skin.
+// What hangs behind shut lips of a mouth of this scale and keeps the teeth from shining through; it rides on
+// the skin.
 HeadPart build_lip_veil(const NeutralHead& head, double scale);
 
 // The tongue at rest, its tip behind the lower teeth.

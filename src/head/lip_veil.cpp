@@ -1,5 +1,6 @@
-// Lips that are shut leave a slit a hair wide, through which lit teeth would show as white dashes. What closes it
-// in a mouth is the wet inner side of the upper lip, which hangs behind the lower one: a thin dark flap here.
+// Lips that are shut leave a slit a hair wide, through which lit teeth would show as white dashes. What
+// closes it in a mouth is the wet inner side of the upper lip, which hangs behind the lower one: a thin dark
+// flap here.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -15,11 +16,13 @@ namespace mien {
 
 namespace {
 
-constexpr int kColumns = 6;           // of the lips from the middle to a corner
-constexpr int kSteps = 2;             // rings of the flap for each of them
-constexpr double kHang_mm = 0.75;     // below the slit; more shows under a raised lip, less lets a low lamp's light out
-constexpr double kThick_mm = 0.12;    // half; two sides of one plane would flicker
-constexpr double kLast = 5;           // column where it ends, before the corner's fold
+constexpr int kColumns = 6;  // of the lips from the middle to a corner
+constexpr int kSteps = 2;    // rings of the flap for each of them
+constexpr double kHang_mm =
+    0.75;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
+constexpr double kThinner = 0.6;    // of its hang is gone at its ends: a corner that opens would show it
+constexpr double kThick_mm = 0.12;  // half; two sides of one plane would flicker
+constexpr double kLast = 5.5;       // column where it ends, before the corner's fold
 
 // One cross-section: it grows from the inner edge of the lip and hangs down.
 struct VeilCut {
@@ -45,7 +48,7 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
     cut.root = sample_curve(inner, column);
     if (i == 0) cut.root.x = 0;
     const float low = sample_curve(slit, column).y -
-                      static_cast<float>(scale * kHang_mm * (1 - smooth_step(3, kLast, column)));
+                      static_cast<float>(scale * kHang_mm * (1 - kThinner * smooth_step(3, kLast, column)));
     cut.tip = {cut.root.x, std::min(low, cut.root.y - static_cast<float>(0.1 * scale)), cut.root.z};
     cuts.push_back(cut);
   }
@@ -55,7 +58,8 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
   const auto thick = static_cast<float>(scale * kThick_mm);
   const auto take = [&](const VeilCut& cut, float side) {  // counter-clockwise seen from the left
     Ring ring;
-    for (const auto& [p, out] : {std::pair{cut.root, thick}, {cut.root, -thick}, {cut.tip, -thick}, {cut.tip, thick}})
+    for (const auto& [p, out] :
+         {std::pair{cut.root, thick}, {cut.root, -thick}, {cut.tip, -thick}, {cut.tip, thick}})
       ring.emplace_back(side * p.x, p.y, p.z + out);
     std::reverse(ring.begin(), ring.end());
     rings.push_back(ring);
@@ -68,8 +72,9 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
 
   // Each ring rides on the skin at its root; the fans' points go with the outermost ones.
   const glm::vec3 reach(0, 6 * scale, 6 * scale);
-  const SkinPatch patch = build_skin_patch(head.skin, {glm::vec3(-inner.back().x, inner.back().y, inner.back().z) - reach,
-                                                       inner.front() + glm::vec3(inner.back().x, 0, 0) + reach});
+  const SkinPatch patch =
+      build_skin_patch(head.skin, {glm::vec3(-inner.back().x, inner.back().y, inner.back().z) - reach,
+                                   inner.front() + glm::vec3(inner.back().x, 0, 0) + reach});
   std::uint32_t first = 0;
   for (std::size_t r = 0; r < rings.size(); ++r) {
     const bool is_end = r == 0 || r + 1 == rings.size();

@@ -47,7 +47,8 @@ DentalArch fit_arch(const NeutralHead& head, const MouthNumbers& numbers) {
   const double square = numbers.arch.square;
   const double rest = std::clamp(1 - (middle.z - side.z) / arch.depth_mm, 0.05, 0.99);
   const double half_mm = side.x / std::pow(1 - std::pow(rest, square), 1 / square);
-  arch.half_mm = std::clamp(half_mm, arch.scale * numbers.arch.half_mm[0], arch.scale * numbers.arch.half_mm[1]);
+  arch.half_mm =
+      std::clamp(half_mm, arch.scale * numbers.arch.half_mm[0], arch.scale * numbers.arch.half_mm[1]);
   return arch;
 }
 

@@ -148,7 +148,8 @@ MouthNumbers read_mouth(const Table& table) {
   table.read("milk_space", mouth.milk_space_mm);
   table.read("years", mouth.years);
   table.read("scan_years", mouth.scan_years);
-  if (mouth.scan_years.empty()) throw RunError(table.origin + ".scan_years: a pair of numbers is missing here");
+  if (mouth.scan_years.empty())
+    throw RunError(table.origin + ".scan_years: a pair of numbers is missing here");
   table.read("scallop", mouth.scallop_mm);
   table.read("ridge", mouth.ridge_mm);
   table.read("gum_thick", mouth.gum_thick_mm);

@@ -1,6 +1,6 @@
-// Teeth one by one, as rings from the biting edge to the root: Nelson, "Wheeler's Dental Anatomy, Physiology and
-// Occlusion", simplified to what is seen through an open mouth. Near by they can be counted; from afar the
-// shallow gaps between them leave one light band (Loomis, "Drawing the Head and Hands", 1956).
+// Teeth one by one, as rings from the biting edge to the root: Nelson, "Wheeler's Dental Anatomy, Physiology
+// and Occlusion", simplified to what is seen through an open mouth. Near by they can be counted; from afar
+// the shallow gaps between them leave one light band (Loomis, "Drawing the Head and Hands", 1956).
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -29,8 +29,8 @@ constexpr std::array<Station, 6> kStations{{{0.0, 0.935, 0.42, 0.0},
                                             {1.0, 0.87, 0.50, 1.0},
                                             {1.35, 0.70, 1.30, 0.9}}};
 
-// A ring's points: across (-1 toward the middle of the face, 1 away from it), from the front (0) to the back (1).
-// Counter-clockwise seen from the root of an upper tooth of the left.
+// A ring's points: across (-1 toward the middle of the face, 1 away from it), from the front (0) to the back
+// (1). Counter-clockwise seen from the root of an upper tooth of the left.
 struct RingPoint {
   double across, behind;
 };
@@ -50,10 +50,12 @@ constexpr std::array<RingPoint, 14> kRing{{{1.0, 0.42},
                                            {0.80, 0.0},
                                            {0.98, 0.11}}};
 
-constexpr double kBow = 0.075;        // how far the front's sides lie behind its middle, of the width
-constexpr double kCorner_mm = 0.5;    // how much higher the edge ends at its sides; more cuts notches that show from afar
-constexpr double kFossa_mm = 0.5;     // depth of the table of a grinding tooth
-constexpr double kTouch = 1.02;       // neighbours overlap by this: 1 lets the dark behind shine through between them
+constexpr double kBow = 0.075;  // how far the front's sides lie behind its middle, of the width
+constexpr double kCorner_mm =
+    0.5;  // how much higher the edge ends at its sides; more cuts notches that show from afar
+constexpr double kFossa_mm = 0.35;  // depth of the table of a grinding tooth
+constexpr double kTouch =
+    1.02;  // neighbours overlap by this: 1 lets the dark behind shine through between them
 constexpr double kLeastGrown = 0.12;  // of a tooth deep in the gum: a body, if a small one
 
 // Height of the biting edge above its own lowest place, mm of the adult.
@@ -72,7 +74,8 @@ struct ToothShape {
 
   // Height and distance behind the row's outside, mm.
   glm::vec3 place(double across_mm, double behind_mm, double height_mm) const {
-    const glm::vec2 flat = tooth.place.at + along * static_cast<float>(across_mm) - out * static_cast<float>(behind_mm);
+    const glm::vec2 flat =
+        tooth.place.at + along * static_cast<float>(across_mm) - out * static_cast<float>(behind_mm);
     return {flat.x, arch.lips_y_mm + row.sign * height_mm, arch.front_z_mm + flat.y};
   }
 };
@@ -119,8 +122,8 @@ std::uint16_t find_tooth_shade(const Tooth& tooth, double height, double across,
   return static_cast<std::uint16_t>(((milk * kHeightShades + up) * kDepthShades + depth) * kGapShades + gap);
 }
 
-// Warm off-white: a little grey where the edge lets light through, yellower at the gum, in the cheeks' shade further
-// back. Milk teeth have the blue-ish white they are called after.
+// Warm off-white: a little grey where the edge lets light through, yellower at the gum, in the cheeks' shade
+// further back. Milk teeth have the blue-ish white they are called after.
 std::vector<Shade> make_teeth_palette() {
   struct Enamel {
     glm::vec3 edge, body, neck;
@@ -168,10 +171,10 @@ constexpr int kGumShades = 6;
 // A cut of the gum: where it is along the row, and the teeth's measures there.
 struct GumCut {
   ArchPlace place;
-  double across = 0;           // of its tooth, -1..1
-  double margin_mm = 0;        // height of the gum's edge before the teeth
-  double inner_mm = 0;         // and behind them, where it is nearly level
-  double neck_mm = 0;          // height of the row's gums there
+  double across = 0;     // of its tooth, -1..1
+  double margin_mm = 0;  // height of the gum's edge before the teeth
+  double inner_mm = 0;   // and behind them, where it is nearly level
+  double neck_mm = 0;    // height of the row's gums there
   double thick_mm = 0, bow_mm = 0, share = 0, grown = 1;
 };
 
@@ -185,12 +188,12 @@ std::vector<GumCut> cut_gum(const DentalArch& arch, const TeethRow& row) {
   const auto add = [&](std::size_t kind, double across, double beyond_mm) {
     const Tooth& tooth = teeth[kind];
     const Tooth& other = teeth[across < 0 ? (kind > 0 ? kind - 1 : 0) : std::min(kind + 1, kTeeth - 1)];
-    const double side = std::abs(across), near = 0.5 * side * side * side * side;  // half at the neighbour's border
+    const double side = std::abs(across),
+                 near = 0.5 * side * side * side * side;  // half at the neighbour's border
     const auto blend = [&](double own, double its) { return own + (its - own) * near; };
     GumCut cut;
     cut.across = across;
-    cut.place =
-        find_arch_place(line, tooth.from_mm + 0.5 * tooth.width_mm * (1 + across) + beyond_mm);
+    cut.place = find_arch_place(line, tooth.from_mm + 0.5 * tooth.width_mm * (1 + across) + beyond_mm);
     cut.grown = blend(tooth.grown, other.grown);
     cut.neck_mm = blend(tooth.neck_mm, other.neck_mm);
     cut.share = std::min(1.0, tooth.share + 0.5 * across * tooth.width_mm / line.length_mm.back());
@@ -198,7 +201,8 @@ std::vector<GumCut> cut_gum(const DentalArch& arch, const TeethRow& row) {
     cut.bow_mm = kBow * blend(tooth.width_mm, other.width_mm) * across * across;
     cut.margin_mm = cut.neck_mm - scale * mouth.scallop_mm * side * side * side * cut.grown -
                     scale * mouth.ridge_mm * (1 - cut.grown);
-    cut.inner_mm = cut.margin_mm + (0.5 * (cut.neck_mm - cut.margin_mm) - 1.2 * scale * cut.share) * cut.grown;
+    cut.inner_mm =
+        cut.margin_mm + (0.5 * (cut.neck_mm - cut.margin_mm) - 1.2 * scale * cut.share) * cut.grown;
     cuts.push_back(cut);
   };
   for (std::size_t kind = 0; kind < kTeeth; ++kind)

@@ -1,5 +1,5 @@
-// A tongue at rest: its tip behind the lower teeth, round sides, a groove along its middle, its back rising toward
-// the palate. It fills the lower arch but for a little room.
+// A tongue at rest: its tip behind the lower teeth, round sides, a groove along its middle, its back rising
+// toward the palate. It fills the lower arch but for a little room.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -32,7 +32,8 @@ double find_room_mm(const DentalArch& arch, double behind_mm) {
 HeadPart build_tongue(const DentalArch& arch) {
   const TongueNumbers& tongue = arch.numbers.tongue;
   const double scale = arch.scale;
-  const double tip_mm = scale * (arch.numbers.lower.inset_mm + tongue.tip_mm);  // behind the upper row's front
+  const double tip_mm =
+      scale * (arch.numbers.lower.inset_mm + tongue.tip_mm);  // behind the upper row's front
   const double top_y = arch.lips_y_mm - scale * tongue.top_mm;
   HeadPart part;
   std::vector<Ring> rings;
@@ -47,10 +48,12 @@ HeadPart build_tongue(const DentalArch& arch) {
     const double behind_mm = tip_mm + scale * from_tip_mm;
     const double tip = std::clamp(from_tip_mm / kTip_mm, 0.0, 1.0);
     const double round = std::sqrt(1 - square(1 - tip));  // a quarter of a circle
-    const double widest = std::min(scale * tongue.half_mm, std::max(find_room_mm(arch, behind_mm), 3 * scale));
+    const double widest =
+        std::min(scale * tongue.half_mm, std::max(find_room_mm(arch, behind_mm), 3 * scale));
     const double free = std::min(1.0, 0.62 + 0.38 * smooth_step(0, 16, from_tip_mm));
     const double half = widest * round * free;
-    const double rise = tongue.rise_mm * smooth_step(2, 26, from_tip_mm) - 5 * smooth_step(28, tongue.back_mm, from_tip_mm);
+    const double rise =
+        tongue.rise_mm * smooth_step(2, 26, from_tip_mm) - 5 * smooth_step(28, tongue.back_mm, from_tip_mm);
     const double high = top_y + scale * rise - scale * 2.6 * (1 - round);
     const double low = top_y + scale * (std::max(0.0, rise) * 0.5 - kThick_mm);
     const double middle = 0.5 * (high + low), reach = 0.5 * (high - low) * std::max(round, 0.25);
@@ -61,10 +64,10 @@ HeadPart build_tongue(const DentalArch& arch) {
       // Flatter above than a circle, and fuller at the sides.
       const double side = std::pow(std::sin(turn), 0.8), up = std::cos(turn);
       const double lift = up > 0 ? std::pow(up, 0.75) : up;
-      const double groove = std::exp(-square(4.2 * side)) * std::max(0.0, up) * smooth_step(2, 10, from_tip_mm);
+      const double groove =
+          std::exp(-square(4.2 * side)) * std::max(0.0, up) * smooth_step(2, 10, from_tip_mm);
       ring.emplace_back(k == 0 || k == kHalf - 1 ? 0 : half * side,
-                        middle + reach * lift - 1.3 * scale * groove,
-                        arch.front_z_mm - behind_mm);
+                        middle + reach * lift - 1.3 * scale * groove, arch.front_z_mm - behind_mm);
       shades.push_back(find_shade(smooth_step(0.25, 1, way), groove));
     }
     for (int k = kHalf - 2; k > 0; --k) {
@@ -88,7 +91,9 @@ HeadPart build_tongue(const DentalArch& arch) {
   for (int depth = 0; depth < kDepthShades; ++depth)
     for (int groove = 0; groove < kGrooveShades; ++groove) {
       const float far = static_cast<float>(depth) / (kDepthShades - 1);
-      part.part.palette.push_back({glm::mix(front, back, far) * (1 - 0.14f * static_cast<float>(groove) / (kGrooveShades - 1)), 0.7f});
+      part.part.palette.push_back(
+          {glm::mix(front, back, far) * (1 - 0.14f * static_cast<float>(groove) / (kGrooveShades - 1)),
+           0.7f});
     }
   part.part.is_rigid = true;
   part.mount = Mount::jaw;

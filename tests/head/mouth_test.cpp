@@ -49,7 +49,8 @@ std::vector<std::vector<std::uint32_t>> split_bodies(const Mesh& mesh) {
   return list;
 }
 
-// The teeth of a row that stand out of the gum by more than a millimetre: over or under all gum within their width.
+// The teeth of a row that stand out of the gum by more than a millimetre: over or under all gum within their
+// width.
 int count_teeth(const std::vector<HeadPart>& mouth, const std::string& row) {
   const Mesh& teeth = find_part(mouth, "teeth_" + row).rest;
   const Mesh& gum = find_part(mouth, "gum_" + row).rest;
@@ -99,7 +100,7 @@ TEST(mouth, loses_its_front_teeth_between_child_and_teenager) {
       if (std::abs(p.x) < reach_mm) low = std::min(low, p.y);
     return low;
   };
-  EXPECT_GT(lowest(teeth, 4), lowest(gum, 4) - 1);   // the middle ones have fallen
+  EXPECT_GT(lowest(teeth, 4), lowest(gum, 4) - 1);  // the middle ones have fallen
   EXPECT_LT(lowest(teeth, 9), lowest(gum, 9) - 2);  // their neighbours have not
 }
 
@@ -130,7 +131,8 @@ TEST(mouth, has_its_teeth_inside_the_cavity) {
     const NeutralHead head = build_aged({{age, 1.0}});
     const auto at = [&](const char* name) { return head.skin.positions[head.cage.index.at(name)]; };
     const glm::vec3 reach(60, 40, 60);
-    const SkinPatch patch = build_skin_patch(head.skin, {at("M1_0") - reach, at("M1_0") + glm::vec3(60, 40, 2)});
+    const SkinPatch patch =
+        build_skin_patch(head.skin, {at("M1_0") - reach, at("M1_0") + glm::vec3(60, 40, 2)});
     for (const HeadPart& part : build_mouth(head, Look{})) {
       if (!part.part.name.starts_with("teeth")) continue;
       const float edge = part.mount == Mount::skull ? find_bounds(part.part.rest.positions).low.y

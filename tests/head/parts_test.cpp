@@ -56,8 +56,9 @@ TEST(parts, have_the_names_the_model_promises) {
       list_names(build_eyes(average_head(), Look{})),
       testing::ElementsAre("eye_left", "iris_left", "cornea_left", "tear_left", "caruncle_left", "eye_right",
                            "iris_right", "cornea_right", "tear_right", "caruncle_right"));
-  EXPECT_THAT(list_names(build_mouth(average_head(), Look{})),
-              testing::ElementsAre("teeth_upper", "gum_upper", "teeth_lower", "gum_lower", "tongue", "lip_veil"));
+  EXPECT_THAT(
+      list_names(build_mouth(average_head(), Look{})),
+      testing::ElementsAre("teeth_upper", "gum_upper", "teeth_lower", "gum_lower", "tongue", "lip_veil"));
   EXPECT_THAT(list_names(build_hairs(average_head(), Look{})),
               testing::ElementsAre("brow_left", "lash_left", "brow_right", "lash_right"));
 }
