@@ -31,7 +31,7 @@ constexpr std::array<Tint, kSkinMaskCount> kTints = {{
     make_tint(glm::vec3(0.045f, 0.035f, 0.04f)),                       // throat
     make_tint(glm::vec3(0.07f, 0.03f, 0.025f)),                        // nostril
     {glm::vec3(0.96f, 0.70f, 0.66f), glm::vec3(1.05f, 0.84f, 0.80f)},  // rim of the lids
-    {glm::vec3(0.95f, 0.85f, 0.85f), glm::vec3(0.86f, 0.82f, 0.84f)},  // lids
+    {glm::vec3(0.96f, 0.89f, 0.88f), glm::vec3(0.86f, 0.82f, 0.84f)},  // lids
     make_tint(glm::vec3(0.42f, 0.34f, 0.32f)),                         // lashes' roots
     {glm::vec3(0.89f, 0.82f, 0.87f), glm::vec3(0.84f, 0.81f, 0.82f)},  // socket
     {glm::vec3(1.03f, 0.71f, 0.65f), glm::vec3(0.98f, 0.85f, 0.82f)},  // blood
@@ -88,7 +88,7 @@ glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   if (share == 1) return to_linear(*look.lips);
   const float light = std::clamp(find_luminance(skin) / kLightSkin, 0.0f, 1.0f);
   const glm::vec3 own =
-      skin * glm::mix(glm::vec3(0.92f, 0.66f, 0.70f), glm::vec3(0.79f, 0.47f, 0.50f), light);
+      skin * glm::mix(glm::vec3(0.92f, 0.66f, 0.70f), glm::vec3(0.80f, 0.49f, 0.52f), light);
   return share == 0 ? own : glm::mix(own, to_linear(*look.lips), share);
 }
 

@@ -78,17 +78,17 @@ struct Spot {
 };
 
 constexpr Spot kSpots[] = {
-    {kBlood, "q12_C2", 18, 0.46}, {kBlood, "q11_C3", 17, 0.30}, {kBlood, "p_tip", 11, 0.75},
-    {kBlood, "c3_tip", 8, 0.6},   {kBlood, "k_it", 6, 0.5},     {kBlood, "M6_12", 12, 0.38},
-    {kBlood, "E3_12", 9, 0.12},   {kBlood, "E3_0", 6, 0.2},     {kBlood, "p_b2", 9, 0.3},
-    {kBlood, "p_s", 8, 0.15},     {kForehead, "p_F2", 34, 1},   {kForehead, "f4_F2", 30, 0.8},
-    {kSocket, "E3_12", 8, 0.55},  {kSocket, "E3_14", 7, 0.6},   {kSocket, "E3_0", 6, 0.6},
-    {kSocket, "E4_1", 7, 0.3},    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},
-    {kBeard, "q12_C8", 22, 0.8},  {kBeard, "q11_D1", 22, 0.8},  {kBeard, "m11_D1", 22, 0.8},
-    {kBeard, "MA_1", 9, 0.5},     {kBeard, "M6_9", 18, 0.8},    {kBrow, "E5_2", 4, 0.4},
-    {kBrow, "E5_3", 4.5, 0.7},    {kBrow, "E5_4", 4.5, 0.7},    {kBrow, "E5_5", 4, 0.5},
-    {kShine, "p_tip", 8, 1},      {kShine, "p_F1", 22, 0.6},    {kShine, "p_b1", 8, 0.7},
-    {kShine, "q12_C1", 14, 0.4},  {kShine, "M6_12", 9, 0.4},
+    {kBlood, "q12_C2", 18, 0.46}, {kBlood, "q11_C3", 17, 0.30},  {kBlood, "p_tip", 11, 0.75},
+    {kBlood, "c3_tip", 8, 0.6},   {kBlood, "k_it", 6, 0.5},      {kBlood, "M6_12", 12, 0.38},
+    {kBlood, "E3_0", 6, 0.2},     {kBlood, "p_b2", 9, 0.3},      {kBlood, "p_s", 8, 0.15},
+    {kForehead, "p_F2", 34, 1},   {kForehead, "f4_F2", 30, 0.8}, {kSocket, "E3_12", 8, 0.55},
+    {kSocket, "E3_14", 7, 0.6},   {kSocket, "E3_0", 6, 0.6},     {kSocket, "E4_1", 7, 0.3},
+    {kSocket, "E3_9", 7, 0.3},    {kBeard, "M6_12", 22, 0.6},    {kBeard, "q12_C8", 22, 0.8},
+    {kBeard, "q11_D1", 22, 0.8},  {kBeard, "m11_D1", 22, 0.8},   {kBeard, "MA_1", 9, 0.5},
+    {kBeard, "M6_9", 18, 0.8},    {kBrow, "E5_2", 4, 0.4},       {kBrow, "E5_3", 4.5, 0.7},
+    {kBrow, "E5_4", 4.5, 0.7},    {kBrow, "E5_5", 4, 0.5},       {kShine, "p_tip", 8, 1},
+    {kShine, "p_F1", 22, 0.6},    {kShine, "p_b1", 8, 0.7},      {kShine, "q12_C1", 14, 0.4},
+    {kShine, "M6_12", 9, 0.4},
 };
 
 void add_rings(const NeutralHead& head, SkinMasks& masks) {

@@ -20,11 +20,10 @@ namespace mien {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr int kSpokes = 9;                                    // fewer show as polygons in a close-up
-constexpr std::array<double, 3> kRingRadii{0.32, 0.66, 1.0};  // of a spot's; the last lets all light through
-constexpr double kStretchMost = 0.14;                         // longer ones look like grains of rice
-constexpr int kStrengths = 8;                                 // from faint to full
-constexpr int kRingShades = 2;                                // the middle, and the ring before the last
+constexpr int kSpokes = 9;                              // fewer show as polygons in a close-up
+constexpr std::array<double, 2> kRingRadii{0.55, 1.0};  // of a spot's: it bends with the skin there
+constexpr double kStretchMost = 0.14;                   // longer ones look like grains of rice
+constexpr int kStrengths = 8;                           // from faint to full
 
 enum Channel : std::uint32_t { kTriangle, kAlong, kAcross, kSize, kStrength, kStretch, kTurn, kOutline };
 
@@ -187,19 +186,27 @@ void append_spot_faces(Mesh& mesh, std::uint32_t first) {
   }
 }
 
-// Shade 0 lets all light through; then for each kind and strength the middle's and the ring's.
+// For each kind and strength what the middle lets through.
 std::vector<Shade> make_spot_palette(float light) {
-  std::vector<Shade> palette{{glm::vec3(1), 0}};
-  constexpr std::array<float, kRingShades> kShares{1.0f, 0.62f};
+  std::vector<Shade> palette;
   for (const SpotKind& kind : list_kinds())
-    for (int strength = 1; strength <= kStrengths; ++strength)
-      for (const float share : kShares) {
-        const glm::vec3 full = glm::mix(kind.on_dark, kind.on_light, light);
-        const glm::vec3 through =
-            glm::mix(glm::vec3(1), full, share * static_cast<float>(strength) / kStrengths);
-        palette.push_back({glm::pow(through, glm::vec3(1 / 2.2f)), 0});
-      }
+    for (int strength = 1; strength <= kStrengths; ++strength) {
+      const glm::vec3 full = glm::mix(kind.on_dark, kind.on_light, light);
+      const glm::vec3 through =
+          glm::mix(glm::vec3(1), full, static_cast<float>(strength) / static_cast<float>(kStrengths));
+      palette.push_back({glm::pow(through, glm::vec3(1 / 2.2f)), 0});
+    }
   return palette;
+}
+
+// Where the vertices of a spot lie on its grain: the middle, then ring by ring.
+void append_spot_grain(std::vector<glm::vec2>& grain) {
+  grain.emplace_back(0);
+  for (const double ring : kRingRadii)
+    for (int k = 0; k < kSpokes; ++k) {
+      const double angle = 2 * kPi * k / kSpokes;
+      grain.emplace_back(ring * std::cos(angle), ring * std::sin(angle));
+    }
 }
 
 void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<double>& bare,
@@ -212,8 +219,7 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
   for (std::size_t s = 0; s < shown; ++s) {
     const double strength = spots[s].strength * glm::mix(kFaint, 1.0, dial);
     const auto level = std::clamp<long>(std::lround(strength * kStrengths), 1, kStrengths);
-    const auto middle = static_cast<std::uint16_t>(
-        1 + (static_cast<long>(kind_index) * kStrengths + level - 1) * kRingShades);
+    const auto shade = static_cast<std::uint16_t>(static_cast<long>(kind_index) * kStrengths + level - 1);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const std::vector<SkinPlace> places = find_spot_places(adult, kind, spots[s]);
     for (std::size_t v = 0; v < places.size(); ++v) {
@@ -226,9 +232,9 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
       mesh.positions.push_back(blend(head.skin.positions) + kSpotLift_mm * normal);
       mesh.normals.push_back(normal);
       part.bindings.push_back({places[v].triangle, w, static_cast<std::uint32_t>(first + v), 1});
-      const bool is_last = v > 2 * kSpokes, is_middle = v <= kSpokes;
-      part.part.shade.push_back(is_last ? 0 : is_middle ? middle : static_cast<std::uint16_t>(middle + 1));
+      part.part.shade.push_back(shade);
     }
+    append_spot_grain(part.part.grain);
     append_spot_faces(mesh, first);
   }
 }

@@ -10,8 +10,9 @@
 namespace mien {
 
 // One part "spots" (Mount::strands, material "spot", not printed), or none if both dials of `look` are 0. Its
-// palette is what of the light a spot lets through, in srgb; white lets all through. Each vertex is bound to
-// its own place of the skin and lies kSpotLift_mm above it. Places are drawn on the adult, from a fixed seed
+// palette is what of the light a spot's middle lets through, in srgb; its grain is the way from there to the
+// edge, 1 long, where all light passes. Each vertex is bound to its own place of the skin and lies
+// kSpotLift_mm above it. Places are drawn on the adult, from a fixed seed
 // and without mirror symmetry: a spot stays at its place of the skin on every head, and a higher dial adds
 // spots to those of a lower one and darkens them. About 0.1 s.
 std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look);

@@ -9,7 +9,7 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kSpotVertices = 28;  // its middle and three rings of nine
+constexpr std::size_t kSpotVertices = 19;  // its middle and two rings of nine
 
 const NeutralHead& adult() {
   static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
@@ -51,17 +51,20 @@ TEST(skin_spots, are_each_bound_to_the_skin_under_them) {
   }
 }
 
-TEST(skin_spots, fade_to_nothing_at_their_edge_and_never_brighten) {
-  const HeadPart spots = build(adult(), 1, 1);
-  EXPECT_EQ(spots.part.palette.front().srgb, glm::vec3(1));
-  for (std::size_t s = 0; s < spots.part.shade.size(); s += kSpotVertices) {
-    EXPECT_NE(spots.part.shade[s], 0);
-    for (std::size_t edge = s + 19; edge < s + kSpotVertices; ++edge) ASSERT_EQ(spots.part.shade[edge], 0);
+TEST(skin_spots, have_one_shade_each_that_fades_outward_and_never_brightens) {
+  const Part spots = build(adult(), 1, 1).part;
+  ASSERT_EQ(spots.grain.size(), spots.shade.size());
+  for (std::size_t s = 0; s < spots.shade.size(); s += kSpotVertices) {
+    EXPECT_EQ(spots.grain[s], glm::vec2(0));
+    for (std::size_t i = 1; i < kSpotVertices; ++i) {
+      ASSERT_EQ(spots.shade[s + i], spots.shade[s]);
+      ASSERT_NEAR(glm::length(spots.grain[s + i]), i < 10 ? 0.55f : 1.0f, 1e-5f);
+    }
   }
-  for (const Shade& shade : spots.part.palette)
+  for (const Shade& shade : spots.palette)
     for (const float channel : {shade.srgb.x, shade.srgb.y, shade.srgb.z}) {
       ASSERT_GT(channel, 0);
-      ASSERT_LE(channel, 1);
+      ASSERT_LT(channel, 1);
     }
 }
 
