@@ -33,6 +33,7 @@ SheetPlan plan_people(const SheetSubject& subject, const std::filesystem::path& 
     SheetCell cell{fmt::format("{}", seed), plan.heads.size()};
     cell.angle_deg = kTurned_deg;
     cell.framing.wide = kWide;
+    cell.framing.scale_of = cell.head;  // tall hair on a tall head has room too
     block.cells.push_back(cell);
     HeadSpec& head = plan.heads.emplace_back(subject.spec.head);
     draw_person(words.people, static_cast<std::uint64_t>(seed), head);
