@@ -43,6 +43,7 @@ Rows list_hair(const std::filesystem::path& data) {
   return rows;
 }
 
+// The skins by name, then the dials.
 Rows list_looks(const std::filesystem::path& data) {
   Rows rows;
   const YAML::Node looks = YAML::LoadFile((data / "templates/head/looks.yaml").string());
@@ -50,6 +51,9 @@ Rows list_looks(const std::filesystem::path& data) {
     rows.emplace_back(look.first.as<std::string>(),
                       fmt::format("{}  {}", look.second["skin"].as<std::string>(),
                                   look.second["meaning"].as<std::string>()));
+  for (const auto& dial : looks["dials"])
+    rows.emplace_back(dial.first.as<std::string>(),
+                      fmt::format("0 to 1   {}", dial.second.as<std::string>()));
   return rows;
 }
 
