@@ -91,8 +91,8 @@ struct MouthNumbers {
   TeethRowNumbers upper, lower;
   std::array<double, 2> growing_years{};
   double milk_height = 1, milk_space_mm = 0;
-  std::map<std::string, double> years;                // by an age's name
-  std::vector<std::array<double, 2>> scan_years;      // eye to chin in mm, years; both rising
+  std::map<std::string, double> years;            // by an age's name
+  std::vector<std::array<double, 2>> scan_years;  // eye to chin in mm, years; both rising
   double scallop_mm = 0, ridge_mm = 0, gum_thick_mm = 0;
   TongueNumbers tongue;
   MouthBagNumbers bag;
