@@ -13,8 +13,8 @@ namespace mien {
 struct SheetSubject {
   Spec spec;                                   // of a name: the adult, with that library as `spec.library`
   Expression expression;                       // of `sheet heads`
-  int seed = 1;                                // of the first head of `sheet people`
   std::map<std::string, std::string> sources;  // of the libraries: in one line, where each is from
+  int seed = 1;                                // of the first head of `sheet people`
 };
 
 // `options.file` is the word: a FILE if there is one or if it ends as files do, else a name. A library may
