@@ -230,6 +230,20 @@ void tell_label(const Base& base, const BustBody& body, const std::vector<glm::v
   if (label.is_cut) report.warnings.push_back(fmt::format("Its label has room for '{}' only.", label.text));
 }
 
+// Hair is threads: no print bears it.
+void tell_hair(const Model& model, PrintReport& report) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(model.parts.begin(), model.parts.end(),
+                       [&](const Part& part) { return part.name.starts_with(name); });
+  };
+  const bool has_hair = has("hair"), has_beard = has("beard");
+  if (has_hair || has_beard)
+    report.warnings.push_back(fmt::format("Its {} not printed: hair is finer than any nozzle.",
+                                          has_hair && has_beard ? "hair and beard are"
+                                          : has_hair            ? "hair is"
+                                                                : "beard is"));
+}
+
 }  // namespace
 
 std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSpec>& busts) {
@@ -294,6 +308,7 @@ MadeBust make_bust(BustShop& shop, const BustSpec& bust) {
     hollow_out(shelf.body, positions, base, shop.letters,
                build_cavity(made.source.cavity, find_hollow(bust, base)), bust.drain_mm, made);
   tell_label(base, shelf.body, positions, shop.letters, made.report);
+  tell_hair(shop.figure.model, made.report);
   return made;
 }
 

@@ -40,6 +40,8 @@ Rows list_hair(const std::filesystem::path& data) {
   const YAML::Node hair = YAML::LoadFile((data / "templates/head/hair.yaml").string());
   for (const auto& cut : hair["cuts"])
     rows.emplace_back(cut.first.as<std::string>(), cut.second["meaning"].as<std::string>());
+  for (const auto& beard : hair["beards"])
+    rows.emplace_back("beard: " + beard.first.as<std::string>(), beard.second["meaning"].as<std::string>());
   return rows;
 }
 
@@ -51,6 +53,10 @@ Rows list_looks(const std::filesystem::path& data) {
     rows.emplace_back(look.first.as<std::string>(),
                       fmt::format("{}  {}", look.second["skin"].as<std::string>(),
                                   look.second["meaning"].as<std::string>()));
+  for (const auto& colour : looks["hair_colours"])
+    rows.emplace_back("hair: " + colour.first.as<std::string>(),
+                      fmt::format("{}  {}", colour.second["hair"].as<std::string>(),
+                                  colour.second["meaning"].as<std::string>()));
   for (const auto& dial : looks["dials"])
     rows.emplace_back(dial.first.as<std::string>(),
                       fmt::format("0 to 1   {}", dial.second.as<std::string>()));

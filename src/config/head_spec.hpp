@@ -23,6 +23,7 @@ struct Look {
   glm::vec3 iris{0.357f, 0.498f, 0.584f};  // "#5b7f95"
   glm::vec3 brow{0.227f, 0.165f, 0.125f};  // "#3a2a20"
   glm::vec3 hair{0.20f, 0.14f, 0.10f};     // "#332419"
+  std::string beard = "none";              // one of templates/head/hair.yaml; children have none
   double lips_share = 1;                   // of the way from that colour to `lips`: less only between keys
   double freckles = 0, age_spots = 0;      // 0 none .. 1 as many as a skin has
 };

@@ -20,8 +20,9 @@ void append_keys(const YamlMapping& entries, std::string_view key, Names& names)
       if (entry.key != "pupil") names.push_back(entry.key);
 }
 
-void load_looks(const YamlMapping& entries, std::vector<std::pair<std::string, Look>>& looks) {
-  const YamlValue* mapping = find_value(entries, "looks");
+void load_looks(const YamlMapping& entries, std::string_view key,
+                std::vector<std::pair<std::string, Look>>& looks) {
+  const YamlValue* mapping = find_value(entries, key);
   if (mapping == nullptr) return;
   for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping")) {
     Look look;
@@ -61,8 +62,11 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
     append_keys(entries, "sided", words.sided);
     append_keys(entries, "everyday_sided", words.sided);
   }
-  if (const auto document = load_data(data_folder / "templates/head/looks.yaml", findings))
-    load_looks(load_free_mapping(find_root(*document, findings), "a mapping"), words.looks);
+  if (const auto document = load_data(data_folder / "templates/head/looks.yaml", findings)) {
+    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
+    load_looks(entries, "looks", words.looks);
+    load_looks(entries, "hair_colours", words.hair_colours);
+  }
   words.people =
       load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);
   return words;

@@ -17,8 +17,10 @@ struct HeadWords {
   Names features;  // the keys of `head.features`
   Names middle;    // places of the mid-plane: Farkas' codes and everyday words
   std::vector<std::pair<std::string, Look>> looks;  // what `look.skin` may name, from light to dark
-  Names sided;    // places that stand on both sides, without _l or _r; pupils are none, they are no skin
-  People people;  // whom `random` draws from
+  std::vector<std::pair<std::string, Look>>
+      hair_colours;  // what `look.hair` may name, with brows to go with it
+  Names sided;       // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+  People people;     // whom `random` draws from
 };
 
 // From templates/head/features.yaml, landmarks.yaml, looks.yaml and people.yaml of the data folder; what does

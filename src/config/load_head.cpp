@@ -90,22 +90,40 @@ void load_features(const YamlValue& value, const Names& features, std::map<std::
   }
 }
 
-// A skin by name brings all colours that go with it; whatever else is said stands above them.
+// Takes an entry out that names one of `looks` instead of a colour, and returns it; nullptr for a colour, or
+// none.
+const Look* take_named_look(YamlMapping& entries, std::string_view key,
+                            const std::vector<std::pair<std::string, Look>>& looks) {
+  const auto entry = std::ranges::find(entries, key, &YamlEntry::key);
+  if (entry == entries.end() || find_node(entry->value).kind != NodeKind::text ||
+      find_node(entry->value).text.starts_with("#"))
+    return nullptr;
+  const auto found =
+      std::ranges::find(looks, find_node(entry->value).text, [](const auto& named) { return named.first; });
+  if (found == looks.end()) {
+    Names names;
+    for (const auto& [name, colours] : looks) names.push_back(name);
+    add_unexpected(entry->value, "a colour such as \"#dcae8f\", or one of: " + join_names(names));
+  }
+  entries.erase(entry);
+  return found == looks.end() ? nullptr : &found->second;
+}
+
+// A skin by name brings all colours that go with it, a hair by name its brows; whatever else is said stands
+// above them.
 void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   YamlMapping entries = load_mapping(value, kLookKeys, "colours such as {skin: \"#dcae8f\"}");
-  const auto skin = std::ranges::find(entries, "skin", &YamlEntry::key);
-  if (skin != entries.end() && find_node(skin->value).kind == NodeKind::text &&
-      !find_node(skin->value).text.starts_with("#")) {
-    const auto found =
-        std::ranges::find(words.looks, find_node(skin->value).text, [](const auto& l) { return l.first; });
-    Names names;
-    for (const auto& [name, colours] : words.looks) names.push_back(name);
-    if (found == words.looks.end())
-      add_unexpected(skin->value, "a colour such as \"#dcae8f\", or one of: " + join_names(names));
-    else
-      look = found->second;
-    entries.erase(skin);
+  if (const Look* skin = take_named_look(entries, "skin", words.looks)) {
+    const std::string beard = look.beard;
+    look = *skin;
+    look.beard = beard;
   }
+  if (const Look* hair = take_named_look(entries, "hair", words.hair_colours)) {
+    look.hair = hair->hair;
+    look.brow = hair->brow;
+  }
+  if (const Look* brow = take_named_look(entries, "brow", words.hair_colours)) look.brow = brow->brow;
+  if (const YamlValue* beard = find_value(entries, "beard")) load_name(*beard, "beard", kBeards, look.beard);
   load_look_words(entries, look);
 }
 

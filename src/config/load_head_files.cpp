@@ -52,11 +52,8 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
 }
 
 void mix_looks(HeadSpec& head) {
-  Look sum{.skin = glm::vec3(0),
-           .lips = std::nullopt,
-           .iris = glm::vec3(0),
-           .brow = glm::vec3(0),
-           .hair = glm::vec3(0)};
+  Look sum;
+  sum.skin = sum.iris = sum.brow = sum.hair = glm::vec3(0);
   glm::vec3 lips{0};
   float lips_weight = 0;
   for (const auto& [other, share] : head.mix) {
@@ -71,6 +68,9 @@ void mix_looks(HeadSpec& head) {
     lips += weight * *other.look.lips;
     lips_weight += weight;
   }
+  // Whoever has most of it says whether there is a beard.
+  const auto most = std::ranges::max_element(head.mix, {}, &HeadShare::weight);
+  if (most != head.mix.end()) sum.beard = most->head.look.beard;
   if (lips_weight > 0) sum.lips = lips / lips_weight;
   head.look = sum;
 }

@@ -15,7 +15,10 @@ inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult", 
 inline const std::string kAdult = "adult";  // what the other ages are told against
 inline const Names kSkulls{"average", "square", "round", "wide", "narrow"};
 inline const Names kCharacters{"female", "male"};
-inline const Names kHairs{"none", "crop", "bob", "bun"};  // none, and the cuts of templates/head/hair.yaml
+inline const Names kHairs{
+    "none", "buzz", "crop",  "side_part", "pixie", "bob",
+    "long", "wavy", "curls", "ponytail",  "bun"};  // none, and the cuts of templates/head/hair.yaml
+inline const Names kBeards{"none", "stubble", "moustache", "short"};  // none, and the beards of hair.yaml
 inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
 inline const Names kEarGuides{"ear_base", "ear_top"};  // beside the face's
 inline const Names kEasings{"linear", "in", "out", "in_out", "hold", "back", "bounce"};
@@ -41,7 +44,7 @@ inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features",
                              "scan", "mix",   "sculpt",    "hair",   "limits",   "random"};
 inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
 inline const Names kSculptKeys{"at", "move", "radius"};
-inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "freckles", "age_spots"};
+inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "beard", "freckles", "age_spots"};
 inline const Names kExpressionKeys{"from", "strength", "exaggerate", "attack"};  // and every area's
 inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "turn", "blink",
                              "blinks",    "length",  "between", "lead",      "cues", "laws",

@@ -6,9 +6,11 @@
 
 #include "core/conventions.hpp"
 #include "core/parallel.hpp"
+#include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
 #include "head/skin_spots.hpp"
+#include "head/skin_tint.hpp"
 #include "head/surface.hpp"
 #include "timeline/head_turn.hpp"
 
@@ -76,8 +78,9 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
   figure.head = build_neutral_head(spec, data_folder);
   figure.limits = find_limit_shares(spec.limits);
   // Independent of each other, the slow ones first.
-  std::array<std::vector<HeadPart>, 6> made;
-  const std::array<std::function<void()>, 8> works{
+  std::array<std::vector<HeadPart>, 7> made;
+  std::vector<SkinTint> tints;
+  const std::array<std::function<void()>, 10> works{
       [&] { figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml"); },
       [&] {
         if (!is_print)
@@ -93,10 +96,15 @@ Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_fold
         if (!is_print) made[5] = build_skin_spots(figure.head, spec.look);
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
+      [&] {
+        if (!is_print) tints = list_hair_tints(figure.head, spec);
+      },
+      [&] { made[6] = build_beard(figure.head, spec.look); },
       [&] { made[3] = build_hairs(figure.head, spec.look); },
       [&] { made[2] = build_mouth(figure.head, spec.look); },
       [&] { made[1] = build_eyes(figure.head, spec.look); }};
   for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
   for (const HeadPart& part : figure.parts)

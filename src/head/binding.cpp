@@ -179,4 +179,17 @@ std::vector<HeadPart> mirror_parts(const std::vector<HeadPart>& left, const Mesh
   return right;
 }
 
+void add_mirror_image(HeadPart& part, const Mesh& skin) {
+  if (part.bindings.empty()) return;
+  const HeadPart right = mirror_parts({part}, skin).front();
+  const auto shift = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  append_mesh(part.part.rest, right.part.rest);
+  part.part.shade.insert(part.part.shade.end(), right.part.shade.begin(), right.part.shade.end());
+  part.part.grain.insert(part.part.grain.end(), right.part.grain.begin(), right.part.grain.end());
+  for (Binding binding : right.bindings) {
+    binding.first += shift;
+    part.bindings.push_back(binding);
+  }
+}
+
 }  // namespace mien

@@ -33,4 +33,7 @@ SkinPlace find_nearest_place(const SkinPatch& patch, const glm::vec3& point);
 // binding's triangle has no exact mirror image in the skin.
 std::vector<HeadPart> mirror_parts(const std::vector<HeadPart>& left, const Mesh& skin);
 
+// The mirror image of all of `part` behind it, in the same part; nothing for a part without bindings.
+void add_mirror_image(HeadPart& part, const Mesh& skin);
+
 }  // namespace mien

@@ -141,6 +141,38 @@ SkinPatch find_brow_patch(const NeutralHead& head, const BrowLine& line) {
 
 }  // namespace
 
+std::vector<float> paint_brows(const NeutralHead& head, const BrowNumbers& average) {
+  constexpr double kStep = 0.1;  // of a station: 1 mm
+  constexpr float kFar_mm = 9;   // of the adult: farther from the middle there is none
+  constexpr double kSoft =
+      0.45;  // of the half width, inside and outside of the edge: less shows the skin's triangles
+  BrowNumbers numbers = average;
+  for (double& half_mm : numbers.half_mm) half_mm *= head.brow_thickness;
+  const BrowLine line = build_brow_line(head, numbers);
+  std::vector<glm::vec3> middles;
+  for (double t = numbers.station.front(); t <= numbers.station.back(); t += kStep)
+    middles.push_back(find_brow_middle(line, t));
+  std::vector<float> covers(head.skin.positions.size(), 0.0f);
+  for (std::size_t v = 0; v < covers.size(); ++v) {
+    glm::vec3 p = head.skin.positions[v];
+    p.x = std::abs(p.x);
+    float nearest = kFar_mm * static_cast<float>(line.scale);
+    std::size_t at = middles.size();
+    for (std::size_t i = 0; i < middles.size(); ++i)
+      if (const float far = glm::distance(p, middles[i]); far < nearest) {
+        nearest = far;
+        at = i;
+      }
+    if (at == middles.size()) continue;
+    const double t = numbers.station.front() + kStep * static_cast<double>(at);
+    const double half = line.scale * sample_brow(line, numbers.half_mm, t);
+    const double edge =
+        1 - smooth_step(1 - kSoft, 1 + kSoft, static_cast<double>(nearest) / (half + 0.6 * line.scale));
+    covers[v] = static_cast<float>(edge * sample_brow(line, numbers.density, t));
+  }
+  return covers;
+}
+
 HeadPart build_brow(const NeutralHead& head, const BrowNumbers& average, const Look& look, double youth) {
   BrowNumbers numbers = average;
   for (double& half_mm : numbers.half_mm) half_mm *= head.brow_thickness;

@@ -18,29 +18,15 @@ namespace {
 
 constexpr int kAzimuths = HairChart::kAzimuths, kWays = HairChart::kWays;
 
-// What a triangle of the skin is to hair.
-enum class Ground { scalp, ear, face };
-
-Ground find_ground(std::string_view name) {
+HairGround find_ground(std::string_view name) {
   name = strip_side(name);
   const bool is_ear_floor =
       name == "s4_L8" || name == "s4_L9" || name == "s4_L10" || name == "s4_C1" || name == "s4_C2";
-  if (is_ear_floor || (name.starts_with("er") && !name.starts_with("er1_"))) return Ground::ear;
-  if (name[0] == 'M' || name[0] == 'E' || name[0] == 'n') return Ground::face;
-  return Ground::scalp;
-}
-
-std::vector<Ground> find_grounds(const NeutralHead& head) {
-  const Surface& surface = *head.surface;
-  std::vector<Ground> by_point, grounds;
-  for (const std::string& name : head.cage.names) by_point.push_back(find_ground(name));
-  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
-    std::uint32_t best = surface.first[v];
-    for (std::uint32_t k = best; k < surface.first[v + 1]; ++k)
-      if (surface.weight[k] > surface.weight[best]) best = k;
-    grounds.push_back(by_point[surface.point[best]]);
-  }
-  return grounds;
+  if (is_ear_floor || (name.starts_with("er") && !name.starts_with("er1_"))) return HairGround::ear;
+  if (name[0] == 'M' || name[0] == 'E' || name[0] == 'n') return HairGround::face;
+  const auto ring = name.find("_N");
+  if (ring != name.npos && name[ring + 2] >= '3') return HairGround::body;
+  return HairGround::scalp;
 }
 
 int wrap(int azimuth) { return ((azimuth % kAzimuths) + kAzimuths) % kAzimuths; }
@@ -117,6 +103,16 @@ void fill_gaps(std::vector<double>& values, const std::vector<bool>& is_known) {
       }
 }
 
+// Both halves take the mean of both: rays of the two meet other triangles, a rounding apart.
+void mirror_values(std::vector<double>& values) {
+  for (int azimuth = 1; azimuth < kAzimuths / 2; ++azimuth)
+    for (int way = 0; way < kWays; ++way) {
+      double &left = values[slot(kAzimuths / 2 + azimuth, way)],
+             &right = values[slot(kAzimuths / 2 - azimuth, way)];
+      left = right = 0.5 * (left + right);
+    }
+}
+
 // The seat of the nearest known place up the same meridian.
 void fill_seats(std::vector<HairSeat>& seats, const std::vector<bool>& is_known) {
   for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
@@ -156,6 +152,19 @@ void drape(std::vector<double>& values) {
 }
 
 }  // namespace
+
+std::vector<HairGround> list_hair_grounds(const NeutralHead& head) {
+  const Surface& surface = *head.surface;
+  std::vector<HairGround> by_point, grounds;
+  for (const std::string& name : head.cage.names) by_point.push_back(find_ground(name));
+  for (std::size_t v = 0; v < surface.vertex_count(); ++v) {
+    std::uint32_t best = surface.first[v];
+    for (std::uint32_t k = best; k < surface.first[v + 1]; ++k)
+      if (surface.weight[k] > surface.weight[best]) best = k;
+    grounds.push_back(by_point[surface.point[best]]);
+  }
+  return grounds;
+}
 
 glm::dvec3 find_hair_direction(const HairChart& chart, const HairPlace& place) {
   const double turn = place.azimuth_deg * kRadiansPerDegree;
@@ -213,7 +222,7 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
   chart.whorl = {0, std::cos(whorl_deg * kRadiansPerDegree), -std::sin(whorl_deg * kRadiansPerDegree)};
   chart.drop_mm *= chart.size;
 
-  const std::vector<Ground> grounds = find_grounds(head);
+  const std::vector<HairGround> grounds = list_hair_grounds(head);
   const auto bins = sort_by_azimuth(head, chart);
   const std::size_t count = static_cast<std::size_t>(kAzimuths) * kWays;
   chart.skin_mm.assign(count, 0);
@@ -225,8 +234,9 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
       const glm::dvec3 origin = find_hair_point(chart, place, 0), out = find_hair_direction(chart, place);
       Hit scalp, ear;
       for (const std::uint32_t t : bins[azimuth]) {
-        const Ground ground = grounds[head.skin.triangles[t][0]];
-        if (ground != Ground::face) meet(head, t, origin, out, ground == Ground::ear ? ear : scalp);
+        const HairGround ground = grounds[head.skin.triangles[t][0]];
+        if (ground == HairGround::scalp || ground == HairGround::ear)
+          meet(head, t, origin, out, ground == HairGround::ear ? ear : scalp);
       }
       const std::size_t at = slot(static_cast<int>(azimuth), way);
       chart.skin_mm[at] = scalp.distance_mm;
@@ -240,6 +250,7 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
   fill_seats(chart.seats, is_known);
   for (std::size_t i = 0; i < count; ++i) chart.cover_mm[i] = std::max(chart.cover_mm[i], chart.skin_mm[i]);
   drape(chart.cover_mm);
+  for (std::vector<double>* values : {&chart.skin_mm, &chart.cover_mm}) mirror_values(*values);
   return chart;
 }
 

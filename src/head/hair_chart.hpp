@@ -30,9 +30,13 @@ struct HairChart {
   std::vector<double> cover_mm;  // the same over the ears
   std::vector<HairSeat> seats;
 
-  static constexpr int kAzimuths = 180, kWays = 100;  // 2.5 mm apart
-  static constexpr double kLongest = 2.2;             // the last way: down to the neck
+  static constexpr int kAzimuths = 180, kWays = 118;  // 2.5 mm apart
+  static constexpr double kLongest = 2.6;             // the last way: down to the shoulders
 };
+
+// What a vertex of the skin is to hair: hair grows on the scalp and falls over ears and shoulders.
+enum class HairGround { scalp, ear, face, body };
+std::vector<HairGround> list_hair_grounds(const NeutralHead& head);
 
 // `whorl_deg`: how far behind the top of the head strands begin. `centre_mm`: how far below the height of the
 // broadest skull the centre lies, on the adult.

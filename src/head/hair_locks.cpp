@@ -1,8 +1,10 @@
 #include "head/hair_locks.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "head/strands.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
@@ -10,56 +12,205 @@ namespace mien {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-constexpr std::uint32_t kSeries = 43;                          // of scatter()
-enum Channel : std::uint32_t { kHeight, kTone, kTip, kTuft };  // of scatter()
+constexpr std::uint32_t kSeries = 51;  // of scatter()
+enum Channel : std::uint32_t { kTone, kRoll, kWidth, kAngle, kDepth, kReach, kLean, kTurn };
+
+// How wide a lock is on its way: it comes out of the skin, is full, and runs out in a point.
+double find_lock_width(double way) {
+  return (0.25 + 0.75 * smooth_step(0, 0.16, way)) * (1 - std::pow(way, 2.2));
+}
+
+std::uint16_t find_tone(double shade) {
+  return static_cast<std::uint16_t>(std::lround(std::clamp(shade, 0.0, 1.0) * (kHairTones - 1)));
+}
+
+// What lies deep is dark, and no two locks are the same.
+double find_lock_shade(double layer, std::uint32_t index) {
+  return 0.15 + 0.5 * layer + 0.7 * (scatter(kSeries, index, kTone) - 0.5) * (0.4 + 0.6 * layer);
+}
+
+// A curve hanging from the knot: out, then down.
+struct TailLine {
+  glm::dvec3 start, out;
+  double reach_mm = 0, fall_mm = 0;
+  glm::dvec3 at(double s) const {
+    const glm::dvec3 turn = start + out * reach_mm;
+    const glm::dvec3 end = start + out * (0.85 * reach_mm) + glm::dvec3(0, -fall_mm, 0);
+    return glm::mix(glm::mix(start, turn, s), glm::mix(turn, end, s), s);
+  }
+};
+
+double find_tail_radius(double s) {
+  return (0.4 + 0.6 * smooth_step(0, 0.3, s)) * (1 - 0.7 * smooth_step(0.6, 1.0, s));
+}
 
 }  // namespace
 
-LockPlace find_lock(const HairCut& cut, double turn) {
-  // Locks of many widths: the count along the head is bent a little.
-  const double bent = turn + 0.45 / cut.locks * std::sin(2 * kPi * (5 * turn + 0.13)) +
-                      0.3 / cut.locks * std::sin(2 * kPi * (11 * turn + 0.41));
-  const double at = bent * cut.locks, whole = std::floor(at);
-  const auto across = [](double share) { return 2 * (share - std::floor(share)) - 1; };
-  const auto lock = static_cast<long>(whole) % cut.locks;
-  return {static_cast<std::uint32_t>((lock + cut.locks) % cut.locks), across(at - whole),
-          across((at - whole) * cut.split)};
+const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
+  // What hangs free rides with the broadest place above it, not with cheek and neck.
+  return find_hair_seat(scene.chart,
+                        {place.azimuth_deg, scene.cut.covers_ears ? std::min(place.way, 0.9) : place.way});
 }
 
-double round_ridge(double across) { return 1 - std::pow(std::abs(across), 2.4); }
-
-double find_tip_share(const LockPlace& lock) { return scatter(kSeries, lock.lock, kTip); }
-
-double find_thickness_mm(const HairCut& cut, const HairPlace& place, double along) {
-  const double turn = std::abs(place.azimuth_deg) / 90;
-  std::vector<double> stations;
-  for (std::size_t i = 0; i < cut.front_mm.size(); ++i)
-    stations.push_back(static_cast<double>(i) / static_cast<double>(cut.front_mm.size() - 1));
-  const auto at = [&](const std::vector<double>& table) { return sample_stations(stations, table, along); };
-  const double front = std::max(0.0, 1 - turn), back = std::max(0.0, turn - 1);
-  return smooth_step(0, 1, front) * at(cut.front_mm) + smooth_step(0, 1, back) * at(cut.back_mm) +
-         (1 - smooth_step(0, 1, front) - smooth_step(0, 1, back)) * at(cut.side_mm);
-}
-
-Carving carve(const HairCut& cut, double turn, const HairPlace& place) {
-  const LockPlace lock = find_lock(cut, turn);
-  const double open = smooth_step(0.05, 0.40, place.way);  // grooves crowd at the whorl
-  const double ridge = round_ridge(lock.across), fine = round_ridge(lock.split);
-  Carving carving;
-  carving.height_mm =
-      open * (cut.lock_depth_mm * (ridge - 0.7 + 0.6 * (scatter(kSeries, lock.lock, kHeight) - 0.5)) +
-              cut.split_depth_mm * (fine - 0.7));
-  carving.light = 0.12 + 0.34 * ridge + 0.16 * fine + 0.34 * scatter(kSeries, lock.lock, kTone);
-  if (cut.tufts > 0) {
-    // Each tuft rises toward its tip and falls off sharply there; neighbours are out of step.
-    const double step =
-        cut.tufts * place.way + 0.9 * scatter(kSeries, lock.lock, kTuft) + 0.30 * std::abs(lock.across);
-    const double rise = step - std::floor(step);
-    const double saw = rise < 0.86 ? rise / 0.86 : (1 - rise) / 0.14;
-    carving.height_mm += open * cut.tuft_depth_mm * (saw - 0.5);
-    carving.light += 0.18 * (saw - 0.5);
+void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
+                 double shade, std::uint32_t index) {
+  constexpr double kFan_deg = 38;   // more and neighbours look like rods, less and the mass like a sheet
+  constexpr double kRoll_deg = 22;  // about its own way, or all lie in one plane
+  const double fan = kFan_deg * kPi / 180,
+               roll = kRoll_deg * kPi / 180 * (2 * scatter(kSeries, index, kRoll) - 1);
+  Mesh& mesh = part.part.rest;
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  const std::size_t rings = strand.points.size();
+  const double grain = 11.0 * (index % 997);  // mm: no two locks show the same streaks
+  for (std::size_t i = 0; i < rings; ++i) {
+    const double s = static_cast<double>(i) / static_cast<double>(rings - 1);
+    const glm::dvec3 ahead = strand.points[std::min(i + 1, rings - 1)] - strand.points[i > 0 ? i - 1 : 0];
+    const glm::dvec3 along = glm::dot(ahead, ahead) > 1e-12 ? glm::normalize(ahead) : glm::dvec3(0, -1, 0);
+    glm::dvec3 out = strand.outs[i] - along * glm::dot(strand.outs[i], along);
+    out = glm::dot(out, out) > 1e-6 ? glm::normalize(out) : glm::dvec3(0, 0, 1);
+    const glm::dvec3 level = glm::cross(along, out);
+    const glm::dvec3 side = std::cos(roll) * level + std::sin(roll) * out, up = glm::cross(side, along);
+    const double half_mm = 0.5 * width_mm * find_lock_width(s);
+    const bool is_tip = i + 1 == rings;
+    for (const double hand : {-1.0, 1.0}) {
+      if (is_tip && hand > 0) break;
+      mesh.positions.emplace_back(strand.points[i] + (is_tip ? 0 : hand * half_mm) * side);
+      mesh.normals.emplace_back(
+          glm::normalize(std::cos(fan) * up + (is_tip ? 0 : hand) * std::sin(fan) * side));
+      part.part.grain.emplace_back(
+          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * find_lock_width(s)), 100 * s);
+    }
   }
-  return carving;
+  const auto count = static_cast<std::uint32_t>(mesh.positions.size()) - first;
+  for (std::uint32_t i = 0; i + 3 < count; i += 2) {
+    const std::uint32_t a = first + i;
+    mesh.triangles.push_back({a, a + 1, a + 3});
+    mesh.triangles.push_back({a, a + 3, a + 2});
+  }
+  mesh.triangles.push_back({first + count - 3, first + count - 2, first + count - 1});
+  part.part.shade.resize(mesh.positions.size(), find_tone(shade));
+  part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
+}
+
+void append_locks(HeadPart& part, const HairScene& scene) {
+  const HairCut& cut = scene.cut;
+  const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
+  const auto roots = spread_roots(scene, cut.locks.count, cut.locks.root_band, cut.is_mirrored);
+  for (std::uint32_t index = 0; index < roots.size(); ++index) {
+    const HairStrand strand = grow_strand(scene, roots[index], index);
+    if (strand.points.empty()) continue;
+    const double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
+    append_lock(part, find_seat(scene, strand.root), strand, width, find_lock_shade(strand.layer, index),
+                index);
+  }
+}
+
+void append_tail(HeadPart& part, const HairScene& scene) {
+  constexpr std::uint32_t kCount = 65, kFirst = 10000;  // locks of its left half; their numbers among all
+  constexpr int kRings = 12;
+  const double size = scene.chart.size;
+  const HairTail& tail = scene.cut.tail;
+  glm::dvec3 at, out;
+  find_knot(scene, at, out);
+  const HairSeat& seat = find_seat(scene, find_hair_place(scene.chart, at));
+  const glm::dvec3 aside(1, 0, 0);
+  for (std::uint32_t index = kFirst; index < kFirst + kCount; ++index) {
+    const double angle = kPi * scatter(kSeries, index, kAngle);
+    const double depth = 0.55 + 0.45 * std::sqrt(scatter(kSeries, index, kDepth));
+    const double reach = 0.72 + 0.36 * scatter(kSeries, index, kReach);
+    const TailLine line{at + out * 2.0 * size, out, tail.out_mm * size, tail.length_mm * size * reach};
+    HairStrand strand;
+    strand.length_mm = tail.length_mm * size * reach;
+    for (int ring = 0; ring < kRings; ++ring) {
+      const double s = static_cast<double>(ring) / (kRings - 1);
+      const glm::dvec3 along = glm::normalize(line.at(s + 0.01) - line.at(s - 0.01));
+      const glm::dvec3 up = glm::normalize(glm::cross(along, aside));
+      const glm::dvec3 round = std::sin(angle) * aside + std::cos(angle) * up;
+      const double sway = 1.5 * size * std::sin(2 * kPi * (1.3 * s + scatter(kSeries, index, kLean)));
+      strand.points.push_back(line.at(s) + round * (depth * tail.radius_mm * size * find_tail_radius(s)) +
+                              sway * smooth_step(0.2, 1, s) * aside);
+      strand.outs.push_back(round);
+    }
+    append_lock(part, seat, strand, 1.5 * scene.cut.locks.width_mm * size,
+                find_lock_shade((depth - 0.55) / 0.45, index), index);
+  }
+}
+
+void append_bun(HeadPart& part, const HairScene& scene) {
+  constexpr std::uint32_t kCount = 120, kFirst = 20000;
+  constexpr int kRings = 13;
+  const double radius = scene.cut.bun_radius_mm * scene.chart.size;
+  glm::dvec3 at, out;
+  find_knot(scene, at, out);
+  const HairSeat& seat = find_seat(scene, find_hair_place(scene.chart, at));
+  const glm::dvec3 centre = at + out * 0.6 * radius, aside(1, 0, 0), up = glm::cross(out, aside);
+  for (std::uint32_t i = 0; i < kCount; ++i) {
+    // Each lock winds from the rim of the knot over its top: a part of a turn, nearer and nearer to the axis.
+    const std::uint32_t index = kFirst + i;
+    const double start = 2 * kPi * i / kCount, low = 1.75 - 0.9 * scatter(kSeries, index, kDepth);
+    const double turns = 0.45 + 0.35 * scatter(kSeries, index, kReach);
+    const double bulge = 1.0 + 0.05 * (scatter(kSeries, index, kWidth) - 0.3);
+    HairStrand strand;
+    for (int ring = 0; ring < kRings; ++ring) {
+      const double s = static_cast<double>(ring) / (kRings - 1);
+      const double angle = std::lerp(low, 0.22, s), turn = start + 2 * kPi * turns * s;
+      const glm::dvec3 level = std::cos(turn) * aside + std::sin(turn) * up;
+      const glm::dvec3 way = 0.8 * std::cos(angle) * out + std::sin(angle) * level;
+      const double sink = 0.06 * smooth_step(0.75, 1, s) + 0.08 * (1 - smooth_step(0, 0.12, s));
+      strand.points.push_back(centre + radius * (bulge - sink) * way);
+      strand.outs.push_back(glm::normalize(way));
+    }
+    append_lock(part, seat, strand, 0.30 * radius, 0.3 + 0.6 * scatter(kSeries, index, kTone), index);
+  }
+}
+
+void append_down(HeadPart& part, const HairScene& scene) {
+  const HairDown& down = scene.cut.down;
+  const double size = scene.chart.size;
+  constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
+  constexpr double kBeyond = 0.5;  // of the band, outside the border
+  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;  // see spread_roots
+  const bool is_left = scene.cut.is_mirrored;
+  const int wanted = is_left ? down.count / 2 : down.count;
+  Mesh& mesh = part.part.rest;
+  int grown = 0;
+  for (std::uint32_t i = 1; grown < wanted && i < 150u * static_cast<std::uint32_t>(down.count); ++i) {
+    const double turn = std::fmod(i * kFirst, 1.0), along = std::fmod(i * kSecond, 1.0);
+    HairPlace place{is_left ? 180 * turn : 360 * turn - 180, 1.7 * along};
+    const double border = sample_border(scene.hairline, place.azimuth_deg);
+    const double inside_mm = (border - place.way) * kWay_mm;
+    if (inside_mm > down.band_mm || inside_mm < -kBeyond * down.band_mm) continue;
+    const double room = find_room(scene.chart, place);
+    const double soft_mm = std::min(down.band_mm, 2 * scene.cut.soft_mm);
+    const double thin = smooth_step(-kBeyond * soft_mm, 0.6 * soft_mm, inside_mm);
+    if (scatter(kSeries, i, kReach) > room * thin) continue;
+    ++grown;
+    const glm::dvec3 normal = find_ground_normal(scene, place);
+    const double ground = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
+    const glm::dvec3 root = find_hair_point(scene.chart, place, ground - 0.1);
+    glm::dvec3 way = find_comb_way(scene, place);
+    const double lean = 1.1 * (scatter(kSeries, i, kTurn) - 0.5);
+    way = glm::normalize(way + lean * glm::cross(normal, way));
+    const double length = size * down.length_mm * (0.5 + 0.9 * scatter(kSeries, i, kWidth)) *
+                          (0.45 + 0.55 * smooth_step(-kBeyond * soft_mm, soft_mm, inside_mm));
+    const double stand = down.stand * (0.6 + 0.8 * scatter(kSeries, i, kLean));
+    const glm::dvec3 rise = glm::normalize(way + stand * normal);
+    const glm::dvec3 side = glm::normalize(glm::cross(normal, way)) * (size * down.radius_mm);
+    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+    const glm::dvec3 middle = root + 0.5 * length * rise;
+    const glm::dvec3 tip = middle + 0.5 * length * glm::normalize(way + 0.35 * stand * normal);
+    for (const glm::dvec3& p : {root - side, root + side, middle - 0.7 * side, middle + 0.7 * side, tip}) {
+      mesh.positions.emplace_back(p);
+      mesh.normals.emplace_back(normal);
+    }
+    mesh.triangles.push_back({first, first + 1, first + 3});
+    mesh.triangles.push_back({first, first + 3, first + 2});
+    mesh.triangles.push_back({first + 2, first + 3, first + 4});
+    part.part.shade.resize(mesh.positions.size(),
+                           static_cast<std::uint16_t>(scatter(kSeries, i, kTone) * kHairShades));
+    const HairSeat& seat = find_hair_seat(scene.chart, place);
+    part.bindings.push_back({seat.triangle, seat.barycentric, first, 5});
+  }
 }
 
 }  // namespace mien

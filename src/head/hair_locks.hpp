@@ -1,36 +1,30 @@
-// What is carved into a mass of hair: locks, strands in them, tufts along them.
+// The threads of a cut as geometry: tapered locks, and single hairs along the hairline.
 #pragma once
 
-#include "head/hair.hpp"
-#include "head/hair_chart.hpp"
+#include "head/hair_growth.hpp"
 
 namespace mien {
 
-// A place among the locks.
-struct LockPlace {
-  std::uint32_t lock = 0;
-  double across = 0;  // -1..1 between the grooves on both sides
-  double split = 0;   // the same of the finer strands
-};
+inline constexpr int kHairTones = 8;  // of one head of hair, dark to light
 
-// `turn` 0..1 around the head.
-LockPlace find_lock(const HairCut& cut, double turn);
+// One lock as a ribbon that ends in a point, its normals fanned across as if it were round; its vertices get
+// one binding, the seat of the strand's root. `shade` 0..1 of kHairTones. The grain runs along it: u mm
+// across, v 0 at the root to 100 at the tip.
+void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
+                 double shade, std::uint32_t index);
 
-// 1 on top of a lock, 0 in the grooves: round above, sharp below. `across` -1..1.
-double round_ridge(double across);
+// All locks of the scene, of the left half only if it is mirrored.
+void append_locks(HeadPart& part, const HairScene& scene);
 
-// A lock's own share, 0..1, of how far its tip reaches past the hairline.
-double find_tip_share(const LockPlace& lock);
+// The locks that hang from the knot, of the left half; those that wind round it, all of them: they turn one
+// way.
+void append_tail(HeadPart& part, const HairScene& scene);
+void append_bun(HeadPart& part, const HairScene& scene);
 
-// The mass's thickness at a place, `along` 0..1 from the whorl to the hairline.
-double find_thickness_mm(const HairCut& cut, const HairPlace& place, double along);
+// Single hairs.
+void append_down(HeadPart& part, const HairScene& scene);
 
-// What is carved into the mass at a place: how high it stands, mm, and how light it is, 0..1.
-struct Carving {
-  double height_mm = 0, light = 0;
-};
-
-// Of the strand that ends `turn` around the head.
-Carving carve(const HairCut& cut, double turn, const HairPlace& place);
+// Where what grows at a place rides.
+const HairSeat& find_seat(const HairScene& scene, const HairPlace& place);
 
 }  // namespace mien

@@ -32,7 +32,7 @@ LashRoot find_lash_root(const Lids& lids, double t, double mix) {
 
 // Lash `index` of a row that runs from the inner corner outward.
 void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, const LashRowNumbers& row,
-                 double growth, std::uint32_t series, std::uint32_t index) {
+                 double growth, std::uint32_t series, std::uint32_t index, int first_shade) {
   const double way = (index + 0.5 + 0.7 * (scatter(series, index, kAlong) - 0.5)) / row.count;
   const std::uint32_t group = index / 3;
   const double group_way = std::min(1.0, (3.0 * group + 1.5) / row.count);
@@ -45,7 +45,7 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
                            (0.82 + 0.36 * scatter(series, index, kLength));
   const double lean = row.fan * (way - 0.42) + 0.20 * (scatter(series, group, kTurn) - 0.5);
   const double gather_mm = lashes.clump * (group_way - way) * lashes.margin_mm * lids.scale;
-  constexpr int kRings = 4;
+  constexpr int kRings = 5;
   std::vector<glm::vec3> centres;
   std::vector<float> radii;
   for (int ring = 0; ring <= kRings; ++ring) {
@@ -55,12 +55,14 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
     const double aside_mm = length_mm * lean * s * (0.6 + 0.4 * s) + gather_mm * s * s;
     centres.push_back(root.place.point + static_cast<float>(out_mm) * root.out +
                       static_cast<float>(up_mm) * root.up + static_cast<float>(aside_mm) * root.aside);
-    // Thick at the root, so that the row draws a line along the lid from afar.
-    radii.push_back(
-        static_cast<float>(growth * lids.scale * row.radius_mm * (0.12 + 0.88 * (1 - s) * (1 - s))));
+    // Thick at the root, so that the row draws a line along the lid from afar, and a hair's breadth at the
+    // tip.
+    radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (1 - 0.9 * std::pow(s, 0.8))));
   }
   append_hair(part.part.rest, centres, radii, kHairSides, root.aside);
-  finish_hair(part, {root.place}, static_cast<std::uint16_t>(scatter(series, index, kShade) * kHairShades));
+  finish_hair(part, {root.place},
+              static_cast<std::uint16_t>(first_shade +
+                                         static_cast<int>(scatter(series, index, kShade) * kHairShades)));
 }
 
 }  // namespace
@@ -71,13 +73,16 @@ HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const
   HeadPart part = make_hair_part("lash_left");
   part.part.is_printed = false;
   part.part.palette = make_hair_palette(look.brow * 0.72f, 0.3f, 0.05f);  // darker than any brow
+  // The lower ones are so fine that skin shines through.
+  const glm::vec3 soft = glm::mix(look.brow * 0.72f, look.skin, 0.45f);
+  for (const Shade& shade : make_hair_palette(soft, 0.2f, 0.0f)) part.part.palette.push_back(shade);
   const double growth = 1 - (1 - lashes.infant) * youth;
-  const auto grow_row = [&](const LashRowNumbers& row, std::uint32_t series) {
+  const auto grow_row = [&](const LashRowNumbers& row, std::uint32_t series, int first_shade) {
     for (int i = 0; i < row.count; ++i)
-      append_lash(part, lids, lashes, row, growth, series, static_cast<std::uint32_t>(i));
+      append_lash(part, lids, lashes, row, growth, series, static_cast<std::uint32_t>(i), first_shade);
   };
-  grow_row(lashes.upper, 31);
-  grow_row(lashes.lower, 32);
+  grow_row(lashes.upper, 31, 0);
+  grow_row(lashes.lower, 32, kHairShades);
   update_normals(part.part.rest);
   return part;
 }

@@ -94,6 +94,8 @@ BrowNumbers read_brow(const Table& table) {
   table.read("grown", brow.grown_mm);
   table.read("infant_blend", brow.infant_blend);
   table.read("under_blend", brow.under_blend);
+  table.read("paint", brow.paint);
+  table.read("infant_paint", brow.infant_paint);
   brow.over = read_coat(table.at("over"));
   brow.under = read_coat(table.at("under"));
   table.read("station", brow.station);

@@ -51,7 +51,7 @@ struct BrowCoat {
 };
 
 struct BrowNumbers {
-  double line_mm = 0, infant_blend = 0, under_blend = 0;
+  double line_mm = 0, infant_blend = 0, under_blend = 0, paint = 0, infant_paint = 0;
   std::array<double, 2> grown_mm{};
   BrowCoat over, under;
   std::vector<double> station, above_mm, half_mm, density, length_mm, lower_angle_deg, upper_angle_deg;

@@ -26,6 +26,8 @@ void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint
 
 // The left ones; `youth` is 0 for an adult's hair, 1 for an infant's down.
 HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const Look& look, double youth);
+// What both brows are from afar: how dense, 0..1 a vertex of the skin; mirror images have the same.
+std::vector<float> paint_brows(const NeutralHead& head, const BrowNumbers& numbers);
 HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const Look& look, double youth);
 
 }  // namespace mien

@@ -56,6 +56,8 @@ std::string build_povray_ini(const RenderSpec& render, const std::string& name, 
 std::vector<std::string> list_quality_options(Quality quality) {
   const PovrayQuality settings = find_povray_quality(quality);
   return {"+AM1", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J",
+          "+AG1",  // differences are of light, not of what the eye makes of it: else every dark hair asks for
+                   // all rays
           "+THB4"};  // ordered dithering: a dark background shows no bands and does not swarm
 }
 

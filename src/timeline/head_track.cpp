@@ -55,6 +55,7 @@ Look mix_looks(const Look& from, const Look& to, double share) {
   mixed.hair = mix_colours(from.hair, to.hair, share);
   mixed.freckles = std::lerp(from.freckles, to.freckles, share);
   mixed.age_spots = std::lerp(from.age_spots, to.age_spots, share);
+  mixed.beard = share < 0.5 ? from.beard : to.beard;
   if (!from.lips && !to.lips) return mixed;
   mixed.lips = mix_colours(from.lips ? *from.lips : *to.lips, to.lips ? *to.lips : *from.lips, share);
   mixed.lips_share = std::lerp(from.lips ? from.lips_share : 0, to.lips ? to.lips_share : 0, share);
@@ -97,6 +98,7 @@ std::string find_head_key(const HeadSpec& head) {
   append_bytes(bytes, head.character);
   const Look& look = head.look;
   for (const glm::vec3& colour : {look.skin, look.iris, look.brow, look.hair}) append_bytes(bytes, colour);
+  bytes += look.beard + ';';
   append_bytes(bytes, look.lips ? 1.0 : 0.0);
   append_bytes(bytes, look.lips.value_or(glm::vec3(0)));
   for (const double value : {look.lips_share, look.freckles, look.age_spots}) append_bytes(bytes, value);

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "config/config_fixture.hpp"
 #include "config/head_words.hpp"
 #include "config/words.hpp"
@@ -220,6 +222,19 @@ TEST(load_spec, spots_of_the_skin_are_dials) {
   EXPECT_THAT(find_mistakes(folder / "bad.yaml", kData),
               testing::HasSubstr(
                   "bad.yaml:2:25: error: 'head.look.freckles' is '1.5'; expected a number from 0 to 1"));
+}
+
+TEST(load_spec, a_named_hair_brings_its_brows_and_a_beard_stands_beside_a_named_skin) {
+  Findings findings;
+  const auto colours = load_head_words(kData, findings).hair_colours;
+  const auto grey = std::ranges::find(colours, "grey", [](const auto& named) { return named.first; });
+  ASSERT_NE(grey, colours.end());
+  const Look look = load_text("mien: 1\nhead: {look: {beard: short, hair: grey, skin: deep}}\n").head.look;
+  EXPECT_EQ(look.hair, grey->second.hair);
+  EXPECT_EQ(look.brow, grey->second.brow);
+  EXPECT_EQ(look.beard, "short");
+  const Look own = load_text("mien: 1\nhead: {look: {hair: grey, brow: \"#000000\"}}\n").head.look;
+  EXPECT_EQ(own.brow, glm::vec3(0));
 }
 
 TEST(load_spec, knows_the_features_of_the_data) {

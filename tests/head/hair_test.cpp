@@ -1,5 +1,6 @@
 #include "head/hair.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -10,9 +11,12 @@
 #include "core/error.hpp"
 #include "core/holes.hpp"
 #include "frames/figure.hpp"
+#include "head/beard.hpp"
 #include "head/cage.hpp"
-#include "head/hair_chart.hpp"
-#include "head/random_heads.hpp"
+#include "head/hair_growth.hpp"
+#include "head/lids.hpp"
+#include "head/skin_tint.hpp"
+#include "head/strands.hpp"
 
 namespace mien {
 namespace {
@@ -26,114 +30,274 @@ NeutralHead build(const char* age, const char* skull = "average") {
   return build_neutral_head(spec, find_data_folder());
 }
 
-const Mesh& mesh_of(const std::vector<HeadPart>& parts) { return parts.front().part.rest; }
+const NeutralHead& adult() {
+  static const NeutralHead head = build("adult");
+  return head;
+}
 
-TEST(hair, words_are_the_cuts_of_the_file_and_none) {
-  Names names{"none"};
-  for (const auto& [name, cut] : load_hair_cuts(file())) names.push_back(name);
-  Names words = kHairs;
-  std::sort(words.begin(), words.end());
+const HeadPart* find_part(const std::vector<HeadPart>& parts, std::string_view name) {
+  for (const HeadPart& part : parts)
+    if (part.part.name == name) return &part;
+  return nullptr;
+}
+
+Names sort(Names names) {
   std::sort(names.begin(), names.end());
-  EXPECT_EQ(words, names);
+  return names;
+}
+
+// What holds for every thread of hair: bound once and in order, finite, of unit normals and known shades.
+void expect_sound(const NeutralHead& head, const HeadPart& part, const std::string& what) {
+  const Mesh& mesh = part.part.rest;
+  EXPECT_EQ(part.mount, Mount::strands) << what;
+  EXPECT_FALSE(part.part.is_printed) << what;  // busts stay bald
+  ASSERT_FALSE(mesh.triangles.empty()) << what;
+  ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << what;
+  std::uint32_t next = 0;
+  for (const Binding& binding : part.bindings) {
+    ASSERT_EQ(binding.first, next) << what;
+    ASSERT_LT(binding.triangle, head.skin.triangles.size()) << what;
+    next += binding.count;
+  }
+  ASSERT_EQ(next, mesh.positions.size()) << what;
+  for (const std::uint16_t shade : part.part.shade) ASSERT_LT(shade, part.part.palette.size()) << what;
+  for (std::size_t v = 0; v < mesh.positions.size(); ++v) {
+    ASSERT_NEAR(glm::length(mesh.normals[v]), 1, 1e-3) << what;
+    ASSERT_TRUE(std::isfinite(mesh.positions[v].x + mesh.positions[v].y + mesh.positions[v].z)) << what;
+  }
+}
+
+std::vector<std::array<float, 3>> list_places(const Mesh& mesh, float hand) {
+  std::vector<std::array<float, 3>> places;
+  for (const glm::vec3& p : mesh.positions) places.push_back({hand * p.x + 0.0f, p.y, p.z});
+  std::sort(places.begin(), places.end());
+  return places;
+}
+
+TEST(hair, words_are_those_of_the_file_and_none) {
+  Names cuts{"none"}, beards{"none"};
+  for (const auto& [name, cut] : load_hair_cuts(file())) cuts.push_back(name);
+  for (const auto& [name, beard] : load_beards(file()).beards) beards.push_back(name);
+  EXPECT_EQ(sort(kHairs), sort(cuts));
+  EXPECT_EQ(sort(kBeards), sort(beards));
+  EXPECT_GE(cuts.size(), 7u);  // six cuts, and none
 }
 
 TEST(hair, is_none_unless_asked_for) {
-  const NeutralHead head = build("adult");
-  EXPECT_TRUE(build_hair(head, HeadSpec{}.hair, Look{}).empty());
+  EXPECT_TRUE(build_hair(adult(), HeadSpec{}.hair, Look{}).empty());
+  EXPECT_TRUE(build_beard(adult(), Look{}).empty());
+  EXPECT_TRUE(paint_scalp(adult(), "none").empty());
   try {
-    build_hair(head, "mohawk", Look{});
+    build_hair(adult(), "mohawk", Look{});
     FAIL();
   } catch (const RunError& e) {
     EXPECT_STREQ(e.what(), "templates/head/hair.yaml has no cut 'mohawk'");
   }
+  Look look;
+  look.beard = "goatee";
+  try {
+    build_beard(adult(), look);
+    FAIL();
+  } catch (const RunError& e) {
+    EXPECT_STREQ(e.what(), "templates/head/hair.yaml has no beard 'goatee'");
+  }
 }
 
-TEST(hair, is_closed_and_bound_to_the_skin_vertex_by_vertex) {
+TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
   for (const char* age : {"infant", "child", "adult"}) {
+    const NeutralHead head = build(age, age == std::string_view("child") ? "square" : "average");
+    for (const auto& [name, cut] : load_hair_cuts(file())) {
+      const std::string what = std::string(age) + " " + name;
+      const std::vector<HeadPart> parts = build_hair(head, name, Look{});
+      ASSERT_FALSE(parts.empty()) << what;
+      for (const HeadPart& part : parts) expect_sound(head, part, what + " " + part.part.name);
+      const HeadPart* mass = find_part(parts, "hair_mass");
+      EXPECT_EQ(mass != nullptr, cut.mass > 0) << what;
+      if (mass == nullptr) continue;
+      EXPECT_EQ(count_open_edges(mass->part.rest.triangles), 0u) << what;
+      for (const Mesh& piece : split_pieces(mass->part.rest))
+        EXPECT_GT(compute_volume_mm3(piece), 1000) << what;
+    }
+  }
+}
+
+TEST(hair, keeps_within_its_share_of_a_frame) {
+  for (const auto& [name, cut] : load_hair_cuts(file())) {
+    std::size_t count = 0;
+    for (const HeadPart& part : build_hair(adult(), name, Look{})) count += part.part.rest.positions.size();
+    EXPECT_LT(count, 45000u) << name;
+  }
+}
+
+TEST(hair, mirrors_itself_to_the_bit_where_it_is_not_parted) {
+  int mirrored = 0;
+  for (const auto& [name, cut] : load_hair_cuts(file()))
+    for (const HeadPart& part : build_hair(adult(), name, Look{})) {
+      const bool is_mass = part.part.name == "hair_mass";
+      const bool is_coil = cut.bun_radius_mm > 0 && part.part.name == "hair";  // a coil turns one way
+      if ((!cut.is_mirrored && !is_mass) || is_coil) continue;
+      ++mirrored;
+      EXPECT_EQ(list_places(part.part.rest, 1), list_places(part.part.rest, -1))
+          << name << " " << part.part.name;
+    }
+  EXPECT_GE(mirrored, 12);
+}
+
+TEST(hair, never_falls_over_the_face) {
+  for (const char* age : {"infant", "adult"}) {
     const NeutralHead head = build(age);
-    for (const auto& [name, cut] : load_hair_cuts(file())) {
-      const std::vector<HeadPart> parts = build_hair(head, name, Look{});
-      ASSERT_EQ(parts.size(), 1u);
-      EXPECT_EQ(parts[0].part.name, "hair");
-      EXPECT_EQ(parts[0].mount, Mount::strands);
-      EXPECT_FALSE(parts[0].part.is_printed);  // busts stay bald
-      const Mesh& mesh = mesh_of(parts);
-      EXPECT_EQ(count_open_edges(mesh.triangles), 0u) << age << " " << name;
-      for (const Mesh& piece : split_pieces(mesh))
-        EXPECT_GT(compute_volume_mm3(piece), 1000) << age << " " << name;
-      ASSERT_EQ(parts[0].bindings.size(), mesh.positions.size());
-      ASSERT_EQ(parts[0].part.shade.size(), mesh.positions.size());
-      for (std::uint32_t v = 0; v < mesh.positions.size(); ++v) {
-        const Binding& binding = parts[0].bindings[v];
-        ASSERT_TRUE(binding.first == v && binding.count == 1);
-        ASSERT_LT(binding.triangle, head.skin.triangles.size());
-        ASSERT_LT(parts[0].part.shade[v], parts[0].part.palette.size());
-        ASSERT_NEAR(glm::length(mesh.normals[v]), 1, 1e-4);
-        ASSERT_TRUE(std::isfinite(mesh.positions[v].x + mesh.positions[v].y + mesh.positions[v].z));
+    const glm::vec3 brow = find_named_point(head, "E5_4"), corner = find_named_point(head, "E1_8");
+    const glm::vec3 chin = find_named_point(head, "m12_D1");
+    for (const auto& [name, cut] : load_hair_cuts(file()))
+      for (const HeadPart& part : build_hair(head, name, Look{})) {
+        int count = 0;
+        for (const glm::vec3& p : part.part.rest.positions)
+          if (p.z > corner.z - 5 && std::abs(p.x) < corner.x && p.y < brow.y && p.y > chin.y) ++count;
+        EXPECT_EQ(count, 0) << age << " " << name << " " << part.part.name;
       }
-    }
   }
 }
 
-// How far out along a ray the hair reaches; 0 if the ray misses it.
-double find_reach(const Mesh& mesh, const glm::dvec3& origin, const glm::dvec3& way) {
-  double reach = 0;
-  for (const Triangle& t : mesh.triangles) {  // Moeller and Trumbore 1997
-    const glm::dvec3 a(mesh.positions[t[0]]);
-    const glm::dvec3 ab = glm::dvec3(mesh.positions[t[1]]) - a, ac = glm::dvec3(mesh.positions[t[2]]) - a;
-    const glm::dvec3 p = glm::cross(way, ac), s = origin - a, q = glm::cross(s, ab);
-    const double determinant = glm::dot(ab, p), u = glm::dot(s, p) / determinant,
-                 v = glm::dot(way, q) / determinant;
-    if (u >= 0 && v >= 0 && u + v <= 1) reach = std::max(reach, glm::dot(ac, q) / determinant);
-  }
-  return reach;
+TEST(hair, ends_near_the_border_that_its_cut_names) {
+  const HairScene scene = build_hair_scene(adult(), load_hair_cut("bob"));
+  const std::vector<HeadPart> parts = build_hair(adult(), "bob", Look{});
+  const double chin = find_named_point(adult(), "m12_D1").y;
+  float low = 1000;
+  for (const glm::vec3& p : find_part(parts, "hair")->part.rest.positions) low = std::min(low, p.y);
+  EXPECT_NEAR(low, chin, 35);
+  EXPECT_GT(sample_border(scene.ends, 120),
+            sample_border(scene.ends, 0) + 0.4);  // long at the side, a fringe before
 }
 
-TEST(hair, covers_the_scalp_with_no_skin_showing_through) {
-  const HeadShapes shapes = load_head_shapes(find_data_folder() / "templates/head");
-  for (const unsigned seed : {0u, 1u, 2u, 3u}) {
-    HeadSpec spec = seed == 0 ? HeadSpec{} : build_random_spec(seed, shapes);
-    const NeutralHead head = build_neutral_head(spec, find_data_folder());
-    for (const auto& [name, cut] : load_hair_cuts(file())) {
-      const std::vector<HeadPart> parts = build_hair(head, name, Look{});
-      const HairChart chart = build_hair_chart(head, cut.whorl_deg, cut.centre_mm);
-      int covered = 0;
-      for (std::uint32_t v = 0; v < head.cage.points.size(); ++v) {
-        const std::string_view point = strip_side(head.cage.names[v]);
-        const bool is_scalp = point.starts_with("cap") || point.find("_F") != point.npos;
-        if (!is_scalp) continue;
-        const glm::dvec3 skin(head.skin.positions[v]);
-        const HairPlace place = find_hair_place(chart, skin);
-        const glm::dvec3 origin = find_hair_point(chart, place, 0), way = find_hair_direction(chart, place);
-        const double reach = find_reach(mesh_of(parts), origin, way);
-        if (reach == 0) continue;  // beyond the hairline
-        ++covered;
-        EXPECT_GT(reach, glm::distance(skin, origin)) << seed << " " << name << " " << point;
-      }
-      EXPECT_GT(covered, 60) << name;
+TEST(hair, roots_lie_within_the_hairline_as_many_before_as_behind) {
+  for (const char* name : {"crop", "bun"}) {
+    const HairScene scene = build_hair_scene(adult(), load_hair_cut(name));
+    const std::vector<HairPlace> roots = spread_roots(scene, 1000, 0, false);
+    ASSERT_EQ(roots.size(), 1000u);
+    int left = 0;
+    for (const HairPlace& root : roots) {
+      EXPECT_LE(root.way, sample_border(scene.hairline, root.azimuth_deg));
+      left += root.azimuth_deg > 0 ? 1 : 0;
     }
+    EXPECT_NEAR(left, 500, 60) << name;
+  }
+}
+
+TEST(hair, moves_little_when_age_moves_little) {
+  HeadSpec young;
+  young.age = {{"child", 0.5}, {"adult", 0.5}};
+  HeadSpec older;
+  older.age = {{"child", 0.47}, {"adult", 0.53}};
+  const NeutralHead a = build_neutral_head(young, find_data_folder());
+  const NeutralHead b = build_neutral_head(older, find_data_folder());
+  for (const char* name : {"crop", "long", "ponytail"}) {
+    const std::vector<HeadPart> one = build_hair(a, name, Look{}), two = build_hair(b, name, Look{});
+    const Mesh &first = find_part(one, "hair_mass")->part.rest,
+               &second = find_part(two, "hair_mass")->part.rest;
+    ASSERT_EQ(first.positions.size(), second.positions.size());
+    float most = 0;
+    for (std::size_t v = 0; v < first.positions.size(); ++v)
+      most = std::max(most, glm::distance(first.positions[v], second.positions[v]));
+    EXPECT_LT(most, 8) << name;
+    const double locks = static_cast<double>(find_part(one, "hair")->bindings.size());
+    EXPECT_NEAR(static_cast<double>(find_part(two, "hair")->bindings.size()) / locks, 1, 0.05) << name;
   }
 }
 
 TEST(hair, rides_on_the_skin) {
-  HeadSpec spec;
-  spec.hair = "crop";
-  const Figure figure = build_figure(spec, find_data_folder());
-  Pose pose;
-  for (const char* side : {"left", "right"})
-    pose.values[*find_move("brow", std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
-  DeformBuffers buffers;
-  Drawing drawing;
-  deform_figure(figure, pose, TurnKey{}, buffers, drawing);
-  const auto at = std::find_if(figure.model.parts.begin(), figure.model.parts.end(),
-                               [](const Part& part) { return part.name == "hair"; });
-  ASSERT_NE(at, figure.model.parts.end());
-  const PartShape& shape = drawing.parts[static_cast<std::size_t>(at - figure.model.parts.begin())];
-  double most = 0;
-  for (std::size_t v = 0; v < shape.positions.size(); ++v)
-    most = std::max<double>(most, glm::distance(shape.positions[v], at->rest.positions[v]));
-  EXPECT_GT(most, 0.02);  // the scalp moves a little with the brows, and the hair with it
-  EXPECT_LT(most, 6);
+  for (const char* cut : {"crop", "bob"}) {
+    HeadSpec spec;
+    spec.hair = cut;
+    spec.look.beard = "short";
+    const Figure figure = build_figure(spec, find_data_folder());
+    Pose pose;
+    for (const char* side : {"left", "right"})
+      pose.values[*find_move("brow", std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
+    pose.values[*find_move("chin", Side::none, "down")] = 0.6;
+    DeformBuffers buffers;
+    Drawing drawing;
+    deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+    for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+      const Part& part = figure.model.parts[i];
+      if (!part.name.starts_with("hair") && part.name != "beard") continue;
+      double most = 0;
+      for (std::size_t v = 0; v < part.rest.positions.size(); ++v)
+        most = std::max<double>(most, glm::distance(drawing.parts[i].positions[v], part.rest.positions[v]));
+      if (part.name == "beard") {
+        EXPECT_GT(most, 8) << cut;  // it goes with the chin
+      } else {
+        EXPECT_LT(most, 8) << cut << " " << part.name;  // the scalp moves a little with the brows
+      }
+    }
+  }
+}
+
+TEST(hair, paints_the_scalp_and_not_the_face) {
+  const auto at = [&](const std::vector<float>& covers, const char* name) {
+    return covers[find_point(adult().cage, name)];
+  };
+  const std::vector<float> covers = paint_scalp(adult(), "crop");
+  ASSERT_EQ(covers.size(), adult().skin.positions.size());
+  EXPECT_GT(at(covers, "s9_F2"), 0.7f);
+  EXPECT_GT(at(covers, "cap_2_2"), 0.7f);
+  for (const char* name : {"p_tip", "p_F1", "M6_12", "q11_C4", "er6_3", "m12_N1"})
+    EXPECT_EQ(at(covers, name), 0) << name;
+  for (std::size_t v = 0; v < covers.size(); ++v)
+    EXPECT_NEAR(covers[v], covers[adult().surface->mirror.size() > v ? adult().surface->mirror[v] : v],
+                0.02f);
+}
+
+TEST(brows, are_painted_where_their_hairs_are) {
+  const std::vector<float> covers = paint_brows(adult(), load_part_numbers().brow);
+  EXPECT_GT(covers[find_point(adult().cage, "E5_4")], 0.3f);
+  for (const char* name : {"p_g", "E5_12", "p_F2", "p_tip"})
+    EXPECT_EQ(covers[find_point(adult().cage, name)], 0) << name;
+}
+
+TEST(beard, grows_on_men_where_beards_grow) {
+  for (const auto& [name, beard] : load_beards(file()).beards) {
+    Look look;
+    look.beard = name;
+    EXPECT_TRUE(build_beard(build("infant"), look).empty()) << name;
+    EXPECT_TRUE(build_beard(build("child"), look).empty()) << name;
+    const std::vector<HeadPart> parts = build_beard(adult(), look);
+    ASSERT_EQ(parts.size(), 1u) << name;
+    expect_sound(adult(), parts[0], name);
+    EXPECT_GT(parts[0].bindings.size(), 300u) << name;
+    EXPECT_EQ(list_places(parts[0].part.rest, 1), list_places(parts[0].part.rest, -1)) << name;
+    const std::vector<float> covers = paint_beard(adult(), name);
+    const auto at = [&](const char* point) { return covers[find_point(adult().cage, point)]; };
+    EXPECT_GT(at("MA_3"), 0.5f) << name;
+    for (const char* bare : {"p_tip", "M2_3", "M2_9", "q12_C3", "E3_12", "s9_F2", "m12_N3"})
+      EXPECT_LT(at(bare), 0.05f) << name << " " << bare;
+    for (const float cover : covers) ASSERT_TRUE(cover >= 0 && cover <= 1.001f) << name;
+  }
+}
+
+TEST(beard, stands_on_the_skin) {
+  Look look;
+  look.beard = "stubble";
+  const std::vector<HeadPart> parts = build_beard(adult(), look);
+  for (const Binding& binding : parts[0].bindings) {
+    const SkinFrame root = find_skin_frame(adult().skin.positions, adult().skin.normals,
+                                           adult().skin.triangles[binding.triangle], binding.barycentric);
+    const glm::vec3 foot = parts[0].part.rest.positions[binding.first];
+    ASSERT_LT(glm::distance(foot, root.origin), 0.5f);
+  }
+}
+
+TEST(skin_tint, mixes_a_colour_into_what_it_covers) {
+  Part skin{.name = "skin",
+            .material = "skin",
+            .rest = {},
+            .palette = {{glm::vec3(1), 0.5f}},
+            .shade = {0, 0, 0},
+            .grain = {}};
+  tint_skin(skin, {0, 0.5f, 1}, glm::vec3(0));
+  EXPECT_EQ(skin.shade[0], 0);
+  EXPECT_NEAR(skin.palette[skin.shade[1]].srgb.x, 0.5f, 0.01f);
+  EXPECT_NEAR(skin.palette[skin.shade[2]].srgb.x, 0, 0.01f);
+  EXPECT_LT(skin.palette[skin.shade[2]].gloss, 0.5f);
 }
 
 }  // namespace

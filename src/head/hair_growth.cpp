@@ -1,0 +1,293 @@
+#include "head/hair_growth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/conventions.hpp"
+#include "head/lids.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::uint32_t kSeries = 43;  // of scatter()
+enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip };
+constexpr int kDegrees = 181;  // of a border: 0..180
+
+// A smooth curve through the knots of the left half, degree by degree.
+HairBorder find_border(const NeutralHead& head, const std::vector<HairKnot>& knots, const HairChart& chart) {
+  std::vector<double> azimuths, ways;
+  for (const HairKnot& knot : knots) {
+    glm::dvec3 p(find_named_point(head, knot.point));
+    if (!knot.level_of.empty()) p.y = find_named_point(head, knot.level_of).y;
+    p.y += knot.up_mm * chart.size;
+    const HairPlace place = find_hair_place(chart, p);
+    azimuths.push_back(std::abs(place.azimuth_deg));
+    ways.push_back(place.way);
+  }
+  for (std::size_t i = 1; i < azimuths.size(); ++i)
+    azimuths[i] = std::max(azimuths[i], azimuths[i - 1] + 0.5);
+  HairBorder border;
+  for (int degree = 0; degree < kDegrees; ++degree) border.push_back(sample_stations(azimuths, ways, degree));
+  return border;
+}
+
+glm::dvec3 find_arc_direction(double side_mm, double back_deg, double radius_mm) {
+  const double turn = back_deg * kRadiansPerDegree;
+  return glm::normalize(glm::dvec3(side_mm / radius_mm, std::cos(turn), -std::sin(turn)));
+}
+
+// From the nearest point of the part's arc to a direction of the head.
+glm::dvec3 find_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
+  constexpr int kSteps = 24;         // of the arc: 4 degrees of a long part
+  constexpr double kSkull_mm = 100;  // of the adult: what a part's side is measured on
+  const HairComb& comb = scene.cut.comb;
+  glm::dvec3 nearest(0, 1, 0);
+  double best = -2;
+  for (int i = 0; i <= kSteps; ++i) {
+    const double angle = std::lerp(comb.from_deg, comb.to_deg, static_cast<double>(i) / kSteps);
+    const glm::dvec3 arc = find_arc_direction(comb.side_mm, angle, kSkull_mm);
+    if (const double near = glm::dot(arc, direction); near > best) {
+      best = near;
+      nearest = arc;
+    }
+  }
+  return direction - nearest;
+}
+
+glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
+  const glm::dvec3 flat = way - normal * glm::dot(way, normal);
+  const double length = glm::length(flat);
+  return length < 1e-9 ? glm::dvec3(0) : flat / length;
+}
+
+glm::dvec3 turn_about(const glm::dvec3& way, const glm::dvec3& axis, double degrees) {
+  const double angle = degrees * kRadiansPerDegree;
+  return way * std::cos(angle) + glm::cross(axis, way) * std::sin(angle);
+}
+
+// The way hair is combed at a place, along the ground; `down` more of it falls.
+glm::dvec3 find_comb(const HairScene& scene, const glm::dvec3& at, const glm::dvec3& normal, double droop) {
+  const HairComb& comb = scene.cut.comb;
+  const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
+  glm::dvec3 way(0);
+  if (comb.is_gathered) {
+    glm::dvec3 knot, out;
+    find_knot(scene, knot, out);
+    way = flatten(knot - at, normal);
+  } else {
+    way = comb.away * flatten(find_way_from_part(scene, direction), normal);
+    way += (comb.down + droop) * flatten({0, -1, 0}, normal) + comb.back * flatten({0, 0, -1}, normal);
+  }
+  return flatten(way, normal);
+}
+
+// The lock's way over the ground in small equal steps.
+struct Path {
+  std::vector<HairPlace> places;
+  double step_mm = 0;
+};
+
+Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t index, double wanted_mm) {
+  const HairCut& cut = scene.cut;
+  const double size = scene.chart.size;
+  Path path{{root}, 3.0 * size};
+  const double tip = (scatter(kSeries, index, kTip) - 0.5) * 2 * cut.locks.tips_mm * size;
+  const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
+  glm::dvec3 knot, out;
+  if (cut.comb.is_gathered) find_knot(scene, knot, out);
+  HairPlace place = root;
+  double gone_mm = 0;
+  while (gone_mm < wanted_mm) {
+    const double ground = find_ground_mm(scene, place);
+    const glm::dvec3 at = find_hair_point(scene.chart, place, ground);
+    const glm::dvec3 normal = find_ground_normal(scene, place);
+    if (cut.comb.is_gathered && glm::distance(at, knot) < 1.5 * path.step_mm) break;
+    const double share = std::min(1.0, gone_mm / (80 * size));  // a lock has its own weight after so much
+    const double swirl = cut.comb.swirl_deg * (1 - share);
+    glm::dvec3 way = find_comb(scene, at, normal, cut.comb.droop * share);
+    way = turn_about(way, normal, turn + swirl);
+    const HairPlace next = find_hair_place(scene.chart, at + path.step_mm * way);
+    if (next.way > HairChart::kLongest - 0.02) break;
+    if (!scene.ends.empty() &&
+        next.way + tip / scene.chart.drop_mm > sample_border(scene.ends, next.azimuth_deg)) {
+      // One that begins beyond the border has no place at all.
+      if (path.places.size() < 2) path.places.clear();
+      break;
+    }
+    place = next;
+    gone_mm += path.step_mm;
+    path.places.push_back(place);
+  }
+  return path;
+}
+
+}  // namespace
+
+double sample_border(const HairBorder& border, double azimuth_deg) {
+  const double at = std::clamp(std::abs(azimuth_deg), 0.0, 180.0);
+  const auto i = std::min<std::size_t>(static_cast<std::size_t>(at), border.size() - 2);
+  return std::lerp(border[i], border[i + 1], at - static_cast<double>(i));
+}
+
+double sample_spread(const HairSpread& spread, double azimuth_deg, double share) {
+  const double turn = std::abs(azimuth_deg) / 90;
+  std::vector<double> stations;
+  for (std::size_t i = 0; i < spread.front.size(); ++i)
+    stations.push_back(static_cast<double>(i) / static_cast<double>(spread.front.size() - 1));
+  const auto at = [&](const std::vector<double>& table) { return sample_stations(stations, table, share); };
+  const double front = smooth_step(0, 1, 1 - turn), back = smooth_step(0, 1, turn - 1);
+  return front * at(spread.front) + back * at(spread.back) + (1 - front - back) * at(spread.side);
+}
+
+double find_ground_mm(const HairScene& scene, const HairPlace& place) {
+  const HairCut& cut = scene.cut;
+  double value =
+      sample_hair_chart(scene.chart, cut.covers_ears ? scene.chart.cover_mm : scene.chart.skin_mm, place);
+  const double down = std::max(0.0, place.way - 1);
+  if (cut.covers_ears) value *= 1 - cut.tuck * down * down;
+  return value;
+}
+
+glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place) {
+  constexpr double kTurn_deg = 3, kWay = 0.04;  // either side: 5 mm, what two ears' edges are smoothed over
+  const auto at = [&](double turn, double way) {
+    HairPlace near{place.azimuth_deg + turn, std::max(0.0, place.way + way)};
+    near.azimuth_deg -= 360 * std::floor((near.azimuth_deg + 180) / 360);
+    return find_hair_point(scene.chart, near, find_ground_mm(scene, near));
+  };
+  if (place.way < 2 * kWay) return find_hair_direction(scene.chart, place);
+  const glm::dvec3 normal = glm::cross(at(0, kWay) - at(0, -kWay), at(kTurn_deg, 0) - at(-kTurn_deg, 0));
+  const double length = glm::length(normal);
+  return length < 1e-9 ? find_hair_direction(scene.chart, place) : normal / length;
+}
+
+HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
+  HairScene scene{cut, build_hair_chart(head, cut.whorl_deg, cut.centre_mm), {}, {}, 0};
+  scene.hairline = find_border(head, cut.hairline, scene.chart);
+  if (!cut.ends.empty()) scene.ends = find_border(head, cut.ends, scene.chart);
+  constexpr double kInfant_mm = 66, kGrown_mm = 84;  // eye to chin
+  scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, find_eye_to_chin_mm(head));
+  return scene;
+}
+
+double find_room(const HairChart& chart, const HairPlace& place) {
+  constexpr double kTurn_deg = 1, kWay = 0.01;
+  const auto at = [&](double turn, double way) {
+    return find_hair_point(chart, {place.azimuth_deg + turn, place.way + way}, 1);
+  };
+  // On a globe of radius 1; below its middle a way is as long as the drop, of a skull of 95 mm.
+  constexpr double kSkull_mm = 95, kMost = 2.45;  // a way of 140 degrees
+  if (place.way >= 1) return std::min(1.0, chart.drop_mm / (kSkull_mm * chart.size) / kMost);
+  const glm::dvec3 aside = (at(kTurn_deg, 0) - at(-kTurn_deg, 0)) / (2 * kTurn_deg * kRadiansPerDegree);
+  const glm::dvec3 down = (at(0, 0) - at(0, -kWay)) / kWay;
+  return std::min(1.0, glm::length(glm::cross(aside, down)) / kMost);
+}
+
+std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left) {
+  // Two irrational steps (Roberts, "The unreasonable effectiveness of quasirandom sequences", 2018).
+  constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;
+  std::vector<HairPlace> roots;
+  double longest = 0;
+  for (const double way : scene.hairline) longest = std::max(longest, way);
+  const int wanted = is_left ? count / 2 : count;
+  const int tries = 90 * count + 1000;  // far more than the narrowest band needs
+  for (int i = 1; i < tries && static_cast<int>(roots.size()) < wanted; ++i) {
+    const double turn = std::fmod(i * kFirst, 1.0), along = std::fmod(i * kSecond, 1.0);
+    HairPlace place{is_left ? 180 * turn : 360 * turn - 180, longest * along};
+    const double border = sample_border(scene.hairline, place.azimuth_deg);
+    if (place.way > border || place.way < band * border) continue;
+    if (scatter(kSeries + 1, static_cast<std::uint32_t>(i), 0) > find_room(scene.chart, place)) continue;
+    roots.push_back(place);
+  }
+  return roots;
+}
+
+void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
+  out = find_arc_direction(0, scene.cut.comb.knot_deg, 1);
+  const glm::dvec3 far = scene.chart.centre + 100.0 * scene.chart.size * out;
+  const HairPlace place = find_hair_place(scene.chart, far);
+  at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
+}
+
+glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place) {
+  const glm::dvec3 at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
+  const glm::dvec3 normal = find_ground_normal(scene, place);
+  const glm::dvec3 way = find_comb(scene, at, normal, 0);
+  return way == glm::dvec3(0) ? flatten({0, -1, 0.1}, normal) : way;
+}
+
+HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index) {
+  const HairCut& cut = scene.cut;
+  const HairLocks& locks = cut.locks;
+  const double size = scene.chart.size, child = 1 - (1 - cut.infant) * scene.youth;
+  const double border = sample_border(scene.hairline, root.azimuth_deg);
+  const double share = std::min(1.0, root.way / border);
+  const double ragged = 1 + locks.ragged * 2 * (scatter(kSeries, index, kLength) - 0.5);
+  const double wanted_mm =
+      size * (0.6 + 0.4 * child) * ragged * sample_spread(locks.length_mm, root.azimuth_deg, share);
+  HairStrand strand;
+  strand.root = root;
+  strand.layer = scatter(kSeries, index, kLayer);
+  if (wanted_mm < 1) return strand;
+  const double standing = locks.stand;
+  const Path path = trace_path(scene, root, index, wanted_mm * (1 - standing));
+  const auto steps = static_cast<double>(path.places.size()) - 1;
+  if (steps < 1 && standing == 0) return strand;
+  if (path.places.empty()) return strand;
+  strand.length_mm = std::max(steps * path.step_mm, standing * wanted_mm);
+  if (!cut.comb.is_gathered && standing == 0 && steps > 0)
+    strand.length_mm = std::min(strand.length_mm, wanted_mm);
+
+  const double phase = scatter(kSeries, index, kPhase);
+  const double lift = 0.25 + 0.75 * strand.layer;
+  for (int ring = 0; ring < locks.rings; ++ring) {
+    const double s = static_cast<double>(ring) / (locks.rings - 1), at = s * steps;
+    const auto i = std::min(static_cast<std::size_t>(at), path.places.size() - 1);
+    const auto j = std::min(i + 1, path.places.size() - 1);
+    const HairPlace &a = path.places[i], &b = path.places[j];
+    const double t = at - std::floor(at);
+    const auto height_at = [&](const HairPlace& place) {
+      const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
+      return size * child * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+    };
+    // Out of the skin at the root, then in its layer; the tips of short hair stay up, those of gathered hair
+    // and of long hair lie down.
+    constexpr double kClear_mm = 0.8;  // a flat lock on a round skin would cut into it
+    const double rise = std::min(1.0, smooth_step(-0.02, 0.28, s) + 0.3 * smooth_step(0, 0.05, s));
+    const auto point_at = [&](const HairPlace& place) {
+      return find_hair_point(scene.chart, place,
+                             find_ground_mm(scene, place) +
+                                 rise * (kClear_mm * size + lift * height_at(place)) +
+                                 standing * wanted_mm * s);
+    };
+    glm::dvec3 point = glm::mix(point_at(a), point_at(b), t);
+    const glm::dvec3 out =
+        glm::normalize(glm::mix(find_ground_normal(scene, a), find_ground_normal(scene, b), t));
+    const glm::dvec3 ahead = find_comb(scene, point, out, 0);
+    const glm::dvec3 side = glm::cross(ahead, out);
+    const double gone_mm = s * strand.length_mm;
+    if (locks.wave_mm > 0) {
+      // Neighbours wave together.
+      const double turn = gone_mm / (locks.wave_length_mm * size) + 0.35 * phase + root.azimuth_deg / 70;
+      point +=
+          side * (smooth_step(0, 0.35, s) * locks.wave_mm * size * std::sin(2 * std::numbers::pi * turn));
+      point += out * (smooth_step(0, 0.35, s) * 0.5 * locks.wave_mm * size *
+                      (1 + std::cos(2 * std::numbers::pi * turn)));
+    }
+    if (locks.curl_mm > 0) {
+      const double turn = 2 * std::numbers::pi * (gone_mm / (locks.curl_length_mm * size) + phase);
+      const double radius =
+          locks.curl_mm * size * child * smooth_step(0, 0.25, s) * (0.6 + 0.8 * strand.layer);
+      const glm::dvec3 first = standing > 0.5 ? ahead : out;
+      point += radius * (std::cos(turn) * side + std::sin(turn) * first);
+    }
+    strand.points.push_back(point);
+    strand.outs.push_back(out);
+  }
+  return strand;
+}
+
+}  // namespace mien

@@ -1,0 +1,60 @@
+// How hair runs over a head: where its border is, which way it is combed, and the way of each lock.
+#pragma once
+
+#include "head/hair.hpp"
+#include "head/hair_chart.hpp"
+
+namespace mien {
+
+// A border as the `way` it has at each degree of azimuth on the left half, 0..180; the right half mirrors it.
+using HairBorder = std::vector<double>;
+
+// One cut on one head.
+struct HairScene {
+  HairCut cut;
+  HairChart chart;
+  HairBorder hairline, ends;  // where roots end; where tips end
+  double youth = 0;           // 1: an infant's
+};
+
+HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut);
+
+double sample_border(const HairBorder& border, double azimuth_deg);
+
+// Of a table, at a place: `share` 0..1 of the way from the whorl to the hairline.
+double sample_spread(const HairSpread& spread, double azimuth_deg, double share);
+
+// What hair lies on: the skin, or what hangs over the ears; distance from the chart's axis, mm.
+double find_ground_mm(const HairScene& scene, const HairPlace& place);
+
+// Unit: away from the ground.
+glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place);
+
+// How much of the head lies about a place, against where it is most: ways run together toward the whorl, and
+// are shorter behind it.
+double find_room(const HairChart& chart, const HairPlace& place);
+
+// Roots spread evenly over the hairy skin, `count` of them; of the left half only if `is_left`. `band`: none
+// nearer to the whorl than this share of the way to the hairline.
+std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left);
+
+// One lock's middle line from its root to its tip.
+struct HairStrand {
+  HairPlace root;
+  std::vector<glm::dvec3> points;  // mm
+  std::vector<glm::dvec3> outs;    // unit, away from the head
+  double length_mm = 0;
+  double layer = 0;  // 0 deep .. 1 on top
+};
+
+// Lock `index` of its series from `root`: combed over the ground until its length or the border is reached.
+// Empty points: nothing grows here.
+HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index);
+
+// The way hair is combed at a place, unit, along the ground.
+glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place);
+
+// Where gathered hair meets: on the skin, and the way out from it.
+void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);
+
+}  // namespace mien

@@ -1,0 +1,201 @@
+#include "head/hair_mass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "head/hair_locks.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr int kColumns = 120, kRows = 26;  // of the outside: 4 mm and 6 mm apart where it is broadest
+constexpr int kInnerRows = 8;              // of the inside, which nobody sees
+constexpr double kPi = std::numbers::pi;
+
+// Columns come in pairs: c and its mirror image kColumns - 1 - c.
+double find_azimuth(int column) { return 360 * (column + 0.5) / kColumns - 180; }
+
+struct Shell {
+  const HairScene& scene;
+  std::vector<double> border;    // by column
+  std::vector<glm::dvec3> edge;  // where that is
+};
+
+HairPlace find_place(const Shell& shell, int column, double along) {
+  return {find_azimuth(column), along * shell.border[static_cast<std::size_t>(column)]};
+}
+
+// How full the mass is at a distance from its edge: a quarter of a round.
+double find_fullness(const Shell& shell, int column, const glm::dvec3& at) {
+  constexpr int kReach = 20;  // columns to either side; the edge is nowhere nearer
+  double nearest = 1e9;
+  for (int i = -kReach; i <= kReach; ++i) {
+    const glm::dvec3 away = shell.edge[static_cast<std::size_t>((column + i + kColumns) % kColumns)] - at;
+    nearest = std::min(nearest, glm::dot(away, away));
+  }
+  const double round_mm = shell.scene.cut.round_mm * shell.scene.chart.size;
+  const double share = std::min(1.0, std::sqrt(nearest) / round_mm);
+  return std::sqrt(1 - (1 - share) * (1 - share));
+}
+
+void append_vertex(HeadPart& part, const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
+                   const glm::dvec2& grain) {
+  const auto index = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  const HairSeat& seat = find_seat(scene, place);
+  part.part.rest.positions.emplace_back(at);
+  part.part.grain.emplace_back(grain);
+  part.bindings.push_back({seat.triangle, seat.barycentric, index, 1});
+}
+
+glm::dvec3 mirror(const glm::dvec3& p) { return {-p.x, p.y, p.z}; }
+
+void append_shell(HeadPart& part, const HairScene& scene) {
+  const HairCut& cut = scene.cut;
+  const HairChart& chart = scene.chart;
+  Shell shell{scene, {}, {}};
+  const bool is_free = !scene.ends.empty() && cut.covers_ears;
+  // Its edge lies so far inside the border, above and beside, that locks hide it.
+  constexpr double kInset_mm = 7, kBeside_deg = 9;
+  for (int column = 0; column < kColumns; ++column) {
+    const HairBorder& border = is_free ? scene.ends : scene.hairline;
+    const double inset_mm = is_free ? kInset_mm + cut.locks.tips_mm : kInset_mm;
+    double least = 1e9;
+    for (const double beside : {-kBeside_deg, -0.5 * kBeside_deg, 0.0, 0.5 * kBeside_deg, kBeside_deg}) {
+      double azimuth = std::abs(find_azimuth(column) + beside);
+      if (azimuth > 180) azimuth = 360 - azimuth;
+      least = std::min(least, sample_border(border, azimuth));
+    }
+    shell.border.push_back(least - inset_mm * chart.size / chart.drop_mm);
+  }
+  for (int column = 0; column < kColumns; ++column) {
+    const HairPlace place = find_place(shell, column, 1);
+    shell.edge.push_back(find_hair_point(chart, place, find_ground_mm(scene, place)));
+  }
+  const double size = chart.size * (1 - (1 - cut.infant) * scene.youth);
+  const auto spread = [&](const HairPlace& place) {
+    const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
+    return sample_spread(cut.thick_mm, place.azimuth_deg, way);
+  };
+  std::vector<std::vector<double>> outer(kColumns);  // distance, column by column
+  const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  const double top_mm = find_ground_mm(scene, {0, 0}) + size * cut.mass * spread({0, 0});
+  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, top_mm), {0, 0});
+  std::vector<std::vector<glm::dvec3>> points(kColumns);
+  for (int column = kColumns / 2; column < kColumns; ++column)
+    for (int row = 1; row <= kRows; ++row) {
+      const HairPlace place = find_place(shell, column, static_cast<double>(row) / kRows);
+      const double ground = find_ground_mm(scene, place);
+      const double full = find_fullness(shell, column, find_hair_point(chart, place, ground));
+      const double thick = cut.edge_mm + full * (cut.mass * spread(place) - cut.edge_mm);
+      const double distance = ground + size * thick;
+      const auto at = static_cast<std::size_t>(column),
+                 other = static_cast<std::size_t>(kColumns - 1 - column);
+      outer[at].push_back(distance);
+      outer[other].push_back(distance);
+      points[at].push_back(find_hair_point(chart, place, distance));
+      points[other].push_back(mirror(points[at].back()));
+    }
+  for (int column = 0; column < kColumns; ++column)
+    for (int row = 1; row <= kRows; ++row)
+      append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kRows),
+                    points[static_cast<std::size_t>(column)][static_cast<std::size_t>(row - 1)],
+                    {4.0 * column, 100.0 * row / kRows});
+  const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  constexpr double kSunk_mm = 3.5;  // the inside lies so deep in the skin: no light comes through a gap
+  const double inner_top_mm = find_ground_mm(scene, {0, 0}) - kSunk_mm;
+  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, inner_top_mm), {0, 0});
+  for (int column = 0; column < kColumns; ++column)
+    for (int row = 1; row <= kInnerRows; ++row) {
+      const int left = std::max(column, kColumns - 1 - column);
+      const HairPlace place = find_place(shell, left, static_cast<double>(row) / kInnerRows);
+      const auto at = static_cast<std::size_t>(row * kRows / kInnerRows - 1);
+      const double free = cut.covers_ears ? smooth_step(0.9, 1.15, place.way) : 0;
+      const double sheet = glm::mix(60.0, size * cut.sheet_mm * (row == kInnerRows ? 0.45 : 1), free);
+      const double skin = sample_hair_chart(chart, chart.skin_mm, place) - kSunk_mm;
+      const double out = outer[static_cast<std::size_t>(left)][at];
+      const glm::dvec3 p = find_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
+      append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
+                    left == column ? p : mirror(p), {4.0 * column, 0});
+    }
+  const auto vertex = [&](std::uint32_t first, int rows, int column, int row) {
+    return row == 0 ? first : first + 1 + static_cast<std::uint32_t>((column % kColumns) * rows + row - 1);
+  };
+  auto& triangles = part.part.rest.triangles;
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+  };
+  for (int column = 0; column < kColumns; ++column) {
+    for (int row = 0; row < kRows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(first_outer, kRows, column + c, row + r); };
+      add(at(0, 0), at(0, 1), at(1, 1));
+      add(at(0, 0), at(1, 1), at(1, 0));
+    }
+    for (int row = 0; row < kInnerRows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(first_inner, kInnerRows, column + c, row + r); };
+      add(at(0, 0), at(1, 1), at(0, 1));
+      add(at(0, 0), at(1, 0), at(1, 1));
+    }
+    const std::uint32_t a = vertex(first_outer, kRows, column, kRows);
+    const std::uint32_t b = vertex(first_outer, kRows, column + 1, kRows);
+    const std::uint32_t c = vertex(first_inner, kInnerRows, column + 1, kInnerRows);
+    const std::uint32_t d = vertex(first_inner, kInnerRows, column, kInnerRows);
+    add(a, d, c);
+    add(a, c, b);
+  }
+}
+
+// A round body about the knot's axis: `rings` of it from the skin outward.
+void append_round(HeadPart& part, const HairScene& scene, const std::vector<Ring>& rings,
+                  const glm::vec3& start, const glm::vec3& end, const HairPlace& place) {
+  const std::size_t first = part.part.rest.positions.size();
+  append_loft(part.part.rest, start, rings, end);
+  const std::size_t last = part.part.rest.positions.size();
+  const HairSeat& seat = find_seat(scene, place);
+  for (std::size_t i = first; i < last; ++i)
+    part.part.grain.emplace_back(static_cast<float>(i % 7) * 3.0f, 30.0f);
+  part.bindings.push_back({seat.triangle, seat.barycentric, static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>(last - first)});
+}
+
+constexpr int kSides = 24;  // of a round body
+
+// Left and right to the bit: the left half's points, and their images.
+Ring make_ring(const glm::dvec3& centre, const glm::dvec3& up, double across_mm, double up_mm) {
+  Ring ring(kSides);
+  for (int k = 0; k <= kSides / 2; ++k) {
+    const double turn = 2 * kPi * k / kSides;
+    const double x = k == 0 || k == kSides / 2 ? 0 : across_mm * std::sin(turn);
+    const glm::dvec3 p = centre + up * (up_mm * std::cos(turn));
+    ring[static_cast<std::size_t>(k)] = glm::vec3(x, p.y, p.z);
+    if (k > 0 && k < kSides / 2) ring[static_cast<std::size_t>(kSides - k)] = glm::vec3(-x, p.y, p.z);
+  }
+  return ring;
+}
+
+void append_knot(HeadPart& part, const HairScene& scene) {
+  constexpr int kRings = 12;
+  const double radius = 0.97 * scene.cut.bun_radius_mm * scene.chart.size;
+  glm::dvec3 at, out;
+  find_knot(scene, at, out);
+  const glm::dvec3 centre = at + out * 0.6 * radius, up(0, -out.z, out.y);
+  std::vector<Ring> rings;
+  for (int i = 1; i < kRings; ++i) {
+    const double angle = kPi * (1 - static_cast<double>(i) / kRings);
+    const double wide = radius * std::sin(angle);
+    rings.push_back(make_ring(centre + out * (0.8 * radius * std::cos(angle)), up, wide, wide));
+  }
+  append_round(part, scene, rings, centre - 0.8 * radius * out, centre + 0.8 * radius * out,
+               find_hair_place(scene.chart, at));
+}
+
+}  // namespace
+
+void append_mass(HeadPart& part, const HairScene& scene) {
+  append_shell(part, scene);
+  if (scene.cut.bun_radius_mm > 0) append_knot(part, scene);
+}
+
+}  // namespace mien
