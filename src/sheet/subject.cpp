@@ -22,12 +22,15 @@ bool is_file(const fs::path& word) {
          (fs::exists(word) && !fs::is_directory(word));
 }
 
+constexpr const char* kPlainHair = "crop";  // bald heads look startled and unfinished
+
 // What stands for a file where none was named.
 Spec build_plain_spec(const std::string& word, const Options& options, const fs::path& data) {
   Spec spec;
   std::string stem = word;
   std::ranges::replace(stem, '/', '_');
   spec.name = build_name(stem);
+  spec.head.hair = kPlainHair;
   spec.expressions = load_expression_libraries(data / "configs/expressions");
   if (options.quality) spec.render.quality = *options.quality;
   return spec;
