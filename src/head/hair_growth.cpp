@@ -210,6 +210,7 @@ void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
   const glm::dvec3 far = scene.chart.centre + 100.0 * scene.chart.size * out;
   const HairPlace place = find_hair_place(scene.chart, far);
   at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
+  at.x = 0;  // the sine of 180 degrees is not quite 0
 }
 
 glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place) {
