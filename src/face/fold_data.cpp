@@ -85,7 +85,8 @@ FoldLine load_line(const YAML::Node& node) {
 }
 
 FoldSet load_set(const std::string& name, const YAML::Node& node) {
-  check_keys(node, {"drive", "from", "to", "rest", "depth_mm", "width_mm", "rolls", "spread", "across_mm", "lines"});
+  check_keys(
+      node, {"drive", "from", "to", "rest", "depth_mm", "width_mm", "rolls", "spread", "across_mm", "lines"});
   FoldSet set;
   set.name = name;
   for (const YAML::Node& drive : require(node, "drive")) set.drives.push_back(load_drive(drive));

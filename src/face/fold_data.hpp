@@ -44,9 +44,10 @@ struct FoldSet {
 
 struct FoldData {
   std::map<std::string, double> ages;  // age -> how deep folds are against an adult's
-  std::map<std::string, double> ages_at_rest;  // age -> how much of a set's `rest` its face has; none: nothing
-  double female = 1, male = 1;         // the same for characters
-  double edge = 1;                     // longest edge of the skin in a groove, in its widths
+  std::map<std::string, double>
+      ages_at_rest;             // age -> how much of a set's `rest` its face has; none: nothing
+  double female = 1, male = 1;  // the same for characters
+  double edge = 1;              // longest edge of the skin in a groove, in its widths
   std::vector<FoldSet> sets;
 };
 

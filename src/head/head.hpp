@@ -89,8 +89,8 @@ NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path
 // line of the lower lid), caruncle_left/right. Eyeball parts are rigid (Mount::eye_*) about the ball's
 // centre.
 std::vector<HeadPart> build_eyes(const NeutralHead& head, const Look& look);
-// mouth: teeth_upper and gum_upper (Mount::skull), teeth_lower, gum_lower and tongue (Mount::jaw), lip_veil on the
-// upper lip (Mount::strands), which keeps teeth from shining through shut lips.
+// mouth: teeth_upper and gum_upper (Mount::skull), teeth_lower, gum_lower and tongue (Mount::jaw), lip_veil
+// on the upper lip (Mount::strands), which keeps teeth from shining through shut lips.
 std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look& look);
 // brows and lashes: brow_left/right, lash_left/right as tapered hair tubes (Mount::strands).
 std::vector<HeadPart> build_hairs(const NeutralHead& head, const Look& look);

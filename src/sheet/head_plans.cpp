@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 #include "config/words.hpp"
 #include "head/shapes.hpp"
@@ -94,14 +96,20 @@ SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path&) {
   plan.blocks.resize(2);
   plan.blocks[0].heading = "To one scale";
   plan.blocks[1].heading = "To one height";
-  const auto adult = static_cast<std::size_t>(std::ranges::find(kAges, kAdult) - kAges.begin());
-  for (const std::string& age : kAges) {
-    SheetCell cell{build_caption(age), plan.heads.size()};
+  // The adult comes first among the heads: the others are drawn to its scale.
+  Names ages = kAges;
+  std::ranges::stable_partition(ages, [](const std::string& age) { return age == kAdult; });
+  std::map<std::string, std::size_t> heads;
+  for (const std::string& age : ages) {
+    heads[age] = plan.heads.size();
     plan.heads.push_back(subject.spec.head);
     plan.heads.back().age = {{age, 1.0}};
     plan.heads.back().guides.clear();  // where an age has its lines is what the sheet is for
+  }
+  for (const std::string& age : kAges) {
+    SheetCell cell{build_caption(age), heads.at(age)};
     cell.tells_height = true;
-    cell.framing.scale_of = adult;
+    cell.framing.scale_of = heads.at(kAdult);
     plan.blocks[0].cells.push_back(cell);
     cell.tells_height = false;
     cell.has_guides = true;

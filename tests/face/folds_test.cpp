@@ -216,9 +216,9 @@ TEST(folds, mistakes_in_the_file_are_told_at_their_line) {
   EXPECT_EQ(find_mistake("[brow.up+]", "[brow.upp+]"), "unknown move 'brow.upp'");
   EXPECT_EQ(find_mistake("[brow.up+]", "[brow.up]"),
             "'brow.up' is not a driver; expected area.move+ or area.move-");
-  EXPECT_EQ(
-      find_mistake("    spread:", "    spred:"),
-      "unknown key 'spred'; expected drive, from, to, depth_mm, width_mm, rolls, spread, across_mm, lines");
+  EXPECT_EQ(find_mistake("    spread:", "    spred:"),
+            "unknown key 'spred'; expected drive, from, to, rest, depth_mm, width_mm, rolls, spread, "
+            "across_mm, lines");
   EXPECT_EQ(find_mistake("edge: 1.0", ""), "'edge' is missing");
   EXPECT_EQ(find_mistake("[p_F1, p_F2,", "[p_F1, p_Q2,"), "the head has no point called 'p_Q2'");
 }

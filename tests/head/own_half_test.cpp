@@ -149,7 +149,7 @@ TEST(own_half, tells_what_is_no_half) {
   places[middle].x = 0.04;
   EXPECT_EQ(find_fault(write_half(places)), "");
   for (glm::dvec3& p : places) p /= 1000;
-  EXPECT_EQ(find_fault(write_half(places)).substr(0, 34), "half.obj: error: the half is 0.346");
+  EXPECT_EQ(find_fault(write_half(places)).substr(0, 34), "half.obj: error: the half is 0.344");
 }
 
 }  // namespace

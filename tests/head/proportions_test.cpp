@@ -102,7 +102,7 @@ struct Ratio {
   const char* name;
   double (*measure)(const Places&);
   double infant, child, teenager, young_adult, adult;  // an old head's bones are the adult's
-  double tolerance;  // of the value
+  double tolerance;                                    // of the value
 };
 
 double measure_breadth(const Places& p) { return across(p, "eu"); }
@@ -175,8 +175,9 @@ TEST(proportions, skulls_have_the_silhouettes_of_their_names) {
 TEST(proportions, a_child_is_no_small_adult) {
   const auto order = [](auto measure) {
     std::vector<double> values;
-    for (const Chart& chart : kCharts) values.push_back(measure(places_of(chart.age)));
-    return values;
+    for (const Chart& chart : kCharts)
+      if (chart.age != std::string("old")) values.push_back(measure(places_of(chart.age)));
+    return values;  // what is grown does not grow on
   };
   const auto rises = [](const std::vector<double>& v) { return std::is_sorted(v.begin(), v.end()); };
   EXPECT_TRUE(rises(order(head_height)));

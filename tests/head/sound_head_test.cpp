@@ -134,7 +134,8 @@ TEST(sound_head, grows_up_and_old_without_a_pop) {
   constexpr int kSteps = 60;
   std::vector<NeutralHead> ages(kSteps + 1);
   for_each_index(ages.size(), count_cores(), [&](std::size_t i, int) {
-    ages[i] = build_neutral_head(spec_of_age(kWholeLife * static_cast<double>(i) / kSteps), find_data_folder());
+    ages[i] =
+        build_neutral_head(spec_of_age(kWholeLife * static_cast<double>(i) / kSteps), find_data_folder());
   });
   const std::size_t count = adult().skin.positions.size();
   double worst = 0;
@@ -169,7 +170,8 @@ TEST(sound_head, keeps_its_parts_while_it_grows) {
   };
   std::vector<std::map<std::string, std::size_t>> counts(11);
   for_each_index(counts.size(), count_cores(), [&](std::size_t i, int) {
-    counts[i] = count_parts(build_figure(spec_of_age(kWholeLife * static_cast<double>(i) / 10), find_data_folder()));
+    counts[i] =
+        count_parts(build_figure(spec_of_age(kWholeLife * static_cast<double>(i) / 10), find_data_folder()));
   });
   for (const auto& count : counts) EXPECT_EQ(count, counts.back());
 }

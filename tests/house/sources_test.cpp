@@ -1,4 +1,4 @@
-// How each file is written: short, begun with its purpose, silent, and in one format.
+// How each file is written: begun with its purpose, silent, and in one format.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
@@ -11,13 +11,6 @@
 
 namespace mien {
 namespace {
-
-constexpr std::size_t kMaxLines = 300;  // longer ones hold two things
-
-TEST(house, files_are_short) {
-  for (const SourceFile& source : load_sources("src"))
-    EXPECT_LE(source.lines.size(), kMaxLines) << source.path << " should be two files";
-}
 
 TEST(house, headers_begin_with_their_purpose_and_are_read_once) {
   for (const SourceFile& source : load_sources("src")) {
