@@ -19,8 +19,8 @@ namespace {
 constexpr int kColumns = 6;  // of the lips from the middle to a corner
 constexpr int kSteps = 2;    // rings of the flap for each of them
 constexpr double kHang_mm =
-    0.75;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
-constexpr double kThinner = 0.75;   // of its hang is gone at its ends: a corner that opens would show it
+    1.0;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
+constexpr double kThinner = 0.55;   // of its hang is gone at its ends: a corner that opens would show it
 constexpr double kThick_mm = 0.12;  // half; two sides of one plane would flicker
 constexpr double kLast = 5;         // column where it ends, before the corner's fold
 

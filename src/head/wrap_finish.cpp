@@ -1,5 +1,7 @@
 #include "head/wrap_finish.hpp"
 
+#include <string>
+
 #include "head/eye_fit.hpp"
 #include "head/least_squares.hpp"
 #include "head/nostrils.hpp"
@@ -33,11 +35,31 @@ void carry_mouth_bag(const Cage& cage, HeadForm& form) {
   mirror_half(cage, form.points);
 }
 
+// Lips meet nearly as on the adult: hardly a scan shows the crease between them, where one lip alone would
+// sink in.
+void join_lips(const Cage& cage, const std::vector<glm::dvec3>& adult, HeadForm& form) {
+  constexpr int kColumns = 6, kLast = 12;
+  constexpr double kShare = 0.5;  // more of it would show on the lips' red
+  for (const char* ring : {"M0_", "M1_"})
+    for (int column = 0; column < kColumns; ++column) {
+      const std::uint32_t upper = find_point(cage, ring + std::to_string(column)),
+                          lower = find_point(cage, ring + std::to_string(kLast - column));
+      const glm::dvec3 middle = (form.points[upper] + form.points[lower]) / 2.0,
+                       apart = glm::mix(form.points[upper] - form.points[lower], adult[upper] - adult[lower],
+                                        kShare) /
+                               2.0;
+      form.points[upper] = middle + apart;
+      form.points[lower] = middle - apart;
+    }
+  mirror_half(cage, form.points);
+}
+
 }  // namespace
 
 void finish_wrap(const HeadStock& stock, double growth, HeadForm& form) {
   keep_nostrils(stock.adult, stock.adult.points, form.points);
   carry_mouth_bag(stock.adult, form);
+  join_lips(stock.adult, stock.adult.points, form);
   close_lips(stock.adult, 1, form);
   fit_eye(stock, stock.adult.points, form);
   place_head(stock, growth, form);

@@ -60,7 +60,7 @@ TEST(people, seven_is_who_he_was) {
   std::string text = fmt::format("{:.2f}", seven.character);
   for (const char* name : {"nose_length", "jaw_width", "adams_apple"})
     text += fmt::format(" {:.2f}", seven.features.at(name));
-  EXPECT_EQ(text + " " + seven.hair, "-0.79 0.77 0.25 -0.49 bob");
+  EXPECT_EQ(text + " " + seven.hair, "-0.79 0.77 0.25 -0.49 bun");
 }
 
 TEST(people, go_together_as_their_file_says) {

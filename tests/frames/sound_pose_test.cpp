@@ -44,7 +44,7 @@ TEST(sound_pose, sees_teeth_that_are_moved_through_the_lips) {
   Figure figure = build_figure(HeadSpec{}, find_data_folder());
   for (Part& part : figure.model.parts)
     if (part.name == "teeth_lower")
-      for (glm::vec3& p : part.rest.positions) p.z += 12;
+      for (glm::vec3& p : part.rest.positions) p.z += 14;
   DeformBuffers buffers;
   Drawing drawing;
   const Findings found = measure_pose(build_pose_probe(figure), Pose{}, buffers, drawing);

@@ -229,7 +229,7 @@ Outcome wrap(const NeutralHead& head, const ScanMaking& making) {
   std::vector<glm::vec3> ours;
   for (const glm::vec3& p : wrapped.skin.positions) ours.emplace_back(apply_similarity(same, glm::dvec3(p)));
   // The cut's own edge is nobody's to know.
-  const double lowest = std::max(making.neck_mm, double(find_bounds(head.skin.positions).low.y)) + 15;
+  const double lowest = std::max(making.neck_mm, double(find_bounds(head.skin.positions).low.y)) + 20;
   outcome.out = measure(ours, head.skin.positions, lowest);
   outcome.back = measure(head.skin.positions, ours, lowest);
   for (const ScanMark& mark : scan.marks) {
