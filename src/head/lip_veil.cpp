@@ -20,7 +20,7 @@ constexpr int kColumns = 6;  // of the lips from the middle to a corner
 constexpr int kSteps = 2;    // rings of the flap for each of them
 constexpr double kHang_mm =
     1.0;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
-constexpr double kThinner = 0.55;   // of its hang is gone at its ends: a corner that opens would show it
+constexpr double kThinner = 0.35;   // of its hang is gone at its ends: a corner that opens would show it
 constexpr double kThick_mm = 0.12;  // half; two sides of one plane would flicker
 constexpr double kLast = 5;         // column where it ends, before the corner's fold
 

@@ -35,7 +35,7 @@ struct Step {
   std::size_t stride;  // every so many vertices are asked: the first, stiff steps need few
 };
 
-constexpr int kSteps = 27;
+constexpr int kSteps = 22;
 constexpr Step kFirst{200, 200, 40, 0.2, 5}, kLast{0.05, 4, 6, 0.6, 1};
 constexpr double kSlide = 0.06;  // of a closest point itself against its plane: keeps the skin from drifting
 // Edges keep their vectors, so that what nobody has seen does not fly off: of the stiffness, and at least.
