@@ -22,7 +22,7 @@ constexpr double kHang_mm =
     1.0;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
 constexpr double kThinner = 0.35;   // of its hang is gone at its ends: a corner that opens would show it
 constexpr double kThick_mm = 0.12;  // half; two sides of one plane would flicker
-constexpr double kLast = 5.4;         // column where it ends, before the corner's fold
+constexpr double kLast = 5.4;       // column where it ends, before the corner's fold
 
 // One cross-section: it grows from the inner edge of the lip and hangs down.
 struct VeilCut {

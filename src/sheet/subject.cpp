@@ -65,6 +65,7 @@ SheetSubject load_sheet_subject(const std::string& kind, const Options& options,
   if (kind == kPeopleSheet && word.empty()) {
     subject.spec = build_plain_spec(word, options, data);
     subject.spec.name = kind;
+    subject.spec.head.hair = HeadSpec{}.hair;  // each has a cut of their own
     return subject;
   }
   if (is_file(options.file) || (kind != "expressions" && !is_of_heads)) {
