@@ -7,7 +7,7 @@ namespace {
 constexpr double kFacing = 0.3;    // least cosine between the scan's normal and ours
 constexpr double kOpenWay_mm = 6;  // a nostril's other wall is nearer than twice that, an adult's
 
-bool find_pull(const SkinPatch& patch, double reach_mm, NosePull& pull) {
+bool find_pull(const NosePatch& patch, double reach_mm, NosePull& pull) {
   double least = reach_mm * reach_mm;
   bool is_found = false;
   for (std::uint32_t i = 0; i < patch.points.size(); ++i) {
@@ -23,7 +23,7 @@ bool find_pull(const SkinPatch& patch, double reach_mm, NosePull& pull) {
 
 }  // namespace
 
-std::vector<NosePull> find_nose_pulls(const PlacedScan& scan, const SkinPatch& patch,
+std::vector<NosePull> find_nose_pulls(const PlacedScan& scan, const NosePatch& patch,
                                       const glm::dvec3& middle, double radius_mm, double reach_mm) {
   std::vector<NosePull> pulls;
   for (std::size_t v = 0; v < scan.tree.positions.size(); ++v) {

@@ -299,7 +299,7 @@ NosePlace find_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
 
 void add_nose(Problem& problem, const Step& step, const HeadForm& form, const Skin& skin) {
   const NosePlace nose = find_nose(problem.stock->adult, form.points);
-  SkinPatch patch;
+  NosePatch patch;
   std::vector<std::size_t> samples;  // of each vertex of the patch
   for (std::size_t i = 0; i < problem.vertices.size(); ++i) {
     const glm::dvec3 at(skin.positions[problem.vertices[i]]);
