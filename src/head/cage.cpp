@@ -1,67 +1,25 @@
 #include "head/cage.hpp"
 
 #include <fmt/format.h>
-#include <charconv>
-#include <fstream>
-#include <functional>
 #include <set>
 
 #include "core/error.hpp"
+#include "core/table.hpp"
 
 namespace mien {
 
 namespace {
 
-using Fields = std::vector<std::string>;
-
-Fields split_line(const std::string& line) {
-  Fields fields(1);
-  for (const char c : line)
-    if (c == ',')
-      fields.emplace_back();
-    else if (c != '\r')
-      fields.back() += c;
-  return fields;
-}
-
-// Calls `use(fields)` for each line that is not empty, a comment or the heading; a message it returns is an
-// error.
-void read_table(const std::filesystem::path& file, std::size_t columns, bool has_heading,
-                const std::function<std::string(const Fields&)>& use) {
-  std::ifstream stream(file);
-  if (!stream) throw RunError(fmt::format("cannot read {}", file.string()));
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    if (line.empty() || line.front() == '#') continue;
-    if (has_heading) {
-      has_heading = false;
-      continue;
-    }
-    const Fields fields = split_line(line);
-    std::string mistake = fields.size() == columns
-                              ? use(fields)
-                              : fmt::format("{} fields; expected {}", fields.size(), columns);
-    if (!mistake.empty()) throw RunError(fmt::format("{}:{}: {}", file.string(), number, mistake));
-  }
-}
-
-std::optional<double> parse_number(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::string parse_point(const Fields& fields, SkinPoint& point) {
   point.name = fields[0];
-  const auto weight = parse_number(fields[4]);
+  const auto weight = parse_field(fields[4]);
   if (!weight) return fmt::format("'{}' is not a number", fields[4]);
   point.weight = *weight;
   point.is_hard = fields[5] == "1";
   if (fields[1].empty() && fields[2].empty() && fields[3].empty()) return {};
   glm::dvec3 skin{0};
   for (int axis = 0; axis < 3; ++axis) {
-    const auto value = parse_number(fields[1 + axis]);
+    const auto value = parse_field(fields[1 + axis]);
     if (!value) return fmt::format("'{}' is not a number", fields[1 + axis]);
     skin[axis] = *value;
   }

@@ -1,9 +1,10 @@
-// Reading templates/head/heads.yaml and features.yaml: our own data, so a mistake is a RunError with its
-// line.
+// Reading templates/head/heads.yaml, fields.csv and features.yaml: our own data, so a mistake is a RunError
+// with its line.
 #include <fmt/format.h>
 #include <yaml-cpp/yaml.h>
 
 #include "core/error.hpp"
+#include "core/table.hpp"
 #include "head/shapes.hpp"
 
 namespace mien {
@@ -40,6 +41,22 @@ Handles load_handles(const YAML::Node& node) {
     handles[handle.first.as<std::string>()] = {v[0].as<double>(), v[1].as<double>(), v[2].as<double>()};
   }
   return handles;
+}
+
+std::map<std::string, Handles> load_fields(const std::filesystem::path& file) {
+  std::map<std::string, Handles> fields;
+  read_table(file, 5, true, [&](const Fields& row) -> std::string {
+    glm::dvec3 way{0};
+    for (int axis = 0; axis < 3; ++axis) {
+      const auto value = parse_field(row[2 + axis]);
+      if (!value) return fmt::format("'{}' is not a number", row[2 + axis]);
+      way[axis] = *value;
+    }
+    if (!fields[row[0]].emplace(row[1], way).second)
+      return fmt::format("point '{}' stands twice in '{}'", row[1], row[0]);
+    return {};
+  });
+  return fields;
 }
 
 Feature load_feature(const YAML::Node& node) {
@@ -87,8 +104,7 @@ HeadShapes load_head_shapes(const std::filesystem::path& folder) {
     shapes.charts = load_charts(root["charts"]);
     for (const auto& warp : root["warps"])
       shapes.warps[warp.first.as<std::string>()] = load_warp(warp.second);
-    for (const auto& field : root["fields"])
-      shapes.fields[field.first.as<std::string>()] = load_handles(field.second);
+    shapes.fields = load_fields(folder / "fields.csv");
     file = folder / "features.yaml";
     if (std::filesystem::exists(file)) {
       for (const auto& feature : YAML::LoadFile(file.string())["features"])
