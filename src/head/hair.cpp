@@ -28,7 +28,7 @@ float find_greyness(const glm::vec3& srgb) {
 
 std::vector<Shade> make_tones(const glm::vec3& colour) {
   const float grey = find_greyness(colour);
-  const float spread = 0.28f - 0.2f * find_luminance(colour) + 0.16f * grey;
+  const float spread = 0.16f - 0.1f * find_luminance(colour) + 0.2f * grey;
   std::vector<Shade> palette;
   for (int i = 0; i < kHairTones; ++i) {
     const float way = 2.0f * static_cast<float>(i) / (kHairTones - 1) - 1;
@@ -64,8 +64,8 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
   const glm::vec3 colour = find_colour(scene, look);
   std::vector<HeadPart> parts;
   if (scene.cut.mass > 0) {
-    const glm::vec3 deep = glm::mix(colour * 0.72f, look.skin * 0.4f, 0.06f);
-    HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.1f}});
+    const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
+    HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.3f}});
     append_mass(mass, scene);
     update_normals(mass.part.rest);
     parts.push_back(std::move(mass));
@@ -73,6 +73,11 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
   if (scene.cut.locks.count > 0) {
     HeadPart locks = make_part("hair", "lock", make_tones(colour));
     append_locks(locks, scene);
+    if (scene.cut.comb.scalp_mm > 0) {
+      // Of the skin, in the shade of the hair on both sides of it.
+      locks.part.palette.push_back({glm::mix(look.skin, colour, 0.35f), 0});
+      append_part_line(locks, scene);
+    }
     if (scene.cut.tail.radius_mm > 0) append_tail(locks, scene);
     if (scene.cut.is_mirrored) add_mirror_image(locks, head.skin);
     if (scene.cut.bun_radius_mm > 0) append_bun(locks, scene);

@@ -26,6 +26,7 @@ struct HairSpread {
 // How locks are combed.
 struct HairComb {
   double side_mm = 0, from_deg = 0, to_deg = 0;  // the part: an arc, its degrees behind the top of the head
+  double scalp_mm = 0;                           // width of the line of scalp that it shows
   double away = 1, down = 0, back = 0, droop = 0, swirl_deg = 0, jitter_deg = 0;
   double knot_deg = 0;  // where they are gathered, if `is_gathered`
   bool is_gathered = false;
@@ -35,7 +36,7 @@ struct HairComb {
 struct HairLocks {
   int count = 0;
   HairSpread length_mm;
-  double width_mm = 5, tips_mm = 0, ragged = 0.3, root_band = 0, stand = 0;
+  double width_mm = 5, tips_mm = 0, ragged = 0.3, root_band = 0, stand = 0, rise_mm = 10;
   double wave_mm = 0, wave_length_mm = 40, curl_mm = 0, curl_length_mm = 20;
   int rings = 9;
 };
@@ -55,7 +56,8 @@ struct HairCut {
   double whorl_deg = 0, centre_mm = 0;
   std::vector<HairKnot> hairline, ends;
   HairSpread thick_mm;
-  double edge_mm = 0, round_mm = 0, mass = 0.4, sheet_mm = 6, tuck = 0, scalp = 0.8, soft_mm = 5, infant = 1;
+  double edge_mm = 0, round_mm = 0, inset_mm = 7, mass = 0.4, sheet_mm = 6, tuck = 0, scalp = 0.8,
+         soft_mm = 5, infant = 1;
   bool covers_ears = false, is_mirrored = false;
   HairComb comb;
   HairLocks locks;

@@ -39,22 +39,29 @@ glm::dvec3 find_arc_direction(double side_mm, double back_deg, double radius_mm)
   return glm::normalize(glm::dvec3(side_mm / radius_mm, std::cos(turn), -std::sin(turn)));
 }
 
-// From the nearest point of the part's arc to a direction of the head.
-glm::dvec3 find_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
-  constexpr int kSteps = 24;         // of the arc: 4 degrees of a long part
-  constexpr double kSkull_mm = 100;  // of the adult: what a part's side is measured on
-  const HairComb& comb = scene.cut.comb;
-  glm::dvec3 nearest(0, 1, 0);
-  double best = -2;
+constexpr double kSkull_mm = 100;  // of the adult: what a part's side is measured on
+
+glm::dvec3 find_part_direction(const HairComb& comb, double share) {
+  return find_arc_direction(comb.side_mm, std::lerp(comb.from_deg, comb.to_deg, share), kSkull_mm);
+}
+
+// The nearest point of the part's arc to a direction of the head, as a share of the arc.
+double find_part_share(const HairComb& comb, const glm::dvec3& direction) {
+  constexpr int kSteps = 24;  // of the arc: 4 degrees of a long part
+  double nearest = 0, best = -2;
   for (int i = 0; i <= kSteps; ++i) {
-    const double angle = std::lerp(comb.from_deg, comb.to_deg, static_cast<double>(i) / kSteps);
-    const glm::dvec3 arc = find_arc_direction(comb.side_mm, angle, kSkull_mm);
-    if (const double near = glm::dot(arc, direction); near > best) {
+    const double share = static_cast<double>(i) / kSteps;
+    if (const double near = glm::dot(find_part_direction(comb, share), direction); near > best) {
       best = near;
-      nearest = arc;
+      nearest = share;
     }
   }
-  return direction - nearest;
+  return nearest;
+}
+
+glm::dvec3 find_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
+  const HairComb& comb = scene.cut.comb;
+  return direction - find_part_direction(comb, find_part_share(comb, direction));
 }
 
 glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
@@ -84,6 +91,8 @@ glm::dvec3 find_comb(const HairScene& scene, const glm::dvec3& at, const glm::dv
   return flatten(way, normal);
 }
 
+constexpr double kWeight_mm = 80;  // a lock has its own weight after so much
+
 // The lock's way over the ground in small equal steps.
 struct Path {
   std::vector<HairPlace> places;
@@ -105,7 +114,7 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
     const glm::dvec3 at = find_hair_point(scene.chart, place, ground);
     const glm::dvec3 normal = find_ground_normal(scene, place);
     if (cut.comb.is_gathered && glm::distance(at, knot) < 1.5 * path.step_mm) break;
-    const double share = std::min(1.0, gone_mm / (80 * size));  // a lock has its own weight after so much
+    const double share = std::min(1.0, gone_mm / (kWeight_mm * size));
     const double swirl = cut.comb.swirl_deg * (1 - share);
     glm::dvec3 way = find_comb(scene, at, normal, cut.comb.droop * share);
     way = turn_about(way, normal, turn + swirl);
@@ -144,11 +153,11 @@ double sample_spread(const HairSpread& spread, double azimuth_deg, double share)
 
 double find_ground_mm(const HairScene& scene, const HairPlace& place) {
   const HairCut& cut = scene.cut;
-  double value =
-      sample_hair_chart(scene.chart, cut.covers_ears ? scene.chart.cover_mm : scene.chart.skin_mm, place);
+  const double skin = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
+  if (!cut.covers_ears) return skin;
+  const double cover = sample_hair_chart(scene.chart, scene.chart.cover_mm, place);
   const double down = std::max(0.0, place.way - 1);
-  if (cut.covers_ears) value *= 1 - cut.tuck * down * down;
-  return value;
+  return std::lerp(skin, cover, sample_border(scene.hangs, place.azimuth_deg)) * (1 - cut.tuck * down * down);
 }
 
 glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place) {
@@ -165,9 +174,12 @@ glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place) {
 }
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
-  HairScene scene{cut, build_hair_chart(head, cut.whorl_deg, cut.centre_mm), {}, {}, 0};
+  HairScene scene{cut, build_hair_chart(head, cut.whorl_deg, cut.centre_mm), {}, {}, {}, 0};
   scene.hairline = find_border(head, cut.hairline, scene.chart);
   if (!cut.ends.empty()) scene.ends = find_border(head, cut.ends, scene.chart);
+  constexpr double kHangs = 0.2;  // of a way: tips 24 mm below the hairline
+  for (std::size_t i = 0; i < scene.hairline.size(); ++i)
+    scene.hangs.push_back(scene.ends.empty() ? 0 : smooth_step(0, kHangs, scene.ends[i] - scene.hairline[i]));
   constexpr double kInfant_mm = 66, kGrown_mm = 84;  // eye to chin
   scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, find_eye_to_chin_mm(head));
   return scene;
@@ -213,11 +225,37 @@ void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
   at.x = 0;  // the sine of 180 degrees is not quite 0
 }
 
-glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place) {
+glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm) {
   const glm::dvec3 at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
   const glm::dvec3 normal = find_ground_normal(scene, place);
-  const glm::dvec3 way = find_comb(scene, at, normal, 0);
+  const double droop = scene.cut.comb.droop * std::min(1.0, gone_mm / kWeight_mm);
+  const glm::dvec3 way = find_comb(scene, at, normal, droop);
   return way == glm::dvec3(0) ? flatten({0, -1, 0.1}, normal) : way;
+}
+
+PartArm find_part_arm(const HairScene& scene, const glm::dvec3& at) {
+  const HairComb& comb = scene.cut.comb;
+  const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
+  const double share = find_part_share(comb, direction);
+  const glm::dvec3 nearest = find_part_direction(comb, share);
+  const double turn = comb.from_deg + share * (comb.to_deg - comb.from_deg);
+  const glm::dvec3 front(0, std::sin(turn * kRadiansPerDegree), std::cos(turn * kRadiansPerDegree));
+  const glm::dvec3 arm = direction - nearest;
+  const double skull_mm = kSkull_mm * scene.chart.size;
+  const double along_mm = skull_mm * share * (comb.to_deg - comb.from_deg) * kRadiansPerDegree;
+  const double ahead = glm::dot(arm, front);
+  if (share > 0 && share < 1) return {skull_mm * glm::length(arm), 0, arm.x, along_mm - skull_mm * ahead};
+  return {skull_mm * glm::length(arm), ahead, arm.x, along_mm};
+}
+
+HairPlace find_part_place(const HairScene& scene, double share) {
+  return find_hair_place(scene.chart, scene.chart.centre + find_part_direction(scene.cut.comb, share));
+}
+
+double find_wave(const HairScene& scene, const HairPlace& place) {
+  constexpr double kSlant_deg = 65;  // around the head to be a wave behind: level rings look ironed
+  return place.way * scene.chart.drop_mm / (scene.cut.locks.wave_length_mm * scene.chart.size) +
+         std::abs(place.azimuth_deg) / kSlant_deg;
 }
 
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index) {
@@ -243,7 +281,10 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     strand.length_mm = std::min(strand.length_mm, wanted_mm);
 
   const double phase = scatter(kSeries, index, kPhase);
-  const double lift = 0.25 + 0.75 * strand.layer;
+  constexpr double kRisen = 0.28;  // of its length, at least: till there it comes out of the skin
+  const double risen = std::max(kRisen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
+  // Over the mass, which hides what is deeper.
+  const double deepest = 0.8 * cut.mass, lift = deepest + (1 - deepest) * strand.layer * strand.layer;
   for (int ring = 0; ring < locks.rings; ++ring) {
     const double s = static_cast<double>(ring) / (locks.rings - 1), at = s * steps;
     const auto i = std::min(static_cast<std::size_t>(at), path.places.size() - 1);
@@ -257,7 +298,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     // Out of the skin at the root, then in its layer; the tips of short hair stay up, those of gathered hair
     // and of long hair lie down.
     constexpr double kClear_mm = 0.8;  // a flat lock on a round skin would cut into it
-    const double rise = std::min(1.0, smooth_step(-0.02, 0.28, s) + 0.3 * smooth_step(0, 0.05, s));
+    const double rise = std::min(1.0, smooth_step(-0.02, risen, s) + 0.3 * smooth_step(0, 0.2 * risen, s));
     const auto point_at = [&](const HairPlace& place) {
       return find_hair_point(scene.chart, place,
                              find_ground_mm(scene, place) +
@@ -271,12 +312,11 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     const glm::dvec3 side = glm::cross(ahead, out);
     const double gone_mm = s * strand.length_mm;
     if (locks.wave_mm > 0) {
-      // Neighbours wave together.
-      const double turn = gone_mm / (locks.wave_length_mm * size) + 0.35 * phase + root.azimuth_deg / 70;
-      point +=
-          side * (smooth_step(0, 0.35, s) * locks.wave_mm * size * std::sin(2 * std::numbers::pi * turn));
-      point += out * (smooth_step(0, 0.35, s) * 0.5 * locks.wave_mm * size *
-                      (1 + std::cos(2 * std::numbers::pi * turn)));
+      constexpr double kOwn = 0.16;  // of a wave: more and neighbours part
+      const double turn =
+          2 * std::numbers::pi * (find_wave(scene, find_hair_place(scene.chart, point)) + kOwn * phase);
+      const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size;
+      point += side * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(turn)));
     }
     if (locks.curl_mm > 0) {
       const double turn = 2 * std::numbers::pi * (gone_mm / (locks.curl_length_mm * size) + phase);

@@ -14,6 +14,7 @@ struct HairScene {
   HairCut cut;
   HairChart chart;
   HairBorder hairline, ends;  // where roots end; where tips end
+  HairBorder hangs;           // 0: hair ends where it grows .. 1: it falls over what is below
   double youth = 0;           // 1: an infant's
 };
 
@@ -38,6 +39,9 @@ double find_room(const HairChart& chart, const HairPlace& place);
 // nearer to the whorl than this share of the way to the hairline.
 std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left);
 
+// How many waves a place is behind the whorl: neighbours wave together.
+double find_wave(const HairScene& scene, const HairPlace& place);
+
 // One lock's middle line from its root to its tip.
 struct HairStrand {
   HairPlace root;
@@ -51,8 +55,18 @@ struct HairStrand {
 // Empty points: nothing grows here.
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index);
 
-// The way hair is combed at a place, unit, along the ground.
-glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place);
+// The way hair is combed at a place, unit, along the ground; `gone_mm` of the adult from its root.
+glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm = 0);
+
+// From the nearest point of the part to a point of the head: how far, and which way: `ahead` as the part runs
+// to the front, `aside` to the character's left. `along_mm`: that nearest point, from the part's front end.
+struct PartArm {
+  double distance_mm = 0, ahead = 0, aside = 0, along_mm = 0;
+};
+PartArm find_part_arm(const HairScene& scene, const glm::dvec3& at);
+
+// A point of the part, 0 its front end .. 1, as a place.
+HairPlace find_part_place(const HairScene& scene, double share);
 
 // Where gathered hair meets: on the skin, and the way out from it.
 void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);

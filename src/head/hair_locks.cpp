@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "head/hair_mass.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"
 
@@ -54,7 +55,9 @@ const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
 
 void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
                  double shade, std::uint32_t index) {
-  constexpr double kFan_deg = 38;   // more and neighbours look like rods, less and the mass like a sheet
+  constexpr double kFan_deg = 26;  // more and neighbours look like rods, less and the mass like a sheet
+  constexpr double kGround =
+      0.5;  // of the head's own roundness: none and every lock shines by itself, all and none does
   constexpr double kRoll_deg = 22;  // about its own way, or all lie in one plane
   const double fan = kFan_deg * kPi / 180,
                roll = kRoll_deg * kPi / 180 * (2 * scatter(kSeries, index, kRoll) - 1);
@@ -75,8 +78,9 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
     for (const double hand : {-1.0, 1.0}) {
       if (is_tip && hand > 0) break;
       mesh.positions.emplace_back(strand.points[i] + (is_tip ? 0 : hand * half_mm) * side);
+      const glm::dvec3 lit = glm::normalize(glm::mix(up, out, kGround));
       mesh.normals.emplace_back(
-          glm::normalize(std::cos(fan) * up + (is_tip ? 0 : hand) * std::sin(fan) * side));
+          glm::normalize(std::cos(fan) * lit + (is_tip ? 0 : hand) * std::sin(fan) * side));
       part.part.grain.emplace_back(
           grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * find_lock_width(s)), 100 * s);
     }
@@ -103,6 +107,31 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     append_lock(part, find_seat(scene, strand.root), strand, width, find_lock_shade(strand.layer, index),
                 index);
   }
+}
+
+void append_part_line(HeadPart& part, const HairScene& scene) {
+  constexpr int kRings = 22;
+  constexpr double kAbove_mm = 0.7;  // the mass, in its groove
+  constexpr double kWander_mm = 0.8;
+  const HairComb& comb = scene.cut.comb;
+  const double size = scene.chart.size;
+  HairStrand strand;
+  for (int ring = 0; ring < kRings; ++ring) {
+    const double s = static_cast<double>(ring) / (kRings - 1);
+    HairPlace place = find_part_place(scene, s);
+    if (place.way > sample_border(scene.hairline, place.azimuth_deg)) continue;
+    const double high_mm = find_mass_height_mm(scene, place) + kAbove_mm * size;
+    glm::dvec3 point = find_hair_point(scene.chart, place, find_ground_mm(scene, place) + high_mm);
+    if (comb.side_mm != 0) point.x += kWander_mm * size * sample_noise(kSeries, 0.45 * ring, kRings);
+    strand.points.push_back(point);
+    strand.outs.push_back(find_ground_normal(scene, place));
+    if (strand.points.size() == 1) strand.root = place;
+  }
+  if (strand.points.size() < 3) return;
+  const auto first = part.part.rest.positions.size();
+  append_lock(part, find_seat(scene, strand.root), strand, comb.scalp_mm * size, 0, 0);
+  std::fill(part.part.shade.begin() + static_cast<std::ptrdiff_t>(first), part.part.shade.end(),
+            static_cast<std::uint16_t>(kHairTones));
 }
 
 void append_tail(HeadPart& part, const HairScene& scene) {

@@ -16,6 +16,9 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
 // All locks of the scene, of the left half only if it is mirrored.
 void append_locks(HeadPart& part, const HairScene& scene);
 
+// The scalp that shows along the part, in the shade kHairTones, over the mass.
+void append_part_line(HeadPart& part, const HairScene& scene);
+
 // The locks that hang from the knot, of the left half; those that wind round it, all of them: they turn one
 // way.
 void append_tail(HeadPart& part, const HairScene& scene);

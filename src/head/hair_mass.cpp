@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "head/hair_flow.hpp"
 #include "head/hair_locks.hpp"
 #include "head/tubes.hpp"
 
@@ -11,8 +12,8 @@ namespace mien {
 
 namespace {
 
-constexpr int kColumns = 120, kRows = 26;  // of the outside: 4 mm and 6 mm apart where it is broadest
-constexpr int kInnerRows = 8;              // of the inside, which nobody sees
+constexpr int kColumns = 120, kRows = 40;  // of the outside: 4 mm and 6 mm apart where it is broadest
+constexpr int kInnerRows = 10;             // of the inside, which nobody sees
 constexpr double kPi = std::numbers::pi;
 
 // Columns come in pairs: c and its mirror image kColumns - 1 - c.
@@ -21,6 +22,7 @@ double find_azimuth(int column) { return 360 * (column + 0.5) / kColumns - 180; 
 struct Shell {
   const HairScene& scene;
   std::vector<double> border;    // by column
+  std::vector<double> hangs;     // 0: it ends in the skin at the hairline .. 1: it hangs free
   std::vector<glm::dvec3> edge;  // where that is
 };
 
@@ -28,7 +30,8 @@ HairPlace find_place(const Shell& shell, int column, double along) {
   return {find_azimuth(column), along * shell.border[static_cast<std::size_t>(column)]};
 }
 
-// How full the mass is at a distance from its edge: a quarter of a round.
+// How full the mass is at a distance from its edge: a quarter of a round where it hangs, a slope where it
+// grows.
 double find_fullness(const Shell& shell, int column, const glm::dvec3& at) {
   constexpr int kReach = 20;  // columns to either side; the edge is nowhere nearer
   double nearest = 1e9;
@@ -38,7 +41,28 @@ double find_fullness(const Shell& shell, int column, const glm::dvec3& at) {
   }
   const double round_mm = shell.scene.cut.round_mm * shell.scene.chart.size;
   const double share = std::min(1.0, std::sqrt(nearest) / round_mm);
-  return std::sqrt(1 - (1 - share) * (1 - share));
+  const double hangs = shell.hangs[static_cast<std::size_t>(column)];
+  return std::lerp(smooth_step(0, 1, share), std::sqrt(1 - (1 - share) * (1 - share)), hangs);
+}
+
+// A shallow groove along the part.
+double find_part_depth(const HairScene& scene, const HairPlace& place) {
+  constexpr double kWide_mm = 16, kShallowest = 0.35;  // to either side; of the thickness, in the part itself
+  if (scene.cut.comb.scalp_mm <= 0) return 1;
+  return std::lerp(kShallowest, 1.0,
+                   smooth_step(0, kWide_mm * scene.chart.size, find_part_distance_mm(scene, place)));
+}
+
+// Of thicknesses against the adult's.
+double find_hair_size(const HairScene& scene) {
+  return scene.chart.size * (1 - (1 - scene.cut.infant) * scene.youth);
+}
+
+// The grain of the mass at a place: strands as they are combed there.
+glm::dvec2 find_mass_grain(const HairScene& scene, const HairPlace& place) {
+  constexpr double kWhole_mm = 260;  // of the adult: a strand's length when it comes to its tip's colour
+  const HairFlow flow = find_hair_flow(scene, place);
+  return {flow.across_mm, 100 * std::min(1.0, flow.along_mm / (kWhole_mm * scene.chart.size))};
 }
 
 void append_vertex(HeadPart& part, const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
@@ -55,18 +79,31 @@ glm::dvec3 mirror(const glm::dvec3& p) { return {-p.x, p.y, p.z}; }
 void append_shell(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const HairChart& chart = scene.chart;
-  Shell shell{scene, {}, {}};
+  Shell shell{scene, {}, {}, {}};
   const bool is_free = !scene.ends.empty() && cut.covers_ears;
   // Its edge lies so far inside the border, above and beside, that locks hide it.
   constexpr double kInset_mm = 7, kBeside_deg = 9;
+  constexpr std::uint32_t kRaggedSeries = 47;
   for (int column = 0; column < kColumns; ++column) {
+    // Where it hangs, tips of locks make the edge; where it grows, it runs out in the skin.
+    constexpr double kTips = 1.3, kRagged = 0.5;  // of how much tips differ
+    constexpr double kHigh = 0.05,
+                     kLow = 0.35;  // of a way below the hairline: there tips begin, here all are
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
-    const double inset_mm = is_free ? kInset_mm + cut.locks.tips_mm : kInset_mm;
+    const double azimuth = std::abs(find_azimuth(column));
+    const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
+    const int left = std::max(column, kColumns - 1 - column);
+    const double ragged_mm =
+        kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 0.5 * left, kColumns / 2);
+    const double inset_mm = std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
+                                      smooth_step(kHigh, kLow, below));
+    shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
-    for (const double beside : {-kBeside_deg, -0.5 * kBeside_deg, 0.0, 0.5 * kBeside_deg, kBeside_deg}) {
-      double azimuth = std::abs(find_azimuth(column) + beside);
-      if (azimuth > 180) azimuth = 360 - azimuth;
-      least = std::min(least, sample_border(border, azimuth));
+    const double beside_deg = kBeside_deg * (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
+    for (const double beside : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
+      double near = std::abs(find_azimuth(column) + beside * beside_deg);
+      if (near > 180) near = 360 - near;
+      least = std::min(least, sample_border(border, near));
     }
     shell.border.push_back(least - inset_mm * chart.size / chart.drop_mm);
   }
@@ -74,23 +111,20 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const HairPlace place = find_place(shell, column, 1);
     shell.edge.push_back(find_hair_point(chart, place, find_ground_mm(scene, place)));
   }
-  const double size = chart.size * (1 - (1 - cut.infant) * scene.youth);
-  const auto spread = [&](const HairPlace& place) {
-    const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
-    return sample_spread(cut.thick_mm, place.azimuth_deg, way);
-  };
+  const double size = find_hair_size(scene);
   std::vector<std::vector<double>> outer(kColumns);  // distance, column by column
   const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
-  const double top_mm = find_ground_mm(scene, {0, 0}) + size * cut.mass * spread({0, 0});
-  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, top_mm), {0, 0});
+  const double top_mm = find_ground_mm(scene, {0, 0}) + find_mass_height_mm(scene, {0, 0});
+  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, top_mm), find_mass_grain(scene, {0, 0}));
   std::vector<std::vector<glm::dvec3>> points(kColumns);
   for (int column = kColumns / 2; column < kColumns; ++column)
     for (int row = 1; row <= kRows; ++row) {
       const HairPlace place = find_place(shell, column, static_cast<double>(row) / kRows);
       const double ground = find_ground_mm(scene, place);
       const double full = find_fullness(shell, column, find_hair_point(chart, place, ground));
-      const double thick = cut.edge_mm + full * (cut.mass * spread(place) - cut.edge_mm);
-      const double distance = ground + size * thick;
+      constexpr double kSunk = -0.5;  // mm: an edge in the skin
+      const double edge = std::lerp(kSunk, cut.edge_mm, shell.hangs[static_cast<std::size_t>(column)]);
+      const double distance = ground + size * edge + full * (find_mass_height_mm(scene, place) - size * edge);
       const auto at = static_cast<std::size_t>(column),
                  other = static_cast<std::size_t>(kColumns - 1 - column);
       outer[at].push_back(distance);
@@ -102,7 +136,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     for (int row = 1; row <= kRows; ++row)
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kRows),
                     points[static_cast<std::size_t>(column)][static_cast<std::size_t>(row - 1)],
-                    {4.0 * column, 100.0 * row / kRows});
+                    find_mass_grain(scene, find_place(shell, column, static_cast<double>(row) / kRows)));
   const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
   constexpr double kSunk_mm = 3.5;  // the inside lies so deep in the skin: no light comes through a gap
   const double inner_top_mm = find_ground_mm(scene, {0, 0}) - kSunk_mm;
@@ -118,7 +152,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       const double out = outer[static_cast<std::size_t>(left)][at];
       const glm::dvec3 p = find_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
-                    left == column ? p : mirror(p), {4.0 * column, 0});
+                    left == column ? p : mirror(p), {4.0 * column, 100.0 * row / kInnerRows});
     }
   const auto vertex = [&](std::uint32_t first, int rows, int column, int row) {
     return row == 0 ? first : first + 1 + static_cast<std::uint32_t>((column % kColumns) * rows + row - 1);
@@ -192,6 +226,17 @@ void append_knot(HeadPart& part, const HairScene& scene) {
 }
 
 }  // namespace
+
+double find_mass_height_mm(const HairScene& scene, const HairPlace& place) {
+  const HairCut& cut = scene.cut;
+  const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
+  double height =
+      cut.mass * find_part_depth(scene, place) * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+  if (cut.locks.wave_mm > 0)
+    height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
+              (1 + std::cos(2 * kPi * find_wave(scene, place)));
+  return find_hair_size(scene) * height;
+}
 
 void append_mass(HeadPart& part, const HairScene& scene) {
   append_shell(part, scene);

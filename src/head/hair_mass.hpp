@@ -9,4 +9,7 @@ namespace mien {
 // each closed. Exact mirror images on both halves. Bound vertex by vertex.
 void append_mass(HeadPart& part, const HairScene& scene);
 
+// How thick it is at a place far from its edge, mm.
+double find_mass_height_mm(const HairScene& scene, const HairPlace& place);
+
 }  // namespace mien

@@ -49,6 +49,7 @@ HairComb read_comb(const YAML::Node& table) {
     comb.side_mm = read<double>(part, "side");
     comb.from_deg = read<double>(part, "from");
     comb.to_deg = read<double>(part, "to");
+    read_if(part, "scalp", comb.scalp_mm);
   }
   read_if(table, "away", comb.away);
   read_if(table, "down", comb.down);
@@ -70,6 +71,7 @@ HairLocks read_locks(const YAML::Node& table) {
   read_if(table, "ragged", locks.ragged);
   read_if(table, "root_band", locks.root_band);
   read_if(table, "stand", locks.stand);
+  read_if(table, "rise", locks.rise_mm);
   read_if(table, "rings", locks.rings);
   if (const YAML::Node wave = table["wave"]) {
     locks.wave_mm = read<double>(wave, "amount");
@@ -92,6 +94,7 @@ HairCut read_cut(const YAML::Node& node) {
   cut.thick_mm = read_spread(node, "thick");
   read_if(node, "edge", cut.edge_mm);
   read_if(node, "round", cut.round_mm);
+  read_if(node, "inset", cut.inset_mm);
   read_if(node, "mass", cut.mass);
   read_if(node, "sheet", cut.sheet_mm);
   read_if(node, "tuck", cut.tuck);

@@ -1,0 +1,20 @@
+// Where combed hair comes from: the grain of what is not made lock by lock.
+#pragma once
+
+#include "head/hair_growth.hpp"
+
+namespace mien {
+
+// Along the way that hair is combed: `across_mm` tells neighbouring strands apart (counted along a line
+// around the part, or around the knot), `along_mm` how far they have come. It jumps on the line that goes on
+// straight behind the part.
+struct HairFlow {
+  double across_mm = 0, along_mm = 0;
+};
+
+HairFlow find_hair_flow(const HairScene& scene, const HairPlace& place);
+
+// How far a place is from the part, mm; far away where hair is gathered.
+double find_part_distance_mm(const HairScene& scene, const HairPlace& place);
+
+}  // namespace mien
