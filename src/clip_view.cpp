@@ -12,6 +12,8 @@ namespace {
 
 // Around the head, as shares of its height from chin to crown: air above, the neck below, ears and air at the
 // sides.
+constexpr double kLeastAbove =
+    0.065;  // the same over high hair, which comes nearer to the camera than the crown
 constexpr double kAbove = 0.10, kBelow = 0.25, kWide = 1.08;
 constexpr double kAside = 1.08;    // from one side of the head to the other, with the least air at the sides
 constexpr double kNeckEnd = 0.08;  // above its lowest place the neck is still whole
@@ -41,7 +43,8 @@ glm::dvec2 find_reach(const std::vector<glm::vec3>& points, const CameraView& vi
 }
 
 struct NeckAndCrown {
-  double crown = 0, chin = 0, floor = 0;  // mm; down to the floor the neck is whole
+  double crown = 0, top = 0, chin = 0,
+         floor = 0;  // mm; the top is the hair's; down to the floor the neck is whole
 };
 
 NeckAndCrown measure_ends(const Figure& figure) {
@@ -49,7 +52,10 @@ NeckAndCrown measure_ends(const Figure& figure) {
   const Box skin = find_bounds(head.skin.positions);
   const double crown = skin.high.y;
   const double chin = head.skin.positions[head.cage.index.find("m12_D1")->second].y;
-  return {crown, chin, skin.low.y + (crown - chin) * kNeckEnd};
+  double top = crown;
+  for (const Part& part : figure.model.parts)
+    if (part.name.starts_with("hair")) top = std::max<double>(top, find_bounds(part.rest.positions).high.y);
+  return {crown, top, chin, skin.low.y + (crown - chin) * kNeckEnd};
 }
 
 // What the picture holds from top to bottom at distance 1.
@@ -71,6 +77,7 @@ void add_growing_figure(const std::vector<const Figure*>& figures, const glm::dm
   for (const Figure* figure : figures) {
     const NeckAndCrown ends = measure_ends(*figure);
     all.crown = std::max(all.crown, ends.crown);
+    all.top = std::max(all.top, ends.top);
     all.chin = std::min(all.chin, ends.chin);
     all.floor = std::min(all.floor, ends.floor);
     for (const Part& part : figure->model.parts)
@@ -79,6 +86,7 @@ void add_growing_figure(const std::vector<const Figure*>& figures, const glm::dm
   }
   const double rise_mm = world_from_figure[3].y;
   framing.crown_mm = is_first ? all.crown + rise_mm : std::max(framing.crown_mm, all.crown + rise_mm);
+  framing.top_mm = is_first ? all.top + rise_mm : std::max(framing.top_mm, all.top + rise_mm);
   framing.chin_mm = is_first ? all.chin + rise_mm : std::min(framing.chin_mm, all.chin + rise_mm);
   framing.floor_mm = is_first ? all.floor + rise_mm : std::max(framing.floor_mm, all.floor + rise_mm);
 }
@@ -128,8 +136,9 @@ CameraView find_view(const Framing& framing, const CameraKey& camera, const Rend
   view.height_deg = camera.height_deg;
   view.distance = camera.distance;
   view.lens_mm = camera.lens_mm;
-  view.frame_height_mm = height * (1 + kAbove + kBelow);
-  view.look_at = glm::vec3(0, crown + height * kAbove - view.frame_height_mm / 2, 0);
+  const double above_mm = std::max(height * kAbove, framing.top_mm - crown + height * kLeastAbove);
+  view.frame_height_mm = height * (1 + kBelow) + above_mm;
+  view.look_at = glm::vec3(0, crown + above_mm - view.frame_height_mm / 2, 0);
 
   const glm::dvec3 right = find_right(view);
   const glm::dvec2 reach = find_reach(framing.points, view);

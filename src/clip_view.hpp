@@ -18,6 +18,7 @@ namespace mien {
 // Everything that a picture at distance 1 must hold, in the world's millimetres.
 struct Framing {
   double chin_mm = 0, crown_mm = 0;                                  // of the lowest and the highest head
+  double top_mm = 0;                                                 // of the highest hair
   double floor_mm = 0;                                               // down to here every neck is whole
   std::vector<glm::vec3> points;                                     // all that lies above the chins
   std::map<std::pair<std::string, std::string>, glm::dvec3> places;  // of landmarks, by actor and name

@@ -29,11 +29,15 @@ std::string format_mix(const Mix& mix) {
   return mix.size() == 1 ? mix.begin()->first : "{" + text + "}";
 }
 
-std::string format_look(const Look& look) {
+std::string format_look(const Look& given, const Mix& age) {
+  const Look look = find_aged_look(given, age);
   std::string text = "skin: " + format_colour(look.skin);
   if (look.lips) text += ", lips: " + format_colour(*look.lips);
-  return fmt::format("{{{}, iris: {}, brow: {}, hair: {}}}", text, format_colour(look.iris),
-                     format_colour(look.brow), format_colour(look.hair));
+  text += fmt::format(", iris: {}, brow: {}, hair: {}", format_colour(look.iris), format_colour(look.brow),
+                      format_colour(look.hair));
+  if (look.beard != "none") text += ", beard: " + look.beard;
+  if (look.freckles > 0) text += fmt::format(", freckles: {:.2f}", look.freckles);
+  return "{" + text + "}";
 }
 
 // A line of a mapping, and its comment behind all other comments.
@@ -54,7 +58,7 @@ std::string build_head_text(const HeadSpec& head, const std::vector<FeatureInfo>
     if (const auto value = head.features.find(feature.name); value != head.features.end())
       text += build_line(4, fmt::format("{}: {:.2f}", feature.name, value->second), feature.meaning);
   text += build_line(2, "hair: " + head.hair, join_names(kHairs));
-  return text + fmt::format("  look: {}\n", format_look(head.look));
+  return text + fmt::format("  look: {}\n", format_look(head.look, head.age));
 }
 
 HeadSpec draw_head(int seed, const fs::path& data) {

@@ -18,15 +18,20 @@ namespace mien {
 using Mix = std::map<std::string, double>;
 
 struct Look {
-  glm::vec3 skin{0.863f, 0.682f, 0.561f};  // "#dcae8f", srgb 0..1
-  std::optional<glm::vec3> lips;           // empty: made from the skin's colour
-  glm::vec3 iris{0.357f, 0.498f, 0.584f};  // "#5b7f95"
-  glm::vec3 brow{0.227f, 0.165f, 0.125f};  // "#3a2a20"
-  glm::vec3 hair{0.20f, 0.14f, 0.10f};     // "#332419"
-  std::string beard = "none";              // one of templates/head/hair.yaml; children have none
-  double lips_share = 1;                   // of the way from that colour to `lips`: less only between keys
-  double freckles = 0, age_spots = 0;      // 0 none .. 1 as many as a skin has
+  glm::vec3 skin{0.863f, 0.682f, 0.561f};             // "#dcae8f", srgb 0..1
+  std::optional<glm::vec3> lips;                      // empty: made from the skin's colour
+  glm::vec3 iris{0.357f, 0.498f, 0.584f};             // "#5b7f95"
+  glm::vec3 brow{0.227f, 0.165f, 0.125f};             // "#3a2a20"
+  glm::vec3 hair{0.20f, 0.14f, 0.10f};                // "#332419"
+  std::optional<glm::vec3> brow_old, hair_old;        // on a head that is all `old`; empty: the same
+  bool is_brow_given = false, is_hair_given = false;  // by the author: such a colour stays
+  std::string beard = "none";                         // one of templates/head/hair.yaml; children have none
+  double lips_share = 1;               // of the way from that colour to `lips`: less only between keys
+  double freckles = 0, age_spots = 0;  // 0 none .. 1 as many as a skin has
 };
+
+// The same with brow and hair in the colours that they have at an age.
+Look find_aged_look(const Look& look, const Mix& age);
 
 // A file that another file names, as found from the folder of the file that names it.
 struct FileReference {

@@ -31,7 +31,26 @@ void load_looks(const YamlMapping& entries, std::string_view key,
   }
 }
 
+void load_greying(const YamlValue& value, Greying& greying) {
+  const YamlMapping entries =
+      load_mapping(value, {"hair", "brow", "hair_share", "brow_share"}, "colours and shares");
+  for (const auto& [key, into] : {std::pair{"hair", &greying.hair}, std::pair{"brow", &greying.brow}})
+    if (const YamlValue* colour = find_required(entries, key, value, "a colour")) load_colour(*colour, *into);
+  for (const auto& [key, into] :
+       {std::pair{"hair_share", &greying.hair_share}, std::pair{"brow_share", &greying.brow_share}})
+    if (const YamlValue* share = find_required(entries, key, value, "a number"))
+      load_number(*share, 0, 1, *into);
+}
+
 }  // namespace
+
+void set_greying(const Greying& greying, Look& look) {
+  const auto grow_grey = [](const glm::vec3& colour, const glm::vec3& grey, double share) {
+    return glm::mix(colour, grey, static_cast<float>(share));
+  };
+  look.hair_old = look.is_hair_given ? look.hair : grow_grey(look.hair, greying.hair, greying.hair_share);
+  look.brow_old = look.is_brow_given ? look.brow : grow_grey(look.brow, greying.brow, greying.brow_share);
+}
 
 void load_look_words(const YamlMapping& entries, Look& look) {
   const auto load = [&](const char* key, glm::vec3& into) {
@@ -66,6 +85,7 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
     const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
     load_looks(entries, "looks", words.looks);
     load_looks(entries, "hair_colours", words.hair_colours);
+    if (const YamlValue* greying = find_value(entries, "greying")) load_greying(*greying, words.greying);
   }
   words.people =
       load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);

@@ -13,12 +13,19 @@
 
 namespace mien {
 
+// What colours of hair and brows become on a head that is all `old`: so far on the way to a grey.
+struct Greying {
+  glm::vec3 hair{0}, brow{0};
+  double hair_share = 0, brow_share = 0;
+};
+
 struct HeadWords {
   Names features;  // the keys of `head.features`
   Names middle;    // places of the mid-plane: Farkas' codes and everyday words
   std::vector<std::pair<std::string, Look>> looks;  // what `look.skin` may name, from light to dark
   std::vector<std::pair<std::string, Look>>
       hair_colours;  // what `look.hair` may name, with brows to go with it
+  Greying greying;   // with age
   Names sided;       // places that stand on both sides, without _l or _r; pupils are none, they are no skin
   People people;     // whom `random` draws from
 };
@@ -30,6 +37,9 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
 // The colours of `entries` by their keys, each as "#rrggbb", and the dials, from 0 to 1; what is missing
 // stays as it is.
 void load_look_words(const YamlMapping& entries, Look& look);
+
+// Sets the old colours of what the author gave no colour.
+void set_greying(const Greying& greying, Look& look);
 
 // Every word for a place: the middle ones, then each sided one alone, with _l and with _r.
 Names list_places(const HeadWords& words);

@@ -113,6 +113,8 @@ const Look* take_named_look(YamlMapping& entries, std::string_view key,
 // above them.
 void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   YamlMapping entries = load_mapping(value, kLookKeys, "colours such as {skin: \"#dcae8f\"}");
+  const bool says_hair = find_value(entries, "hair") != nullptr;
+  const bool says_brow = find_value(entries, "brow") != nullptr;
   if (const Look* skin = take_named_look(entries, "skin", words.looks)) {
     const std::string beard = look.beard;
     look = *skin;
@@ -121,7 +123,10 @@ void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   if (const Look* hair = take_named_look(entries, "hair", words.hair_colours)) {
     look.hair = hair->hair;
     look.brow = hair->brow;
+    look.is_brow_given = true;
   }
+  look.is_hair_given = look.is_hair_given || says_hair;
+  look.is_brow_given = look.is_brow_given || says_brow;
   if (const Look* brow = take_named_look(entries, "brow", words.hair_colours)) look.brow = brow->brow;
   if (const YamlValue* beard = find_value(entries, "beard")) load_name(*beard, "beard", kBeards, look.beard);
   load_look_words(entries, look);
@@ -204,6 +209,7 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   head.said = find_said(entries);
   if (const YamlValue* random = find_value(entries, "random"))
     load_random(*random, source.words->people, head);
+  set_greying(source.words->greying, head.look);
   return head;
 }
 
@@ -216,6 +222,7 @@ void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& h
   if (const YamlValue* names = find_value(entries, "features"))
     load_features(*names, words.features, head.features);
   if (const YamlValue* look = find_value(entries, "look")) load_look(*look, words, head.look);
+  set_greying(words.greying, head.look);
 }
 
 }  // namespace mien

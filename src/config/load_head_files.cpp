@@ -60,8 +60,11 @@ void mix_looks(HeadSpec& head) {
     const auto weight = static_cast<float>(share);
     sum.skin += weight * other.look.skin;
     sum.iris += weight * other.look.iris;
-    sum.brow += weight * other.look.brow;
-    sum.hair += weight * other.look.hair;
+    const Look aged = find_aged_look(other.look, other.age);
+    sum.brow += weight * aged.brow;
+    sum.hair += weight * aged.hair;
+    sum.is_brow_given = sum.is_brow_given || aged.is_brow_given;
+    sum.is_hair_given = sum.is_hair_given || aged.is_hair_given;
     sum.freckles += share * other.look.freckles;
     sum.age_spots += share * other.look.age_spots;
     if (!other.look.lips) continue;  // made from the skin's colour then, which is mixed

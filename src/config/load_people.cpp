@@ -10,8 +10,9 @@ namespace mien {
 
 namespace {
 
-const Names kPeopleKeys{"most",  "character", "skull",        "most_skull", "features", "together",
-                        "skins", "shade",     "hair_colours", "irises",     "cuts",     "other_cuts"};
+const Names kPeopleKeys{"most",     "character",  "skull",  "most_skull",   "features",
+                        "together", "skins",      "shade",  "hair_colours", "irises",
+                        "cuts",     "other_cuts", "beards", "freckles"};
 constexpr double kMostDeviations = 6;  // sample_normal goes no further
 constexpr double kMostShare = 1000;    // only proportions count
 constexpr double kLeastPivot = 1e-9;   // of a correlation matrix that is positive definite
@@ -81,8 +82,10 @@ void load_skins(const YamlValue& value, const std::vector<std::pair<std::string,
   for (const auto& [name, look] : looks) {
     const YamlValue* skin = find_value(entries, name);
     if (skin == nullptr) continue;
-    const YamlMapping parts = load_mapping(*skin, {"share", "hair", "iris"}, "a share, hair and iris");
-    PeoplesSkin read{look, 0, {}, {}};
+    const YamlMapping parts =
+        load_mapping(*skin, {"share", "hair", "iris", "freckled"}, "a share, hair and iris");
+    PeoplesSkin read{look, 0, {}, {}, 0};
+    if (find_value(parts, "freckled") != nullptr) load_part(parts, "freckled", *skin, 0, 1, read.freckled);
     load_part(parts, "share", *skin, 0, kMostShare, read.share);
     if (const YamlValue* hair = find_required(parts, "hair", *skin, "colours and their shares"))
       read.hairs = load_shares(*hair, list_keys(people.hair_colours), "colour of hair");
@@ -184,6 +187,14 @@ People load_people(const std::filesystem::path& file, const PeopleWords& words, 
     for (const YamlEntry& entry :
          load_mapping(*cuts, kHairs, "cuts of hair and who wears them", "cut of hair"))
       people.cuts[entry.key] = load_cut(entry.value);
+  if (const YamlValue* beards = find_required(entries, "beards", root, "beards and how many men wear them"))
+    people.beards = load_shares(*beards, kBeards, "beard");
+  if (const YamlValue* freckles =
+          find_required(entries, "freckles", root, "the least and the most of them")) {
+    const YamlMapping parts = load_mapping(*freckles, {"least", "most"}, "the least and the most of them");
+    load_part(parts, "least", *freckles, 0, 1, people.least_freckles);
+    load_part(parts, "most", *freckles, 0, 1, people.most_freckles);
+  }
   if (const YamlValue* others = find_required(entries, "other_cuts", root, "who wears the other cuts"))
     people.other_cuts = load_cut(*others);
   return people;

@@ -12,7 +12,7 @@ namespace mien {
 namespace {
 
 // Each use of a seed has a generator of its own.
-enum Use : std::uint64_t { use_character, use_dials, use_look, use_hair };
+enum Use : std::uint64_t { use_character, use_dials, use_look, use_hair, use_beard, use_freckles };
 
 constexpr double kHundred = 100;  // what is drawn is a whole number of hundredths
 // Nearer to the middle nobody is drawn; a head that is set there may have a woman's or a man's hair.
@@ -119,6 +119,19 @@ std::string draw_cut(const People& people, std::uint64_t seed, double character)
   return draw_name(weights, random);
 }
 
+std::string draw_beard(const People& people, std::uint64_t seed, double character) {
+  if (people.beards.empty() || character < kLeastCharacter) return "none";
+  std::mt19937_64 random = build_random(seed, use_beard);
+  return draw_name(people.beards, random);
+}
+
+double draw_freckles(const People& people, std::uint64_t seed, double tone) {
+  std::mt19937_64 random = build_random(seed, use_freckles);
+  const auto nearest = static_cast<std::size_t>(std::lround(find_skin(people, find_rank(tone))));
+  if (sample_uniform(random) >= people.skins[nearest].freckled) return 0;
+  return round_hundredths(sample_uniform(random, people.least_freckles, people.most_freckles));
+}
+
 }  // namespace
 
 std::vector<double> draw_dials(const People& people, std::uint64_t seed, double character) {
@@ -156,6 +169,8 @@ void draw_person(const People& people, std::uint64_t seed, HeadSpec& head) {
   if (!is_said("look.iris")) head.look.iris = look.iris;
   if (!is_said("look.brow")) head.look.brow = look.brow;
   if (!is_said("look.hair")) head.look.hair = look.hair;
+  if (!is_said("look.beard")) head.look.beard = draw_beard(people, seed, head.character);
+  if (!is_said("look.freckles")) head.look.freckles = draw_freckles(people, seed, dials[1]);
 }
 
 }  // namespace mien

@@ -29,6 +29,7 @@ struct PeoplesSkin {
   Look look;
   double share = 0;  // of all people, against the other skins' shares
   std::map<std::string, double> hairs, irises;
+  double freckled = 0;  // share of these people who have freckles
 };
 
 struct CutShares {
@@ -49,7 +50,9 @@ struct People {
   double shade = 0;  // how much lighter or darker hair may be, as a share
   std::map<std::string, CutShares> cuts;
   CutShares other_cuts;
-  std::vector<std::string> dials;  // character, tone, the ways of the skull, the features
+  std::map<std::string, double> beards;          // of men
+  double least_freckles = 0, most_freckles = 0;  // of who has some
+  std::vector<std::string> dials;                // character, tone, the ways of the skull, the features
   // Correlations of the dials, and the lower triangular root of them (Cholesky): numbers that go together are
   // this root times numbers that do not. Rows and columns are dials.
   std::vector<std::vector<double>> together, root;

@@ -72,7 +72,9 @@ void deform_strands(const HeadPart& bound, const Part& part, const std::vector<S
 
 }  // namespace
 
-Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder, FigureUse use) {
+Figure build_figure(const HeadSpec& asked, const std::filesystem::path& data_folder, FigureUse use) {
+  HeadSpec spec = asked;
+  spec.look = find_aged_look(asked.look, asked.age);
   const bool is_print = use == FigureUse::print;
   Figure figure;
   figure.head = build_neutral_head(spec, data_folder);

@@ -179,6 +179,7 @@ HeadPart build_brow(const NeutralHead& head, const BrowNumbers& average, const L
   const BrowLine line = build_brow_line(head, numbers);
   const SkinPatch patch = find_brow_patch(head, line);
   HeadPart part = make_hair_part("brow_left");
+  part.part.material = "brow";
   const glm::vec3 colour = glm::mix(look.brow, look.skin, static_cast<float>(numbers.infant_blend * youth));
   part.part.palette = make_hair_palette(colour, 0.38f, 0.2f);
   const glm::vec3 soft = glm::mix(colour, look.skin * 0.8f, static_cast<float>(numbers.under_blend));

@@ -71,6 +71,7 @@ HeadPart build_lashes(const NeutralHead& head, const PartNumbers& numbers, const
   const Lids lids = build_lids(head, numbers.eye.ball_mm);
   const LashNumbers& lashes = numbers.lashes;
   HeadPart part = make_hair_part("lash_left");
+  part.part.material = "brow";
   part.part.is_printed = false;
   part.part.palette = make_hair_palette(look.brow * 0.72f, 0.3f, 0.05f);  // darker than any brow
   // The lower ones are so fine that skin shines through.

@@ -37,6 +37,7 @@ SheetPlan plan_people(const SheetSubject& subject, const std::filesystem::path& 
     block.cells.push_back(cell);
     HeadSpec& head = plan.heads.emplace_back(subject.spec.head);
     draw_person(words.people, static_cast<std::uint64_t>(seed), head);
+    set_greying(words.greying, head.look);
   }
   return plan;
 }

@@ -53,6 +53,8 @@ Look mix_looks(const Look& from, const Look& to, double share) {
   mixed.iris = mix_colours(from.iris, to.iris, share);
   mixed.brow = mix_colours(from.brow, to.brow, share);
   mixed.hair = mix_colours(from.hair, to.hair, share);
+  mixed.brow_old = mix_colours(from.brow_old.value_or(from.brow), to.brow_old.value_or(to.brow), share);
+  mixed.hair_old = mix_colours(from.hair_old.value_or(from.hair), to.hair_old.value_or(to.hair), share);
   mixed.freckles = std::lerp(from.freckles, to.freckles, share);
   mixed.age_spots = std::lerp(from.age_spots, to.age_spots, share);
   mixed.beard = share < 0.5 ? from.beard : to.beard;
@@ -97,7 +99,9 @@ std::string find_head_key(const HeadSpec& head) {
     append_values(bytes, *values);
   append_bytes(bytes, head.character);
   const Look& look = head.look;
-  for (const glm::vec3& colour : {look.skin, look.iris, look.brow, look.hair}) append_bytes(bytes, colour);
+  for (const glm::vec3& colour : {look.skin, look.iris, look.brow, look.hair,
+                                  look.brow_old.value_or(look.brow), look.hair_old.value_or(look.hair)})
+    append_bytes(bytes, colour);
   bytes += look.beard + ';';
   append_bytes(bytes, look.lips ? 1.0 : 0.0);
   append_bytes(bytes, look.lips.value_or(glm::vec3(0)));

@@ -41,6 +41,26 @@ double find_widest(const Figure& figure, const CameraView& view) {
   return widest;
 }
 
+TEST(find_view, takes_in_all_of_the_hair_above) {
+  for (const char* cut : {"curls", "bun", "pixie", "wavy"}) {
+    HeadSpec spec;
+    spec.hair = cut;
+    const Figure figure = build_figure(spec, source_folder());
+    for (const double angle_deg : {0.0, 30.0, 90.0, 180.0}) {
+      const CameraView view = find_view_at(figure, angle_deg);
+      const double angle = view.angle_deg * kRadiansPerDegree, distance = find_camera_distance_mm(view);
+      const glm::dvec3 toward(std::sin(angle), 0, std::cos(angle));
+      double highest = 0;
+      for (const Part& part : figure.model.parts)
+        for (const glm::vec3& vertex : part.rest.positions) {
+          const glm::dvec3 p = glm::dvec3(vertex) - glm::dvec3(view.look_at);
+          highest = std::max(highest, p.y * distance / (distance - glm::dot(p, toward)));
+        }
+      EXPECT_LT(highest, 0.49 * view.frame_height_mm) << cut << " " << angle_deg;
+    }
+  }
+}
+
 TEST(find_view, holds_every_head_from_every_side) {
   for (const char* age : {"infant", "child", "adult"}) {
     const Figure figure = build_head(age);

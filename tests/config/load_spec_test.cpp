@@ -224,6 +224,31 @@ TEST(load_spec, spots_of_the_skin_are_dials) {
                   "bad.yaml:2:25: error: 'head.look.freckles' is '1.5'; expected a number from 0 to 1"));
 }
 
+TEST(load_spec, hair_and_brows_grey_with_age_where_the_author_gave_no_colour) {
+  const auto look_at_age = [](const char* head) {
+    const HeadSpec spec = load_text(fmt::format("mien: 1\nhead: {}\n", head)).head;
+    return find_aged_look(spec.look, spec.age);
+  };
+  const auto find_chroma = [](const glm::vec3& srgb) {
+    return std::max({srgb.r, srgb.g, srgb.b}) - std::min({srgb.r, srgb.g, srgb.b});
+  };
+  const Look adult = look_at_age("{age: adult}"), half = look_at_age("{age: {adult: 0.5, old: 0.5}}"),
+             old = look_at_age("{age: old}");
+  EXPECT_EQ(adult.hair, Look{}.hair);
+  EXPECT_EQ(adult.brow, Look{}.brow);
+  EXPECT_GT(half.hair.g, adult.hair.g + 0.1f);
+  EXPECT_GT(old.hair.g, half.hair.g + 0.1f);
+  EXPECT_GT(old.brow.g, half.brow.g + 0.05f);
+  EXPECT_LT(find_chroma(old.hair), 0.5f * find_chroma(adult.hair));
+  // What is given stays; a named hair brings its brows, a skin's own hair was not given.
+  EXPECT_EQ(look_at_age("{age: old, look: {hair: red}}").hair, look_at_age("{look: {hair: red}}").hair);
+  EXPECT_EQ(look_at_age("{age: old, look: {hair: red}}").brow, look_at_age("{look: {hair: red}}").brow);
+  EXPECT_EQ(look_at_age("{age: old, look: {brow: \"#203040\"}}").brow, glm::vec3(32, 48, 64) / 255.0f);
+  EXPECT_EQ(look_at_age("{age: old, look: {brow: \"#203040\"}}").hair, old.hair);
+  EXPECT_GT(look_at_age("{age: old, look: {skin: deep}}").hair.g, 0.4f);
+  EXPECT_GT(look_at_age("{age: old, random: 7}").hair.g, look_at_age("{random: 7}").hair.g + 0.1f);
+}
+
 TEST(load_spec, a_named_hair_brings_its_brows_and_a_beard_stands_beside_a_named_skin) {
   Findings findings;
   const auto colours = load_head_words(kData, findings).hair_colours;

@@ -36,7 +36,8 @@ HeadSpec load_head_text(const std::string& head) { return load_text("mien: 1\nhe
 bool are_alike(const HeadSpec& a, const HeadSpec& b) {
   return a.skull == b.skull && a.character == b.character && a.features == b.features && a.hair == b.hair &&
          a.look.skin == b.look.skin && a.look.lips == b.look.lips && a.look.iris == b.look.iris &&
-         a.look.brow == b.look.brow && a.look.hair == b.look.hair;
+         a.look.brow == b.look.brow && a.look.hair == b.look.hair && a.look.beard == b.look.beard &&
+         a.look.freckles == b.look.freckles;
 }
 
 constexpr std::uint64_t kCrowd = 4000;
@@ -109,6 +110,33 @@ TEST(people, are_of_both_sexes_all_skins_and_many_cuts) {
     EXPECT_EQ(hers.contains(cut), shares.women > 0) << cut;
     EXPECT_EQ(his.contains(cut), shares.men > 0) << cut;
   }
+}
+
+TEST(people, some_men_wear_beards_and_some_light_skins_have_freckles) {
+  constexpr int kFew = 400;
+  int bearded = 0, men = 0, freckled = 0;
+  std::set<std::string> beards;
+  for (int seed = 0; seed < kFew; ++seed) {
+    const HeadSpec head = draw(static_cast<std::uint64_t>(seed));
+    men += head.character > 0;
+    bearded += head.look.beard != "none";
+    beards.insert(head.look.beard);
+    if (head.character < 0) {
+      EXPECT_EQ(head.look.beard, "none") << seed;
+    }
+    if (head.look.freckles == 0) continue;
+    ++freckled;
+    EXPECT_GE(head.look.freckles, people().least_freckles) << seed;
+    EXPECT_LE(head.look.freckles, people().most_freckles) << seed;
+  }
+  EXPECT_EQ(beards.size(), people().beards.size());
+  double sum = 0;
+  for (const auto& [name, share] : people().beards) sum += share;
+  EXPECT_NEAR(static_cast<double>(bearded) / men, 1 - people().beards.at("none") / sum, 0.08);
+  EXPECT_NEAR(static_cast<double>(freckled) / kFew, (2 * 0.45 + 4 * 0.2 + 4 * 0.06) / 15, 0.04);
+  const Look said = load_head_text("{random: 3, character: 1, look: {beard: short, freckles: 0.9}}").look;
+  EXPECT_EQ(said.beard, "short");
+  EXPECT_EQ(said.freckles, 0.9);
 }
 
 TEST(people, random_draws_what_the_file_does_not_say) {

@@ -49,6 +49,24 @@ TEST(bust, is_one_closed_part_for_the_slicer) {
   EXPECT_EQ(read_file(folder / "out/bust_laugh.3mf"), package);
 }
 
+TEST(bust, says_that_hair_and_beard_are_not_printed) {
+  const std::pair<const char*, const char*> heads[] = {
+      {"{hair: bob}", "warning: Its hair is not printed: hair is finer than any nozzle.\n"},
+      {"{look: {beard: short}}", "warning: Its beard is not printed: hair is finer than any nozzle.\n"},
+      {"{hair: crop, look: {beard: stubble}}",
+       "warning: Its hair and beard are not printed: hair is finer than any nozzle.\n"},
+      {"{age: child}", ""}};
+  for (const auto& [head, warning] : heads) {
+    const auto folder = make_folder("bust_hair");
+    write_file(folder / "hair.yaml", fmt::format("mien: 1\nhead: {}\n", head));
+    const ProgramRun run = run_shell(folder, "mien bust hair.yaml --express neutral --height 30mm -o out");
+    ASSERT_EQ(run.status, 0) << run.err;
+    const std::string report = read_file(folder / "out/bust_neutral.txt");
+    EXPECT_THAT(report, HasSubstr(warning)) << head;
+    EXPECT_EQ(report.find("not printed") != report.npos, *warning != 0) << head;
+  }
+}
+
 TEST(bust, higher_ones_are_finer) {
   const auto folder = make_folder("bust_fine");
   std::size_t last = 0;
