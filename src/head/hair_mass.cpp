@@ -12,8 +12,8 @@ namespace mien {
 
 namespace {
 
-constexpr int kColumns = 120, kRows = 40;  // of the outside: 4 mm and 6 mm apart where it is broadest
-constexpr int kInnerRows = 10;             // of the inside, which nobody sees
+constexpr int kColumns = 120, kRows = 30;  // of the outside: 4 mm and 6 mm apart where it is broadest
+constexpr int kInnerRows = 8;              // of the inside, which nobody sees
 constexpr double kPi = std::numbers::pi;
 
 // Columns come in pairs: c and its mirror image kColumns - 1 - c.
