@@ -48,9 +48,9 @@ double find_tail_radius(double s) {
 }  // namespace
 
 const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
-  // What hangs free rides with the broadest place above it, not with cheek and neck.
+  // What hangs free rides with the broadest place above it, not with forehead, cheek and neck.
   return find_hair_seat(scene.chart,
-                        {place.azimuth_deg, scene.cut.covers_ears ? std::min(place.way, 0.9) : place.way});
+                        {place.azimuth_deg, scene.cut.covers_ears ? std::min(place.way, 0.7) : place.way});
 }
 
 void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
