@@ -72,7 +72,8 @@ TEST(sheet, draws_the_limits_on_the_face) {
   constexpr std::pair kCell{240, 180};
   const auto folder = make_folder("sheet_limits");
   write_file(folder / "child.yaml", kChild);
-  const ProgramRun run = run_shell(folder, "mien sheet limits child.yaml --size 240x180 --quiet -o limits.png");
+  const ProgramRun run =
+      run_shell(folder, "mien sheet limits child.yaml --size 240x180 --quiet -o limits.png");
   ASSERT_EQ(run.status, 0) << run.err;
   const Pixels page = read_pixels(folder / "limits.png");
   const SheetLayout layout = build_sheet_layout(build_sheet_plan("limits", {}, source_folder()), "", kCell);
