@@ -17,6 +17,7 @@ struct Work {
   const BustBody& body;
   const Figure& figure;
   std::vector<bool> is_placed;  // by a patch's formula
+  std::vector<bool> is_rim;     // what the formulas begin with: teeth's edges are so steep that slight counts
   PosableBust& controls;
   std::vector<std::vector<glm::vec3>> shapes;  // all that matters of what was sampled
 };
@@ -28,13 +29,21 @@ std::vector<bool> list_placed(const BustBody& body) {
   return is_placed;
 }
 
+std::vector<bool> list_rims(const BustBody& body) {
+  std::vector<bool> is_rim(body.kept.size(), false);
+  for (const Patch* patch : {&body.eyes[0], &body.eyes[1], &body.mouth})
+    for (const std::vector<std::uint32_t>* rim : {&patch->upper, &patch->lower})
+      for (const std::uint32_t v : *rim) is_rim[v] = true;
+  return is_rim;
+}
+
 // The offsets from `from` to `to` that are not slight.
 BustState find_state(const Work& work, const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
                      double slight_mm) {
   BustState state;
   for (std::uint32_t v = 0; v < from.size(); ++v) {
     const glm::vec3 offset = to[v] - from[v];
-    if (work.is_placed[v] || glm::length(offset) <= slight_mm) continue;
+    if (work.is_placed[v] || glm::length(offset) <= (work.is_rim[v] ? kNothing_mm : slight_mm)) continue;
     state.vertices.push_back(v);
     state.offsets.push_back(offset);
   }
@@ -227,7 +236,7 @@ std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::v
 std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
                                      const std::vector<NamedPose>& expressions, double tolerance_mm,
                                      double slight_mm, PosableBust& bust) {
-  Work work{body, figure, list_placed(body), bust, {}};
+  Work work{body, figure, list_placed(body), list_rims(body), bust, {}};
   bust.triangles = body.triangles;
   bust.foot = body.foot;
   bust.mm_per_head_mm = body.print_per_head;

@@ -19,8 +19,9 @@ struct NamedPose {
 
 // Fills what of `bust` poses it: rest, states, moves, expressions, stands, eyes and mouth, triangles and
 // foot. A move gets as many values as keep every vertex within `tolerance_mm` of the way it takes in truth;
-// an expression's offsets of less than `slight_mm` are left out. Returns all the shapes that it went through,
-// places of the body's vertices: at rest, with each move at its ends, each expression, the other stand.
+// an expression's offsets of less than `slight_mm` are left out, but for the rims of eyes and mouth. Returns
+// all the shapes that it went through, places of the body's vertices: at rest, with each move at its ends,
+// each expression, the other stand.
 std::vector<std::vector<glm::vec3>> add_bust_controls(const BustBody& body, const Figure& figure,
                                                       const std::vector<NamedPose>& expressions,
                                                       double tolerance_mm, double slight_mm,

@@ -258,7 +258,7 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
   const Figure figure = build_figure(HeadSpec{}, source_folder());
   Pose laugh;
   for (const auto& [area, move, value] :
-       {std::tuple{"chin", "down", 0.5}, std::tuple{"corner", "up", 0.9}, std::tuple{"lid", "lower", 0.6}})
+       {std::tuple{"chin", "down", 0.6}, std::tuple{"corner", "up", 0.9}, std::tuple{"lid", "lower", 0.6}})
     for (std::size_t i = 0; i < kMoveCount; ++i)
       if (kMoves[i].area == area && kMoves[i].move == move) laugh.values[i] = value;
   BustShop shop{figure, {{"neutral", Pose{}}, {"laugh", laugh}}, "A test", {}};
