@@ -21,7 +21,6 @@ constexpr double kAcross = 0.05;  // sine of how far a view may be off the front
 
 // Shares of the frame's height, so that a line is as thick on every head: about 1.5 and 1 pixel of 500.
 constexpr double kGuideRadius = 0.0014, kFrameRadius = 0.0012;
-constexpr double kThinnest_px = 1.2;  // thinner lines break up between the pixels
 constexpr double kLift_mm = 0.3;      // off the skin, whose triangles are flat and whose normals are not
 constexpr double kWordsSize = 0.026;  // of the frame's height: the mouth's and the nose's names do not touch
 constexpr double kWordsInset = 0.02, kWordsLift = 0.007;
@@ -148,18 +147,22 @@ CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const 
   return view;
 }
 
+double find_line_radius_mm(double share, double tall_mm, int height_px) {
+  constexpr double kThinnest_px = 1.2;  // thinner lines break up between the pixels
+  return std::max(share * tall_mm, kThinnest_px / 2 * tall_mm / height_px);
+}
+
 Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraView& view,
                      std::pair<int, int> size_px, bool has_frame) {
   const double aspect = static_cast<double>(size_px.first) / size_px.second;
   const double tall_mm = std::max(view.frame_height_mm, view.frame_width_mm / aspect);
   const double half_width_mm = tall_mm * aspect / 2;
-  const double thinnest_mm = kThinnest_px / 2 * tall_mm / size_px.second;
   const glm::vec3 toward = find_toward_camera(view);
   const glm::vec3 right(toward.z, 0, -toward.x);
   const glm::vec3 away = toward * static_cast<float>(head.height_mm());  // before all of the head, or behind
   const glm::vec3 reach = right * static_cast<float>(half_width_mm * 1.1);
 
-  OverlayLine guides{{}, {}, std::max(tall_mm * kGuideRadius, thinnest_mm), kGuideInk};
+  OverlayLine guides{{}, {}, find_line_radius_mm(kGuideRadius, tall_mm, size_px.second), kGuideInk};
   Overlay overlay;
   for (const auto& [name, y_mm] : head.guides) {
     const glm::vec3 middle(view.look_at.x, y_mm, view.look_at.z);
@@ -172,8 +175,8 @@ Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraVie
   }
   append_contour(skin, {1, 0, 0}, 0, head.chin_mm(), guides);
   if (has_frame)
-    overlay.lines.push_back(
-        build_frame(head, right, view.look_at - away, std::max(tall_mm * kFrameRadius, thinnest_mm)));
+    overlay.lines.push_back(build_frame(head, right, view.look_at - away,
+                                        find_line_radius_mm(kFrameRadius, tall_mm, size_px.second)));
   overlay.lines.push_back(std::move(guides));
   return overlay;
 }

@@ -23,6 +23,7 @@ struct Sketch {
   const CameraView& view;
   glm::dvec3 right, toward;
   double tall_mm, wide_mm;
+  int height_px;
   Overlay overlay;
 
   glm::dvec2 flatten(const glm::dvec3& place) const {
@@ -33,7 +34,8 @@ struct Sketch {
                      toward * (kAway * find_camera_distance_mm(view)));
   }
   OverlayLine& begin(double radius, bool is_rest) {
-    overlay.lines.push_back({{}, {}, radius * tall_mm, is_rest ? kRestInk : kLimitInk});
+    const double radius_mm = find_line_radius_mm(radius, tall_mm, height_px);
+    overlay.lines.push_back({{}, {}, radius_mm, is_rest ? kRestInk : kLimitInk});
     return overlay.lines.back();
   }
   void write(const std::string& words, const glm::dvec2& at, double align, bool is_rest) {
@@ -117,7 +119,7 @@ DrawnMarks draw_marks(const SheetCell& cell, const FigurePlaces& places, const C
   const glm::dvec3 toward = find_toward_camera(view);
   const double aspect = static_cast<double>(size_px.first) / size_px.second;
   const double tall_mm = std::max(view.frame_height_mm, view.frame_width_mm / aspect);
-  Sketch sketch{view, {toward.z, 0, -toward.x}, toward, tall_mm, tall_mm * aspect, {}};
+  Sketch sketch{view, {toward.z, 0, -toward.x}, toward, tall_mm, tall_mm * aspect, size_px.second, {}};
   DrawnMarks drawn;
   for (const SheetMark& mark : cell.marks) {
     std::vector<PlacesOfPose> poses;
