@@ -37,7 +37,7 @@ struct Step {
 
 constexpr int kSteps = 22;
 constexpr Step kFirst{200, 200, 40, 0.2, 5}, kLast{0.05, 4, 6, 0.6, 1};
-constexpr double kSlide = 0.06;  // of a closest point itself against its plane: keeps the skin from drifting
+constexpr double kSlide = 0.035;  // of a closest point itself against its plane: keeps the skin from drifting
 // Edges keep their vectors, so that what nobody has seen does not fly off: of the stiffness, and at least.
 constexpr double kCalm = 0.02, kLeastCalm = 0.1;
 // The least stiffness where nothing is seen (mouth bag, nostrils, inner lids) and where scans are poor: ears
