@@ -49,4 +49,14 @@ std::optional<double> parse_field(const std::string& text) {
   return value;
 }
 
+std::string parse_vector(const Fields& fields, std::size_t first, glm::dvec3& into) {
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::string& text = fields[first + static_cast<std::size_t>(axis)];
+    const auto value = parse_field(text);
+    if (!value) return fmt::format("'{}' is not a number", text);
+    into[axis] = *value;
+  }
+  return {};
+}
+
 }  // namespace mien

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,5 +21,8 @@ void read_table(const std::filesystem::path& file, std::size_t columns, bool has
 
 // The whole of `text` as a number.
 std::optional<double> parse_field(const std::string& text);
+
+// Three fields from `first` on as x, y, z; returns what is wrong with them, nothing if they are numbers.
+std::string parse_vector(const Fields& fields, std::size_t first, glm::dvec3& into);
 
 }  // namespace mien

@@ -18,10 +18,8 @@ constexpr float kBrowPerHeight = 0.5f / 80;   // standing out less, it is lost b
 constexpr float kLockPerHeight = 0.6f / 80;   // from lock to lock of the brow; finer would not print
 constexpr float kIrisPerHeight = 0.45f / 80;  // a dish that throws a shadow
 constexpr float kPupilPerHeight = 1.0f / 80;  // dark in every light
-constexpr float
-    kLidLine_mm = 0.35f,
-    kLipLine_mm =
-        0.34f;  // of shut lids and lips: narrower fills with plastic; lips meet aslant, which takes a tenth
+// Of shut lids and lips: narrower fills with plastic. Lips meet aslant, which takes a tenth.
+constexpr float kLidLine_mm = 0.35f, kLipLine_mm = 0.34f;
 constexpr float kLineDepth_mm = 0.7f;
 constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
 constexpr float kLight_mm = 1.1f;       // the width of the light in the pupil

@@ -18,11 +18,7 @@ std::string parse_point(const Fields& fields, SkinPoint& point) {
   point.is_hard = fields[5] == "1";
   if (fields[1].empty() && fields[2].empty() && fields[3].empty()) return {};
   glm::dvec3 skin{0};
-  for (int axis = 0; axis < 3; ++axis) {
-    const auto value = parse_field(fields[1 + axis]);
-    if (!value) return fmt::format("'{}' is not a number", fields[1 + axis]);
-    skin[axis] = *value;
-  }
+  if (std::string mistake = parse_vector(fields, 1, skin); !mistake.empty()) return mistake;
   if (skin.x < 0) return fmt::format("'{}' lies on the other half (x < 0)", point.name);
   point.skin = skin;
   return {};

@@ -47,11 +47,7 @@ std::map<std::string, Handles> load_fields(const std::filesystem::path& file) {
   std::map<std::string, Handles> fields;
   read_table(file, 5, true, [&](const Fields& row) -> std::string {
     glm::dvec3 way{0};
-    for (int axis = 0; axis < 3; ++axis) {
-      const auto value = parse_field(row[2 + axis]);
-      if (!value) return fmt::format("'{}' is not a number", row[2 + axis]);
-      way[axis] = *value;
-    }
+    if (std::string mistake = parse_vector(row, 2, way); !mistake.empty()) return mistake;
     if (!fields[row[0]].emplace(row[1], way).second)
       return fmt::format("point '{}' stands twice in '{}'", row[1], row[0]);
     return {};

@@ -13,6 +13,9 @@ namespace mien {
 
 namespace {
 
+// Columns of the mouth's rings: 0 the middle of the upper lip, a corner, the middle of the lower lip.
+constexpr int kCorner = 6, kLast = 12;
+
 // To its own size and to the origin of every head: pupils at height 0, ear canals at the adult's share.
 void place_head(const HeadStock& stock, double growth, HeadForm& form) {
   const std::uint32_t ear = find_point(stock.adult, "er5_13");  // the tragion
@@ -40,11 +43,10 @@ double find_lip_z(const Cage& cage, const std::vector<glm::dvec3>& points, int c
 // A lip is as thick as the adult's: the bag carried as a whole would come out of a lower lip that falls back
 // more than the adult's.
 void keep_lips_thick(const Cage& cage, HeadForm& form) {
-  constexpr int kColumns = 13, kCorner = 6;
   const std::uint32_t corner = find_point(cage, "M1_6");
   const double scale = form.points[corner].x / cage.points[corner].x;
   for (const char* ring : {"M0_", "MB1_", "MB2_"})
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column <= kLast; ++column) {
       if (column == kCorner) continue;
       const std::uint32_t inside = find_point(cage, ring + std::to_string(column));
       const glm::dvec3& adult = cage.points[inside];
@@ -74,10 +76,9 @@ void carry_mouth_bag(const Cage& cage, HeadForm& form) {
 // Lips meet nearly as on the adult: hardly a scan shows the crease between them, where one lip alone would
 // sink in.
 void join_lips(const Cage& cage, const std::vector<glm::dvec3>& adult, HeadForm& form) {
-  constexpr int kColumns = 6, kLast = 12;
   constexpr double kShare = 0.5;  // more of it would show on the lips' red
   for (const char* ring : {"M0_", "M1_"})
-    for (int column = 0; column < kColumns; ++column) {
+    for (int column = 0; column < kCorner; ++column) {
       const std::uint32_t upper = find_point(cage, ring + std::to_string(column)),
                           lower = find_point(cage, ring + std::to_string(kLast - column));
       const glm::dvec3 middle = (form.points[upper] + form.points[lower]) / 2.0,

@@ -44,6 +44,13 @@ TEST(table, tells_the_line_of_what_is_wrong) {
   EXPECT_THROW(read_table("no/such.csv", 2, true, [](const Fields&) { return std::string(); }), RunError);
 }
 
+TEST(table, reads_three_fields_as_a_vector) {
+  glm::dvec3 v(0);
+  EXPECT_EQ(parse_vector({"a", "1", "-2.5", "0"}, 1, v), "");
+  EXPECT_EQ(v, glm::dvec3(1, -2.5, 0));
+  EXPECT_EQ(parse_vector({"1", "two", "0"}, 0, v), "'two' is not a number");
+}
+
 TEST(table, reads_whole_numbers_only) {
   EXPECT_EQ(parse_field("-1.5"), -1.5);
   EXPECT_EQ(parse_field("1.5mm"), std::nullopt);
