@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "core/crossings.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -88,6 +89,32 @@ std::string find_fault(const std::string& landmarks, const std::string& mesh = "
     return text;
   }
   return "";
+}
+
+// The mouth's bag is the adult's, made smaller: it stays inside a lower lip that is short and falls back.
+TEST(scan, keeps_the_mouth_inside_a_lower_lip_that_falls_back) {
+  constexpr float kBack_mm = 9;
+  HeadSpec spec;
+  spec.age = {{"infant", 1.0}};
+  NeutralHead sitter = build_neutral_head(spec, find_data_folder());
+  const auto find = [&](const char* name) { return sitter.skin.positions[find_point(sitter.cage, name)]; };
+  const glm::vec3 meeting = find("M1_12"), border = find("M3_12"), chin = find("M6_12"),
+                  corner = find("M1_6");
+  for (glm::vec3& p : sitter.skin.positions) {
+    if (p.z < corner.z - 8 || p.y > meeting.y - 1) continue;
+    const float down = std::clamp((meeting.y - 1 - p.y) / (meeting.y - border.y), 0.0f, 1.0f);
+    const float rest = std::clamp((p.y - chin.y + 10) / 10, 0.0f, 1.0f);
+    p.z -= kBack_mm * down * rest;
+  }
+  write_file(find_file("back.obj"), build_obj(sitter, -1e9));
+  write_file(find_file("back.yaml"), "unit: m\n" + build_landmarks(sitter, {"_l", "_r"}));
+  const NeutralHead head = build(find_file("back.obj"), false);
+  std::vector<bool> is_lip;
+  for (const Triangle& t : head.skin.triangles) {
+    const glm::vec3& p = head.skin.positions[t[0]];
+    is_lip.push_back(p.z > corner.z - 10 && p.y < meeting.y && p.y > chin.y);
+  }
+  EXPECT_TRUE(find_crossings(head.skin.positions, head.skin.triangles, is_lip).empty());
 }
 
 TEST(scan, wraps_a_file_into_a_head_that_can_shut_its_eyes) {
