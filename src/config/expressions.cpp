@@ -9,9 +9,11 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxNameLength = 64;    // names become file names
-constexpr double kMaxAttack_s = 10;           // nothing that comes more slowly is seen to come
-constexpr std::size_t kMaxSuggestions = 100;  // names compared with an unknown one
+constexpr std::size_t kMaxNameLength = 64;              // names become file names
+constexpr double kMaxAttack_s = 10;                     // nothing that comes more slowly is seen to come
+constexpr double kMaxDominance = 10;                    // more leaves nothing to see of the other
+constexpr double kLeastGrowth = 0.25, kMostGrowth = 4;  // beyond, half a strength is all or nothing
+constexpr std::size_t kMaxSuggestions = 100;            // names compared with an unknown one
 
 bool is_plain_word(const std::string& name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
@@ -45,6 +47,19 @@ std::optional<std::size_t> find_base(const ExpressionDraft& draft, const Express
   const auto base = find_expression(book, name, library);
   if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book, library);
   return base;
+}
+
+// What a draft says of its manner, over that of what it starts from.
+std::shared_ptr<const Manner> build_manner(const ExpressionDraft& draft,
+                                           const std::shared_ptr<const Manner>& base) {
+  Manner manner = base ? *base : Manner{};
+  bool is_plain = base == nullptr;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    is_plain = is_plain && !draft.dominance[i] && !draft.growth[i];
+    manner.dominance[i] = draft.dominance[i].value_or(manner.dominance[i]);
+    manner.growth[i] = draft.growth[i].value_or(manner.growth[i]);
+  }
+  return is_plain ? nullptr : std::make_shared<const Manner>(manner);
 }
 
 // The weights and expressions of a mix.
@@ -145,6 +160,10 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
     if (const YamlValue* attack = find_value(body, "attack"))
       if (double attack_s = 0; load_quantity(*attack, time, 0, kMaxAttack_s, attack_s))
         draft.attack_s = attack_s;
+    if (const YamlValue* dominance = find_value(body, "dominance"))
+      draft.dominance = load_area_numbers(*dominance, 0, kMaxDominance);
+    if (const YamlValue* growth = find_value(body, "growth"))
+      draft.growth = load_area_numbers(*growth, kLeastGrowth, kMostGrowth);
     draft.areas = load_areas(body);
     drafts.push_back(std::move(draft));
   }
@@ -160,14 +179,12 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
     // Down the chain to what is known (a chain may be long: no recursion), then back up.
     struct Link {
       std::size_t draft = 0;
-      Pose pose;  // that it starts from
-      double reach = 1;
-      double attack_s = kDefaultAttack_s;
+      Expression base = {};  // what it starts from
     };
     std::vector<Link> chain;
     for (std::size_t at = first; states[at] == State::waiting;) {
       states[at] = State::begun;
-      chain.push_back({at, {}, 1, kDefaultAttack_s});
+      chain.push_back({at});
       const auto base = find_base(drafts[at], book);
       if (!base) break;
       const auto next = draft_of.find(*base);
@@ -179,27 +196,34 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
                                 found.name));
         break;
       }
-      chain.back().pose = book.expressions[*base].pose;
-      chain.back().reach = book.expressions[*base].reach;
-      chain.back().attack_s = book.expressions[*base].attack_s;
+      chain.back().base = book.expressions[*base];
       if (next != draft_of.end()) at = next->second;
     }
     for (std::size_t i = chain.size(); i-- > 0;) {
       const Link& link = chain[i];
       const ExpressionDraft& draft = drafts[link.draft];
       Expression& expression = book.expressions[draft.expression];
-      HeldPose held = hold_pose({link.pose, link.reach, draft.strength, draft.areas, draft.exaggerate});
+      const Pose base = mix_poses({{1, link.base.pose, link.base.manner}}, draft.strength);
+      HeldPose held = hold_pose({base, link.base.reach, draft.strength, draft.areas, draft.exaggerate});
       expression.pose = held.pose;
       expression.reach = held.reach;
       expression.held = std::move(held.held);
-      expression.attack_s = draft.attack_s.value_or(link.attack_s);
+      expression.attack_s = draft.attack_s.value_or(link.base.attack_s);
+      expression.manner = build_manner(draft, link.base.manner);
       states[link.draft] = State::done;
       if (i == 0) break;
-      chain[i - 1].pose = expression.pose;
-      chain[i - 1].reach = expression.reach;
-      chain[i - 1].attack_s = expression.attack_s;
+      chain[i - 1].base = expression;
     }
   }
+}
+
+std::vector<PoseShare> list_shares(const std::vector<ExpressShare>& mix, const ExpressionBook& book) {
+  std::vector<PoseShare> shares;
+  for (const ExpressShare& share : mix) {
+    const Expression& expression = book.expressions[share.expression];
+    shares.push_back({share.weight, expression.pose, expression.manner});
+  }
+  return shares;
 }
 
 Express load_express(const YamlValue& value, const ExpressionBook& book, const FormulaReader* formulas) {
@@ -214,24 +238,22 @@ Express load_express(const YamlValue& value, const ExpressionBook& book, const F
     else
       add_unknown_expression(value, value.spot, name, book);
   }
-  std::vector<PoseShare> shares;
   double most = -1;
   for (const auto& [weight, index, spot, formula] : mix) {
     const Expression& expression = book.expressions[index];
-    if (shares.empty()) express.library = expression.library;
+    if (most < 0) express.library = expression.library;
     if (weight > most) express.attack_s = expression.attack_s;
     most = std::max(most, weight);
-    if (!shares.empty()) express.label.append(" + "), express.name.append("_");
+    if (!express.name.empty()) express.label.append(" + "), express.name.append("_");
     express.label += expression.name;
     if (find_node(value).kind == NodeKind::mapping)
       express.label += formula ? " live" : fmt::format(" {:.3g}", weight);
     express.name += expression.name;
-    shares.push_back({weight, expression.pose});
     if (weight > 0 || formula) express.reach = std::max(express.reach, expression.reach);
     express.held.insert(express.held.end(), expression.held.begin(), expression.held.end());
   }
   express.name.resize(std::min(express.name.size(), kMaxNameLength));
-  express.pose = mix_poses(shares);
+  express.pose = mix_poses(list_shares(mix, book));
   return express;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "config/load_areas.hpp"
 #include "config/load_formula.hpp"
 #include "config/pose_mix.hpp"
 #include "config/spec.hpp"
@@ -42,6 +43,7 @@ struct ExpressionDraft {
   double exaggerate = 1;
   AreaValues areas;
   std::optional<double> attack_s;  // empty: that of what it starts from
+  AreaNumbers dominance, growth;   // where they are empty, those of what it starts from
 };
 
 // Reads `expressions:` into the book and its drafts; `library` is empty for a file's own. The document must
@@ -59,6 +61,9 @@ struct ExpressShare {
   Spot spot;
   FormulaPointer formula = {};  // instead of the weight
 };
+
+// The shares of a mix with their poses; weights that are formulas are left at 0.
+std::vector<PoseShare> list_shares(const std::vector<ExpressShare>& mix, const ExpressionBook& book);
 
 // What `express:` means: a name or a mix of names.
 struct Express {

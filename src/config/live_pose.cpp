@@ -35,9 +35,9 @@ bool is_law(const LivePose& live) {
 HeldPose evaluate_pose(const LivePose& live, double time_s) {
   std::vector<PoseShare> shares;
   for (const LivePose::Share& share : live.shares)
-    shares.push_back({std::clamp(evaluate(share.weight, time_s), 0.0, 1.0), share.pose});
-  PoseAsk ask{mix_poses(shares), live.reach, std::clamp(evaluate(live.strength, time_s), 0.0, 1.0),
-              live.areas, live.exaggerate};
+    shares.push_back({std::clamp(evaluate(share.weight, time_s), 0.0, 1.0), share.pose, share.manner});
+  const double strength = std::clamp(evaluate(live.strength, time_s), 0.0, 1.0);
+  PoseAsk ask{mix_poses(shares, strength), live.reach, strength, live.areas, live.exaggerate};
   for (const LivePose::Value& value : live.values) {
     const MoveInfo& info = kMoves[value.move];
     const double number = std::clamp(evaluate_held(*value.formula, time_s), value.low, value.high);

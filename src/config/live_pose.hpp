@@ -23,6 +23,7 @@ struct LivePose {
   struct Share {
     Number weight{1, {}};
     Pose pose;
+    std::shared_ptr<const Manner> manner = {};
   };
   struct Value {
     std::size_t move = 0;

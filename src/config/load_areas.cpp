@@ -83,4 +83,17 @@ AreaValues load_areas(const YamlMapping& entries, LiveAreas* live) {
   return areas;
 }
 
+AreaNumbers load_area_numbers(const YamlValue& value, double low, double high) {
+  AreaNumbers numbers;
+  const YamlMapping entries = load_mapping(value, list_area_keys(), "areas such as {brows: 0.5}", "area");
+  for (const bool is_plural_pass : {true, false})
+    for (const AreaKey& key : kAreaKeys) {
+      const YamlValue* entry = key.is_both == is_plural_pass ? find_value(entries, key.key) : nullptr;
+      double number = 0;
+      if (entry == nullptr || !load_number(*entry, low, high, number)) continue;
+      for (const std::size_t move : list_moves_of(key)) numbers[move] = number;
+    }
+  return numbers;
+}
+
 }  // namespace mien

@@ -28,8 +28,10 @@ std::shared_ptr<const LivePose> build_live_pose(const Express& express, const Ex
                                                 const Number& strength, const AreaValues& areas,
                                                 std::vector<LivePose::Value> values, double exaggerate) {
   auto live = std::make_shared<LivePose>();
-  for (const ExpressShare& share : express.shares)
-    live->shares.push_back({{share.weight, share.formula}, book.expressions[share.expression].pose});
+  for (const ExpressShare& share : express.shares) {
+    const Expression& expression = book.expressions[share.expression];
+    live->shares.push_back({{share.weight, share.formula}, expression.pose, expression.manner});
+  }
   if (express.shares.empty()) live->shares.push_back({{1, {}}, express.pose});
   live->reach = express.reach;
   live->strength = strength;
@@ -82,6 +84,7 @@ Express load_posed(const YamlMapping& entries, const ExpressionBook& book, const
     express.reach = now.reach;
     return express;
   }
+  if (named != nullptr) express.pose = mix_poses(list_shares(express.shares, book), strength);
   const HeldPose posed = hold_pose({express.pose, express.reach, strength, areas, exaggerate});
   express.pose = posed.pose;
   express.reach = posed.reach;

@@ -1,6 +1,7 @@
 #include "config/pose_mix.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mien {
 
@@ -14,9 +15,53 @@ const auto kIsLifted = [] {
   return lifted;
 }();
 
+// What all shares ask of a move in one way, up or down, and how much they have to say there.
+struct Way {
+  double value = 0, dominance = 0;  // the dominance times the value's size, until it is divided by it
+
+  void add(double change, double of_dominance) {
+    value += change;
+    dominance += std::abs(change) * of_dominance;
+  }
+};
+
+// What is left of a way against the other.
+double yield_to(const Way& other, const Way& way) {
+  if (way.value == 0 || other.value == 0) return way.value;
+  const double own = std::pow(way.dominance / way.value, 2);
+  const double others = std::pow(other.dominance / other.value, 2);
+  if (own >= others) return way.value;
+  const double opposed = std::min(std::abs(way.value), std::abs(other.value));
+  return way.value - std::copysign(opposed, way.value) * (1 - 2 * own / (own + others));
+}
+
+Pose mix_with_manners(const std::vector<PoseShare>& shares, double strength) {
+  static const Manner plain;
+  Pose mixed;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    Way up, down;
+    for (const PoseShare& share : shares) {
+      const Manner& manner = share.manner ? *share.manner : plain;
+      const double growth = manner.growth[i];
+      const double grown = growth == 1 || strength == 0 ? 1 : std::pow(strength, growth - 1);
+      const double value = share.weight * grown * share.pose.values[i];
+      if (value >= 0)
+        up.add(value, manner.dominance[i]);
+      else if (!kIsUpperLid[i])
+        down.add(value, manner.dominance[i]);
+      else if (value < down.value)
+        down = {value, -value * manner.dominance[i]};
+    }
+    mixed.values[i] = yield_to(down, up) + yield_to(up, down);
+  }
+  return mixed;
+}
+
 }  // namespace
 
-Pose mix_poses(const std::vector<PoseShare>& shares) {
+Pose mix_poses(const std::vector<PoseShare>& shares, double strength) {
+  if (std::ranges::any_of(shares, [](const PoseShare& share) { return share.manner != nullptr; }))
+    return mix_with_manners(shares, strength);
   Pose mixed;
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     double sum = 0, lowest = 0;

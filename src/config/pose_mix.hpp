@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -17,14 +18,25 @@ inline constexpr std::array<bool, kMoveCount> kIsUpperLid = [] {
   return lids;
 }();
 
+// How an expression's moves answer to its strength and to other expressions; indexed as kMoves.
+struct Manner {
+  std::array<double, kMoveCount> dominance, growth;  // all 1 is plain
+
+  Manner() { dominance.fill(1), growth.fill(1); }
+};
+
 struct PoseShare {
   double weight = 1;
   Pose pose;
+  std::shared_ptr<const Manner> manner = {};  // plain without it
 };
 
-// The weighted sum, move by move. Two eyelids that both close do not close twice: of the closures (below 0)
-// of an upper lid the lowest counts and not their sum.
-Pose mix_poses(const std::vector<PoseShare>& shares);
+// The weighted sum, move by move, as it is to be before `strength` (0..1) makes it less. Two eyelids that
+// both close do not close twice: of the closures (below 0) of an upper lid the lowest counts and not their
+// sum. A move's growth g has it go with the g-th power of the strength: late if over 1, early if under. Where
+// one share lifts and another lowers, the way of less dominance d against D keeps only 2 d^2/(d^2 + D^2) of
+// what the other opposes; ways of equal dominance cancel as in any sum.
+Pose mix_poses(const std::vector<PoseShare>& shares, double strength = 1);
 
 // What an author asks of a face.
 struct PoseAsk {

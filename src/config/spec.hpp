@@ -22,9 +22,10 @@ struct Expression {
   std::string name;     // "smile"
   std::string library;  // "mien", "tezuka", or "" for one of the file's own
   Pose pose;
-  double reach = 1;                    // how many times its limits the pose may go: `exaggerate`
-  std::vector<Held> held = {};         // what the limits held back of it
-  double attack_s = kDefaultAttack_s;  // how long it takes to come, as a cue
+  double reach = 1;                           // how many times its limits the pose may go: `exaggerate`
+  std::vector<Held> held = {};                // what the limits held back of it
+  double attack_s = kDefaultAttack_s;         // how long it takes to come, as a cue
+  std::shared_ptr<const Manner> manner = {};  // plain without it
 };
 
 enum class Quality { draft, good, best };

@@ -45,7 +45,8 @@ inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features",
 inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
 inline const Names kSculptKeys{"at", "move", "radius"};
 inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "beard", "freckles", "age_spots"};
-inline const Names kExpressionKeys{"from", "strength", "exaggerate", "attack"};  // and every area's
+inline const Names kExpressionKeys{"from",   "strength",  "exaggerate",
+                                   "attack", "dominance", "growth"};  // and every area's
 inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "turn", "blink",
                              "blinks",    "length",  "between", "lead",      "cues", "laws",
                              "tracks",    "scripts", "inputs",  "include",   "gaze", "drift",
