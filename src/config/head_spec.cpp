@@ -8,7 +8,9 @@ Look find_aged_look(const Look& look, const Mix& age) {
   Look aged = look;
   if (look.brow_old) aged.brow = glm::mix(look.brow, *look.brow_old, old);
   if (look.hair_old) aged.hair = glm::mix(look.hair, *look.hair_old, old);
+  if (look.age_spots_old) aged.age_spots = glm::mix(look.age_spots, *look.age_spots_old, double{old});
   aged.brow_old = aged.hair_old = {};
+  aged.age_spots_old = {};
   return aged;
 }
 

@@ -26,11 +26,13 @@ struct Look {
   std::optional<glm::vec3> brow_old, hair_old;        // on a head that is all `old`; empty: the same
   bool is_brow_given = false, is_hair_given = false;  // by the author: such a colour stays
   std::string beard = "none";                         // one of templates/head/hair.yaml; children have none
-  double lips_share = 1;               // of the way from that colour to `lips`: less only between keys
-  double freckles = 0, age_spots = 0;  // 0 none .. 1 as many as a skin has
+  double lips_share = 1;                // of the way from that colour to `lips`: less only between keys
+  double freckles = 0, age_spots = 0;   // 0 none .. 1 as many as a skin has
+  std::optional<double> age_spots_old;  // on a head that is all `old`; empty: the same
+  bool are_age_spots_given = false;     // by the author: they stay
 };
 
-// The same with brow and hair in the colours that they have at an age.
+// The same with brow, hair and age spots as they are at an age.
 Look find_aged_look(const Look& look, const Mix& age);
 
 // A file that another file names, as found from the folder of the file that names it.

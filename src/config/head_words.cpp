@@ -33,11 +33,12 @@ void load_looks(const YamlMapping& entries, std::string_view key,
 
 void load_greying(const YamlValue& value, Greying& greying) {
   const YamlMapping entries =
-      load_mapping(value, {"hair", "brow", "hair_share", "brow_share"}, "colours and shares");
+      load_mapping(value, {"hair", "brow", "hair_share", "brow_share", "age_spots"}, "colours and shares");
   for (const auto& [key, into] : {std::pair{"hair", &greying.hair}, std::pair{"brow", &greying.brow}})
     if (const YamlValue* colour = find_required(entries, key, value, "a colour")) load_colour(*colour, *into);
   for (const auto& [key, into] :
-       {std::pair{"hair_share", &greying.hair_share}, std::pair{"brow_share", &greying.brow_share}})
+       {std::pair{"hair_share", &greying.hair_share}, std::pair{"brow_share", &greying.brow_share},
+        std::pair{"age_spots", &greying.age_spots}})
     if (const YamlValue* share = find_required(entries, key, value, "a number"))
       load_number(*share, 0, 1, *into);
 }
@@ -50,6 +51,8 @@ void set_greying(const Greying& greying, Look& look) {
   };
   look.hair_old = look.is_hair_given ? look.hair : grow_grey(look.hair, greying.hair, greying.hair_share);
   look.brow_old = look.is_brow_given ? look.brow : grow_grey(look.brow, greying.brow, greying.brow_share);
+  look.age_spots_old =
+      look.are_age_spots_given ? look.age_spots : std::max(look.age_spots, greying.age_spots);
 }
 
 void load_look_words(const YamlMapping& entries, Look& look) {
@@ -68,6 +71,7 @@ void load_look_words(const YamlMapping& entries, Look& look) {
   };
   load_dial("freckles", look.freckles);
   load_dial("age_spots", look.age_spots);
+  look.are_age_spots_given = look.are_age_spots_given || find_value(entries, "age_spots") != nullptr;
 }
 
 HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings) {

@@ -17,6 +17,7 @@ namespace mien {
 struct Greying {
   glm::vec3 hair{0}, brow{0};
   double hair_share = 0, brow_share = 0;
+  double age_spots = 0;  // at least, where the author says nothing of them
 };
 
 struct HeadWords {

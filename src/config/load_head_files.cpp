@@ -65,8 +65,9 @@ void mix_looks(HeadSpec& head) {
     sum.hair += weight * aged.hair;
     sum.is_brow_given = sum.is_brow_given || aged.is_brow_given;
     sum.is_hair_given = sum.is_hair_given || aged.is_hair_given;
+    sum.are_age_spots_given = sum.are_age_spots_given || aged.are_age_spots_given;
     sum.freckles += share * other.look.freckles;
-    sum.age_spots += share * other.look.age_spots;
+    sum.age_spots += share * aged.age_spots;
     if (!other.look.lips) continue;  // made from the skin's colour then, which is mixed
     lips += weight * *other.look.lips;
     lips_weight += weight;

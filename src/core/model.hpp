@@ -27,6 +27,7 @@ struct Part {
       shade;  // an index into `palette` for each vertex; empty: all vertices take palette[0]
   std::vector<glm::vec2> grain;  // mm; where a vertex lies on the skin as if unrolled flat: fine patterns
                                  // that must move with the skin live there; one a vertex, or empty
+  double wear = 0;         // 0 fresh .. 1 old: how far fine lines are worn into it; the material's affair too
   bool is_rigid = false;   // true: a drawing gives a transform only; false: it gives positions and normals
   bool is_printed = true;  // false: too fine for a bust (lashes, tear line, cornea)
 };

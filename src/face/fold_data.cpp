@@ -85,8 +85,8 @@ FoldLine load_line(const YAML::Node& node) {
 }
 
 FoldSet load_set(const std::string& name, const YAML::Node& node) {
-  check_keys(
-      node, {"drive", "from", "to", "rest", "depth_mm", "width_mm", "rolls", "spread", "across_mm", "lines"});
+  check_keys(node, {"drive", "from", "to", "rest", "depth_mm", "width_mm", "rolls", "spread", "uneven",
+                    "across_mm", "lines"});
   FoldSet set;
   set.name = name;
   for (const YAML::Node& drive : require(node, "drive")) set.drives.push_back(load_drive(drive));
@@ -100,13 +100,25 @@ FoldSet load_set(const std::string& name, const YAML::Node& node) {
   if (!rolls.IsSequence() || rolls.size() != 2) fail(rolls, "expected [left, right]");
   set.rolls = {load_number(rolls[0], -1, 2), load_number(rolls[1], -1, 2)};
   set.spread = load_number(node, "spread", 1, 6);
+  if (node["uneven"]) set.uneven = load_number(node, "uneven", 0, 2);
   if (node["across_mm"]) set.across_mm = load_number(node["across_mm"], 0, 40);
   for (const YAML::Node& line : require(node, "lines")) set.lines.push_back(load_line(line));
   return set;
 }
 
+FoldUnevenness load_unevenness(const YAML::Node& node) {
+  check_keys(node, {"seed", "along_mm", "aside_mm", "broken", "shared_mm"});
+  FoldUnevenness uneven;
+  uneven.seed = static_cast<std::uint32_t>(load_number(node, "seed", 0, 1e6));
+  uneven.along_mm = load_number(node, "along_mm", 2, 50);
+  uneven.aside_mm = load_number(node, "aside_mm", 0, 3);
+  uneven.broken = load_number(node, "broken", 0, 1);
+  uneven.shared_mm = load_number(node, "shared_mm", 1, 30);
+  return uneven;
+}
+
 FoldData load_root(const YAML::Node& root) {
-  check_keys(root, {"ages", "ages_at_rest", "characters", "edge", "folds"});
+  check_keys(root, {"ages", "ages_at_rest", "characters", "uneven", "edge", "folds"});
   FoldData data;
   for (const auto& age : require(root, "ages")) data.ages[age.first.Scalar()] = load_number(age.second, 0, 2);
   if (root["ages_at_rest"])
@@ -115,6 +127,7 @@ FoldData load_root(const YAML::Node& root) {
   const YAML::Node characters = require(root, "characters");
   data.female = load_number(characters, "female", 0, 1);
   data.male = load_number(characters, "male", 0, 1);
+  if (root["uneven"]) data.uneven = load_unevenness(root["uneven"]);
   data.edge = load_number(root, "edge", 0.3, 3);
   for (const auto& set : require(root, "folds"))
     data.sets.push_back(load_set(set.first.Scalar(), set.second));

@@ -29,6 +29,15 @@ struct FoldDrive {
   std::vector<Driver> drivers;
 };
 
+// How unlike each other folds are, and a face's two sides: no line of the skin is ruled.
+struct FoldUnevenness {
+  std::uint32_t seed = 0;
+  double along_mm = 10;  // of a line, that looks alike
+  double aside_mm = 0;   // how far it strays at most
+  double broken = 0;     // how much shallower its weakest places are, 0..1
+  double shared_mm = 8;  // from the mid-line, where both sides begin to differ: they must meet there
+};
+
 struct FoldSet {
   std::string name;
   std::vector<FoldDrive> drives;  // summed
@@ -38,6 +47,7 @@ struct FoldSet {
   double width_mm = 1;            // half width of the groove in the skin at rest
   std::array<double, 2> rolls{};  // height of the swelling left and right of the line, shares of the depth
   double spread = 2;              // how many widths from the line the swelling is highest
+  double uneven = 1;              // of the file's unevenness
   double across_mm = 0;           // how far one side's folds go on over the mid-line; 0: they do not
   std::vector<FoldLine> lines;
 };
@@ -47,7 +57,8 @@ struct FoldData {
   std::map<std::string, double>
       ages_at_rest;             // age -> how much of a set's `rest` its face has; none: nothing
   double female = 1, male = 1;  // the same for characters
-  double edge = 1;              // longest edge of the skin in a groove, in its widths
+  FoldUnevenness uneven;
+  double edge = 1;  // longest edge of the skin in a groove, in its widths
   std::vector<FoldSet> sets;
 };
 

@@ -42,6 +42,7 @@ Track build_track(const NeutralHead& head, const Mesh& adult, const FoldSet& set
     knots.push_back(static_cast<double>(i) /
                     static_cast<double>(std::max<std::size_t>(2, line.depths.size()) - 1));
   const int steps = std::max(4, static_cast<int>(length_mm / kStep_mm));
+  track.step_mm = length_mm / static_cast<float>(steps);
   for (int i = 0; i <= steps; ++i) {
     const double share = static_cast<double>(i) / steps, t = share * static_cast<double>(through.size() - 1);
     track.points.push_back(sample_curve(through, t));
@@ -59,10 +60,10 @@ bool is_inside(const Box& box, const glm::vec3& p) {
 }
 
 // Where a point lies beside a track: the distance in mm, positive to the left of the way seen from outside,
-// and the depth there.
+// and how far along it that is.
 struct Beside {
   float away_mm = 1e9f;
-  float depth = 0;
+  float along_mm = 0;
 };
 
 float find_square(const glm::vec3& v) { return glm::dot(v, v); }
@@ -92,8 +93,7 @@ Beside find_beside(const Track& track, const glm::vec3& p) {
   const glm::vec3 way = track.points[segment + 1] - track.points[segment];
   const glm::vec3 left = glm::cross(track.normals[segment], way);
   const float side = glm::dot(p - track.points[segment], left);
-  return {std::copysign(std::sqrt(least), side),
-          glm::mix(track.depths[segment], track.depths[segment + 1], share)};
+  return {std::copysign(std::sqrt(least), side), track.step_mm * (static_cast<float>(segment) + share)};
 }
 
 // The cut through a fold, in its depth: a groove of -1 with a swelling on either side.
@@ -106,6 +106,47 @@ double sample_profile(const FoldSet& set, double away_mm) {
   return edge * edge * (set.rolls[away_mm > 0 ? 0 : 1] * swelling - std::exp(-t * t));
 }
 
+double sample_depth(const Track& track, double along_mm) {
+  const double at =
+      std::clamp(along_mm / track.step_mm, 0.0, static_cast<double>(track.depths.size()) - 1.001);
+  const auto i = static_cast<std::size_t>(at);
+  return std::lerp(track.depths[i], track.depths[i + 1], at - static_cast<double>(i));
+}
+
+enum Channel : std::uint32_t {
+  kAside = 0,
+  kBroken = 2,
+  kShift = 4
+};  // of scatter(); the right side has the next
+
+// Chance along a line, from -1 to 1, smooth, with lumps 1 long.
+double sample_chance(std::uint32_t series, std::uint32_t channel, double along) {
+  const double cell = std::floor(along);
+  const auto i = static_cast<std::uint32_t>(static_cast<int>(cell) + 1024);
+  return 2 * glm::mix(scatter(series, i, channel), scatter(series, i + 1, channel),
+                      smooth_step(0, 1, along - cell)) -
+         1;
+}
+
+// A fold's height where a side has its own share `apart` of chance; on the mid-line both have the left's.
+double find_height_mm(const Track& track, const Beside& beside, std::uint32_t side, double apart) {
+  const FoldSet& set = *track.set;
+  const FoldUnevenness& uneven = *track.uneven;
+  const auto chance = [&](std::uint32_t channel, double lumps) {
+    const double along = beside.along_mm / (lumps * uneven.along_mm);
+    const double left = sample_chance(track.series, channel, along);
+    return side == 0 ? left : glm::mix(left, sample_chance(track.series, channel + side, along), apart);
+  };
+  // Lines stray in long waves, break in short ones, and end sooner on one side than on the other.
+  constexpr double kStray = 1.6, kEnd = 6, kEarlier = 0.6, kWeak = 0.05, kWeakest = 0.6;
+  const double away_mm = beside.away_mm + set.uneven * uneven.aside_mm * chance(kAside, kStray);
+  const double shift_mm = set.uneven * uneven.broken * kEarlier * uneven.along_mm * chance(kShift, kEnd);
+  const double depth =
+      std::min(sample_depth(track, beside.along_mm), sample_depth(track, beside.along_mm + shift_mm));
+  const double broken = set.uneven * uneven.broken * smooth_step(kWeak, kWeakest, chance(kBroken, 1));
+  return set.depth_mm * depth * (1 - std::min(broken, 1.0)) * sample_profile(set, away_mm);
+}
+
 }  // namespace
 
 std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, const FoldData& data,
@@ -115,6 +156,8 @@ std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, cons
     for (const FoldLine& line : set.lines) {
       try {
         tracks.push_back(build_track(head, adult, set, line));
+        tracks.back().uneven = &data.uneven;
+        tracks.back().series = 1000 * data.uneven.seed + static_cast<std::uint32_t>(tracks.size());
       } catch (const RunError& e) {
         throw RunError(fmt::format("{}:{}: {}", file.string(), line.file_line, e.what()));
       }
@@ -122,14 +165,16 @@ std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, cons
   return tracks;
 }
 
-double find_height_mm(const std::vector<Track>& tracks, const FoldSet& set, const glm::vec3& place) {
-  double height_mm = 0;
+std::array<double, 2> find_heights_mm(const std::vector<Track>& tracks, const FoldSet& set,
+                                      const glm::vec3& place) {
+  std::array<double, 2> heights_mm{};
   for (const Track& track : tracks) {
     if (track.set != &set || !is_inside(track.box, place)) continue;
     const Beside beside = find_beside(track, place);
-    height_mm += set.depth_mm * beside.depth * sample_profile(set, beside.away_mm);
+    const double apart = smooth_step(0, track.uneven->shared_mm, place.x);
+    for (const std::uint32_t side : {0U, 1U}) heights_mm[side] += find_height_mm(track, beside, side, apart);
   }
-  return height_mm;
+  return heights_mm;
 }
 
 EdgeLimit limit_edges(const std::vector<Track>& tracks, double edge) {

@@ -29,12 +29,12 @@ FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
   FoldField field{set.drives, set.from, set.to, rest, {}};
   for (std::uint32_t v = 0; v < skin.vertex_count(); ++v) {
     if (adult[v].x < 0) continue;
-    const double height_mm = scale * find_height_mm(tracks, set, adult[v]);
-    if (std::abs(height_mm) < kNothing_mm) continue;
+    const auto [left, right] = find_heights_mm(tracks, set, adult[v]);
+    if (scale * std::max(std::abs(left), std::abs(right)) < kNothing_mm) continue;
     const bool is_middle = skin.mirror[v] == v;
     const double own = is_middle ? 0.5 : find_left_share(set, adult[v].x);
-    field.vertices.push_back(
-        {v, v, static_cast<float>(height_mm * own), static_cast<float>(height_mm * (1 - own))});
+    const auto of = [&](double height, double share) { return static_cast<float>(scale * height * share); };
+    field.vertices.push_back({v, v, of(left, own), of(left, 1 - own), of(right, own), of(right, 1 - own)});
   }
   return field;
 }
@@ -173,7 +173,7 @@ void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
     for (const FoldedVertex& folded : field.vertices) {
       places[folded.vertex][3] += folded.near_mm * left + folded.far_mm * right;
       if (folded.image != folded.vertex)
-        places[folded.image][3] += folded.near_mm * right + folded.far_mm * left;
+        places[folded.image][3] += folded.image_near_mm * right + folded.image_far_mm * left;
     }
   }
   if (is_smooth) return;

@@ -13,11 +13,12 @@
 
 namespace mien {
 
-// How deep a vertex of the left half (or the mid-plane) lies in a set's whole folds, mm: of those of its own
-// side and of the other's.
+// How high a vertex of the left half (or the mid-plane) and its mirror image lie in a set's whole folds, mm:
+// of those of its own side and of the other's.
 struct FoldedVertex {
   std::uint32_t vertex = 0, image = 0;  // indices into Folds::vertices
   float near_mm = 0, far_mm = 0;
+  float image_near_mm = 0, image_far_mm = 0;
 };
 
 struct FoldField {
@@ -55,8 +56,8 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::file
 double find_fold_amount(const FoldField& field, const Pose& pose, Side side);
 
 // Folds the skin of `pose`: `positions` and `normals` are those of folds.skin, smooth. Nothing is changed
-// where there is no fold, nor anything at all in the neutral pose of a head without lines at rest. Mirrored
-// poses give mirrored skins bit for bit.
+// where there is no fold, nor anything at all in the neutral pose of a head without lines at rest. Where
+// folds are not uneven, mirrored poses give mirrored skins bit for bit.
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
                  std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals);
 

@@ -92,6 +92,22 @@ glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
   return share == 0 ? own : glm::mix(own, to_linear(*look.lips), share);
 }
 
+// What age does to a skin's colour, at a place of the adult and in a full mask: it is uneven in patches as
+// wide as a thumb, brown and pale, the cheeks' blood shows in a net of small veins, and the sockets darken.
+constexpr float kOldPatch_mm = 13, kOldVein_mm = 2.2f, kOldUneven = 0.085f, kOldVeins = 0.55f,
+                kOldSocket = 0.5f, kOldLips = 0.4f;
+constexpr glm::vec3 kOldBrown{0.75f, 1.0f, 1.25f};  // how much more the uneven takes of green and blue
+
+float find_share_of_old(const NeutralHead& head) {
+  const auto found = head.ages.find("old");
+  return found == head.ages.end() ? 0 : static_cast<float>(found->second);
+}
+
+glm::vec3 find_old_tint(const glm::vec3& place, float old) {
+  const float uneven = 0.65f * sample_noise(place + 20.0f, kOldPatch_mm) + 0.35f * sample_noise(place, 5);
+  return 1.0f - old * kOldUneven * (0.4f + 1.6f * uneven) * kOldBrown;
+}
+
 // A place of the skin as if it were peeled off the head: round the head on u, up on v, both in millimetres.
 // Like a globe's: the crown and the throat are the poles; what stands out in front (the nose) pushes u on, so
 // that its sides are not smeared. The two halves meet in a fold, not a seam; the slant on v keeps them from
@@ -127,7 +143,9 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
 
   const glm::vec3 given = to_linear(look.skin),
                   skin = given * (kExposure - kShoulder * find_luminance(given));
-  const glm::vec3 lips = find_lip_colour(skin, look);
+  const float old = find_share_of_old(head);
+  glm::vec3 lips = find_lip_colour(skin, look);
+  if (!look.lips) lips = glm::mix(lips, skin * glm::vec3(0.86f, 0.72f, 0.70f), kOldLips * old);
   const float light = find_lightness(look.skin);
   std::array<glm::vec3, kSkinMaskCount> tints{};
   for (std::size_t mask = 0; mask < kSkinMaskCount; ++mask)
@@ -136,6 +154,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const glm::vec3 hollow = glm::mix(kHollowDark, kHollowLight, light);
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
+  part.wear = old;
   const std::vector<glm::vec3> places = find_places_on_adult(head);
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
     glm::vec3 place = places[i];
@@ -146,6 +165,12 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     masks[kBlood][i] = std::clamp(masks[kBlood][i] + 0.10f * patches + 0.05f * sallow, 0.0f, 1.0f);
 
     glm::vec3 colour = skin;
+    if (old > 0) {
+      const float veins = std::max(0.0f, 1 - 4 * std::abs(sample_noise(place + 70.0f, kOldVein_mm)));
+      masks[kBlood][i] *= 1 + old * kOldVeins * (veins - 0.2f);
+      masks[kSocket][i] = std::min(1.0f, masks[kSocket][i] * (1 + kOldSocket * old));
+      colour *= find_old_tint(place, old);
+    }
     for (std::size_t mask = kNostril; mask < kSkinMaskCount; ++mask)
       colour *= glm::mix(glm::vec3(1), tints[mask], masks[mask][i]);
     const glm::vec3 lip = glm::mix(lips, colour, kCornerFade * masks[kLipCorner][i]) *

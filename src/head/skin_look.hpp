@@ -14,7 +14,8 @@ float find_lightness(const glm::vec3& skin_srgb);
 // Lips, lids, cheeks, sockets, nostrils and mouth are masks on named rings and spots of the cage; hollows are
 // darkened once, on the neutral head (head/occlusion). Pores and patches are the same on every head. All
 // colours are made of `look.skin`, from very light to very dark, and lips of `look.lips` where it is given.
-// Mirror images get the same shade. About 0.1 s.
+// Old skin is uneven, its lips pale, and it is worn as it is old. Mirror images get the same shade. About 0.1
+// s.
 Part build_skin_part(const NeutralHead& head, const Look& look);
 
 // The same of one colour, that of `look.skin`, without grain.

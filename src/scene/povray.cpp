@@ -119,10 +119,11 @@ void append_grain(std::string& text, const std::vector<glm::vec2>& grain) {
   text += " }\n";
 }
 
-// texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray blends
-// three textures over a face; a face of one shade names it once and costs a third.
+// Wear, texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray
+// blends three textures over a face; a face of one shade names it once and costs a third.
 void append_surface(std::string& text, const Part& part, bool has_object_macro) {
   if (!part.grain.empty()) append_grain(text, part.grain);
+  if (part.wear > 0) text += fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
   const bool is_shaded = !part.shade.empty() && part.palette.size() > 1;
   if (is_shaded) {
     text += fmt::format("texture_list {{ {}", part.palette.size());
@@ -142,6 +143,7 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
   text += " }\n";
   if (!is_shaded)
     text += fmt::format("{}\n", format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
+  if (part.wear > 0) text += "#declare Wear = 0;\n";
   if (has_object_macro) text += fmt::format("{}_object()\n", part.material);
 }
 

@@ -57,6 +57,8 @@ Look mix_looks(const Look& from, const Look& to, double share) {
   mixed.hair_old = mix_colours(from.hair_old.value_or(from.hair), to.hair_old.value_or(to.hair), share);
   mixed.freckles = std::lerp(from.freckles, to.freckles, share);
   mixed.age_spots = std::lerp(from.age_spots, to.age_spots, share);
+  mixed.age_spots_old =
+      std::lerp(from.age_spots_old.value_or(from.age_spots), to.age_spots_old.value_or(to.age_spots), share);
   mixed.beard = share < 0.5 ? from.beard : to.beard;
   if (!from.lips && !to.lips) return mixed;
   mixed.lips = mix_colours(from.lips ? *from.lips : *to.lips, to.lips ? *to.lips : *from.lips, share);
@@ -105,7 +107,9 @@ std::string find_head_key(const HeadSpec& head) {
   bytes += look.beard + ';';
   append_bytes(bytes, look.lips ? 1.0 : 0.0);
   append_bytes(bytes, look.lips.value_or(glm::vec3(0)));
-  for (const double value : {look.lips_share, look.freckles, look.age_spots}) append_bytes(bytes, value);
+  for (const double value :
+       {look.lips_share, look.freckles, look.age_spots, look.age_spots_old.value_or(look.age_spots)})
+    append_bytes(bytes, value);
   return hash_hex(bytes);
 }
 

@@ -1,5 +1,6 @@
 #include "face/folds.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -104,8 +105,18 @@ TEST(folds, only_the_old_have_lines_at_rest_and_the_more_the_older) {
   EXPECT_NEAR(2 * half, old, 1e-9);
 }
 
-TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit) {
-  const Folds& folds = adult().folds;
+// The shipped folds with `line` for the one that begins with "uneven:".
+Folds build_uneven(const std::string& line) {
+  std::string text = read_file(find_fold_file());
+  const std::size_t at = text.find("\nuneven:") + 1;
+  text.replace(at, text.find('\n', at) + 1 - at, line);
+  const fs::path file = fs::path(testing::TempDir()) / "uneven_folds.yaml";
+  write_file(file, text);
+  return build_folds(adult().head, HeadSpec{}, file);
+}
+
+TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit_where_none_is_uneven) {
+  const Folds folds = build_uneven("");
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
     const Pose pose = build_random_pose(random);
@@ -131,6 +142,35 @@ TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit) {
       ASSERT_TRUE(here.normals[v] == there.normals[m] * glm::vec3(-1, 1, 1)) << v;
     }
   }
+}
+
+TEST(folds, are_unlike_on_both_sides_and_meet_in_the_middle) {
+  const Folds& folds = adult().folds;
+  for (const FoldField& field : folds.fields) {
+    double most_mm = 0, unlike_mm = 0;
+    for (const FoldedVertex& folded : field.vertices) {
+      const double unlike = std::abs(folded.near_mm - folded.image_near_mm);
+      most_mm = std::max<double>(most_mm, std::abs(folded.near_mm));
+      unlike_mm = std::max(unlike_mm, unlike);
+      if (folded.vertex == folded.image) {
+        ASSERT_EQ(unlike, 0);
+      }
+    }
+    EXPECT_GT(unlike_mm, 0.1 * most_mm);  // least across the nose's root, where both sides are one
+  }
+}
+
+TEST(folds, of_another_seed_are_others_and_of_the_same_the_same) {
+  const auto sum = [](const Folds& folds) {
+    double heights_mm = 0;
+    for (const FoldField& field : folds.fields)
+      for (const FoldedVertex& folded : field.vertices) heights_mm += std::abs(folded.near_mm);
+    return heights_mm;
+  };
+  const std::string rest = ", along_mm: 11, aside_mm: 1, broken: .7, shared_mm: 9}\n";
+  const double one = sum(build_uneven("uneven: {seed: 1" + rest));
+  EXPECT_EQ(sum(build_uneven("uneven: {seed: 1" + rest)), one);
+  EXPECT_NE(sum(build_uneven("uneven: {seed: 2" + rest)), one);
 }
 
 TEST(folds, one_brow_folds_its_own_side) {
@@ -174,13 +214,17 @@ TEST(folds, turn_no_part_of_the_skin_over) {
     const Pose pose = round == 0 ? build_folded_pose() : build_random_pose(random);
     const PartShape folded = draw_skin(adult(), pose, true), smooth = draw_skin(adult(), pose, false);
     int turned = 0;
+    std::string where;
     for (const auto& [a, b, c] : adult().folds.skin.triangles) {
       const auto area = [&, a = a, b = b, c = c](const std::vector<glm::vec3>& p) {
         return glm::cross(p[b] - p[a], p[c] - p[a]);
       };
-      turned += glm::dot(area(folded.positions), area(smooth.positions)) < 0;
+      if (glm::dot(area(folded.positions), area(smooth.positions)) >= 0) continue;
+      ++turned;
+      where = fmt::format("{:.0f}, {:.0f}, {:.0f}", smooth.positions[a].x, smooth.positions[a].y,
+                          smooth.positions[a].z);
     }
-    EXPECT_EQ(turned, 0) << "round " << round;
+    EXPECT_EQ(turned, 0) << "round " << round << ", the last at " << where;
     for (const glm::vec3& n : folded.normals) ASSERT_NEAR(glm::length(n), 1, 1e-3);
   }
 }
@@ -212,13 +256,16 @@ std::string find_mistake(const std::string& from, const std::string& to) {
 }
 
 TEST(folds, mistakes_in_the_file_are_told_at_their_line) {
+  EXPECT_EQ(find_mistake("broken: .7", "broken: 2"), "found '2'; expected a number from 0 to 1");
+  EXPECT_EQ(find_mistake("broken: .7", "cracked: .7"),
+            "unknown key 'cracked'; expected seed, along_mm, aside_mm, broken, shared_mm");
   EXPECT_EQ(find_mistake("edge: 1.0", "edge: wide"), "found 'wide'; expected a number from 0.3 to 3");
   EXPECT_EQ(find_mistake("[brow.up+]", "[brow.upp+]"), "unknown move 'brow.upp'");
   EXPECT_EQ(find_mistake("[brow.up+]", "[brow.up]"),
             "'brow.up' is not a driver; expected area.move+ or area.move-");
   EXPECT_EQ(find_mistake("    spread:", "    spred:"),
             "unknown key 'spred'; expected drive, from, to, rest, depth_mm, width_mm, rolls, spread, "
-            "across_mm, lines");
+            "uneven, across_mm, lines");
   EXPECT_EQ(find_mistake("edge: 1.0", ""), "'edge' is missing");
   EXPECT_EQ(find_mistake("[p_F1, p_F2,", "[p_F1, p_Q2,"), "the head has no point called 'p_Q2'");
 }
