@@ -215,6 +215,25 @@ std::vector<PhiltrumColumn> build_philtrum(const Cage& cage, const FaceData& dat
   return philtrum;
 }
 
+GiveWay build_give_way(const Cage& cage, const GiveWayData& data) {
+  GiveWay give_way{data.from, data.least, data.forward, {}};
+  for (const bool is_right : {false, true})
+    for (const std::vector<std::string>& names : data.lines) {
+      GiveWayLine line;
+      for (const std::string& name : names) {
+        const std::uint32_t point = find_point(cage, name);
+        line.points.push_back(is_right ? cage.mirror[point] : point);
+      }
+      for (std::size_t i = 1; i < line.points.size(); ++i) {
+        const glm::dvec3 way = cage.points[line.points[i]] - cage.points[line.points[i - 1]];
+        line.rest_mm.push_back(glm::length(way));
+        line.ways.push_back(glm::normalize(way));
+      }
+      give_way.lines.push_back(std::move(line));
+    }
+  return give_way;
+}
+
 // How far each point goes with a turning head: by row down the neck, all the way above it.
 std::vector<double> build_turn_weights(const Cage& cage, const FaceData& data) {
   std::vector<double> weights(cage.points.size(), 1.0);
@@ -255,6 +274,9 @@ Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
   face.jaw.axis = carry_point(head, data.jaw.axis);
   face.lips = build_lips(head.cage, data);
   face.philtrum = build_philtrum(head.cage, data);
+  face.give_way = build_give_way(head.cage, data.give_way);
+  face.upper_lip = build_lip_sheet(*head.surface, head.cage, true);
+  face.lower_lip = build_lip_sheet(*head.surface, head.cage, false);
   face.seal_until_mm = data.seal_until_mm * (scales.here.mouth_nose / scales.adult.mouth_nose);
   face.turn_pivot = carry_point(head, data.turn_pivot);
   face.turn_weights = build_turn_weights(head.cage, data);

@@ -13,6 +13,7 @@
 #include "face/lid_rig.hpp"
 #include "head/fields.hpp"
 #include "head/head.hpp"
+#include "head/lip_sheet.hpp"
 
 namespace mien {
 
@@ -73,6 +74,19 @@ struct PhiltrumColumn {
   double rest_gap_mm = 0;
 };
 
+// Points of the skin in a row, away from the one that holds still. What is pushed toward the one before it
+// stops there ever more and bulges.
+struct GiveWayLine {
+  std::vector<std::uint32_t> points;
+  std::vector<glm::dvec3> ways;  // from each to the next at rest, of length 1
+  std::vector<double> rest_mm;
+};
+
+struct GiveWay {
+  double from = 0.5, least = 0.25, forward = 0;  // shares of the room at rest; mm forward for each that lacks
+  std::vector<GiveWayLine> lines;
+};
+
 struct Face {
   FaceUnits units;
   std::vector<DrivenField> fields;  // of the moves, one driver each, then correctives
@@ -82,6 +96,8 @@ struct Face {
   JawRig jaw;
   std::vector<LipColumn> lips;
   std::vector<PhiltrumColumn> philtrum;
+  GiveWay give_way;
+  LipSheet upper_lip, lower_lip;
   double seal_until_mm = 4;
   glm::dvec3 turn_pivot{0};
   std::vector<double> turn_weights;  // of each control point

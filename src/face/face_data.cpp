@@ -107,6 +107,10 @@ FaceData load_root(const YAML::Node& root) {
   data.lip_rows = root["lip_contact"]["rows"].as<std::map<std::string, double>>();
   data.seal_until_mm = root["lip_contact"]["seal_until_mm"].as<double>();
   data.philtrum_rows = root["lip_contact"]["under_nose"].as<std::map<std::string, double>>();
+  const YAML::Node give_way = root["give_way"];
+  data.give_way = {give_way["from"].as<double>(), give_way["least"].as<double>(),
+                   give_way["forward"].as<double>(),
+                   give_way["lines"].as<std::vector<std::vector<std::string>>>()};
   data.turn_pivot = load_vector(root["turn"]["pivot"]);
   data.turn_rows = root["turn"]["rows"].as<std::map<std::string, double>>();
   return data;

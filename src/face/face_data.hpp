@@ -61,6 +61,12 @@ struct JawData {
   Handles corner_in;
 };
 
+// What skin does that is pushed together: see `give_way` in areas.yaml.
+struct GiveWayData {
+  double from = 0, least = 0, forward = 0;
+  std::vector<std::vector<std::string>> lines;  // names of control points of the left half
+};
+
 struct FaceData {
   std::map<std::string, PointPatterns> anchors;
   std::vector<MoveTable> moves;
@@ -72,6 +78,7 @@ struct FaceData {
   std::map<std::string, double> lip_rows;  // ring -> share of a push
   double seal_until_mm = 0;
   std::map<std::string, double> philtrum_rows;  // ring -> share of a push
+  GiveWayData give_way;
   glm::dvec3 turn_pivot{0};
   std::map<std::string, double> turn_rows;  // row of the neck -> share of the head's turn
 };

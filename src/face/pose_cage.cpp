@@ -61,19 +61,30 @@ glm::dvec3 turn_jaw_point(const JawRig& jaw, const glm::dvec3& point, double sha
   return jaw.axis + glm::dvec3(arm.x, arm.y * c - arm.z * s, arm.y * s + arm.z * c) + share * jaw.forward;
 }
 
-// How near the lip comes to the nose of a rest gap of 1, where it asks for `gap`: all the way down to kFrom,
-// from there ever slower, and never nearer than kLeast, however far it asks. Nearer and the fold under the
-// nose turns over.
-double find_philtrum_gap(double gap) {
-  constexpr double kFrom = 0.58, kLeast = 0.38;
-  return gap >= kFrom ? gap : kLeast + (kFrom - kLeast) * std::exp((gap - kFrom) / (kFrom - kLeast));
+// How near skin comes to what stops it, of a room at rest of 1, where it asks for `room`: all the way down to
+// `from`, from there ever slower, and never nearer than `least`, however far it asks.
+double soften_stop(double room, double from, double least) {
+  return room >= from ? room : least + (from - least) * std::exp((room - from) / (from - least));
+}
+
+// Skin that is pushed together keeps room in itself, and bulges.
+void give_way(const GiveWay& give, std::vector<glm::dvec3>& points) {
+  for (const GiveWayLine& line : give.lines)
+    for (std::size_t i = 0; i < line.ways.size(); ++i) {
+      const glm::dvec3 way = points[line.points[i + 1]] - points[line.points[i]];
+      const double room = glm::dot(way, line.ways[i]) / line.rest_mm[i];
+      if (room >= give.from) continue;
+      const double lack_mm = (soften_stop(room, give.from, give.least) - room) * line.rest_mm[i];
+      points[line.points[i + 1]] += lack_mm * (line.ways[i] + glm::dvec3(0, 0, give.forward));
+    }
 }
 
 // The raised upper lip stops under the nose.
 void stop_under_nose(const Face& face, std::vector<glm::dvec3>& points) {
+  constexpr double kFrom = 0.58, kLeast = 0.38;  // nearer and the fold under the nose turns over
   for (const PhiltrumColumn& column : face.philtrum) {
     const double gap = (points[column.nose].y - points[column.rows.front().first].y) / column.rest_gap_mm;
-    const double lack_mm = (find_philtrum_gap(gap) - gap) * column.rest_gap_mm;
+    const double lack_mm = (soften_stop(gap, kFrom, kLeast) - gap) * column.rest_gap_mm;
     if (lack_mm <= 0) continue;
     for (const auto& [point, share] : column.rows) points[point].y -= share * lack_mm;
   }
@@ -121,6 +132,37 @@ void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& poi
   }
 }
 
+// What the columns' middles do not tell, where the lips' line is steep or its edge round: the skin itself is
+// looked at, and parted where it still crosses.
+void part_skin(const Face& face, std::vector<glm::dvec3>& points) {
+  constexpr int kRounds = 4;     // each takes away half or more
+  constexpr double kGain = 0.6;  // of what each lip gives way: a column has two thirds of its own place
+  constexpr double kFar_mm = 4;  // lips that are further apart in every column have nothing to cross
+  const bool is_near = std::ranges::any_of(
+      face.lips, [&](const LipColumn& column) { return find_gap_mm(column, points) < kFar_mm; });
+  if (!is_near) return;
+  static thread_local std::vector<glm::dvec3> upper_at, lower_at;
+  for (int round = 0; round < kRounds; ++round) {
+    std::array<LipLacks, 2> lacks{};
+    for (const Side side : {Side::left, Side::right}) {
+      place_lip(face.upper_lip, points, side, upper_at);
+      place_lip(face.lower_lip, points, side, lower_at);
+      find_lip_lacks(face.upper_lip, upper_at, face.lower_lip, lower_at, 0,
+                     lacks[side == Side::right ? 1 : 0]);
+    }
+    lacks[0][0] = std::max(lacks[0][0], lacks[1][0]);
+    bool is_parted = true;
+    for (std::size_t i = 0; i < face.lips.size(); ++i) {  // left columns 0 to 5, right ones 1 to 5
+      const double lack = i < kLipColumns ? lacks[0][i] : lacks[1][i - kLipColumns + 1];
+      if (lack <= 0) continue;
+      is_parted = false;
+      for (const auto& [point, share] : face.lips[i].upper) points[point].y += kGain * lack * share;
+      for (const auto& [point, share] : face.lips[i].lower) points[point].y -= kGain * lack * share;
+    }
+    if (is_parted) return;
+  }
+}
+
 }  // namespace
 
 double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
@@ -158,6 +200,7 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   for (const DrivenField& driven : face.fields) add_field(driven, pose, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, find_lid_pose(face, pose, side), side, points);
+  give_way(face.give_way, points);
   const double open = value_of(pose, "chin", Side::none, "down");
   if (open != 0)
     for (std::size_t i = 0; i < points.size(); ++i)
@@ -165,6 +208,7 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
         points[i] = turn_jaw_point(face.jaw, points[i], open * face.jaw.weights[i]);
   stop_under_nose(face, points);
   match_lips(face, pose, points);
+  part_skin(face, points);
 }
 
 glm::dmat3 find_gaze(const Face& face, const Pose& pose, Side side) {

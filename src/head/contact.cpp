@@ -11,13 +11,13 @@
 #include "core/conventions.hpp"
 #include "head/cage.hpp"
 #include "head/lid_rest.hpp"
+#include "head/lip_sheet.hpp"
 
 namespace mien {
 
 namespace {
 
 constexpr int kLidColumns = 16;
-constexpr int kLipColumns = 6;  // from the middle to the corner of the mouth
 
 // Where a vertex of the skin lies while the cage is moved.
 glm::dvec3 find_limit(const Surface& surface, const Cage& cage, std::uint32_t vertex) {
@@ -56,15 +56,6 @@ Sheet find_sheet(const Surface& surface, const Cage& cage, const Wanted& is_want
   return sheet;
 }
 
-// The number behind the underscore of "M1_10", and -1 for a point of another ring.
-int find_column(std::string_view name, std::string_view ring) {
-  name = strip_side(name);
-  if (!name.starts_with(ring)) return -1;
-  int column = 0;
-  for (const char digit : name.substr(ring.size())) column = 10 * column + (digit - '0');
-  return column;
-}
-
 }  // namespace
 
 bool touches_eye(double at) {
@@ -74,7 +65,7 @@ bool touches_eye(double at) {
 
 std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings) {
   std::vector<int> column(cage.points.size());
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_column(cage.names[i], rings.ring);
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_ring_column(cage.names[i], rings.ring);
   const auto is_in = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with(rings.next); };
   const auto is_out = [&](std::uint32_t p) {
     return column[p] >= 0 || cage.names[p].starts_with(rings.before);
@@ -151,85 +142,8 @@ void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye
 
 namespace {
 
-// One lip of the left half: its sheet, and for each of its vertices the column and where it lies now.
-struct Lip {
-  Sheet sheet;
-  std::vector<double> column;  // 0 the middle, 6 the corner
-  std::vector<glm::dvec3> at;  // by vertex, as `column`
-};
-
-constexpr std::array<const char*, 3> kLipRings{"M0_", "M1_", "M2_"};
-
-int find_lip_column(std::string_view name) {
-  for (const char* ring : kLipRings)
-    if (const int column = find_column(name, ring); column >= 0) return column;
-  return -1;
-}
-
-Lip find_lip(const Surface& surface, const Cage& cage, bool is_upper) {
-  std::vector<int> column(cage.points.size());
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    column[i] = find_lip_column(cage.names[i]);
-    if (column[i] >= 0 && !is_upper) column[i] = 2 * kLipColumns - column[i];
-  }
-  Lip lip;
-  lip.sheet =
-      find_sheet(surface, cage, [&](std::uint32_t p) { return column[p] >= 0 && column[p] <= kLipColumns; });
-  for (const std::uint32_t v : lip.sheet.vertices) {
-    double sum = 0, weights = 0;
-    for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k)
-      if (const int c = column[surface.point[k]]; c >= 0) {
-        sum += surface.weight[k] * static_cast<double>(c);
-        weights += surface.weight[k];
-      }
-    lip.column.push_back(weights > 0 ? sum / weights : kLipColumns);
-  }
-  return lip;
-}
-
-void place_lip(const Surface& surface, const Cage& cage, Lip& lip) {
-  lip.at.clear();
-  for (const std::uint32_t v : lip.sheet.vertices) lip.at.push_back(find_limit(surface, cage, v));
-}
-
-std::size_t find_slot(const Lip& lip, std::uint32_t vertex) {
-  return static_cast<std::size_t>(
-      std::lower_bound(lip.sheet.vertices.begin(), lip.sheet.vertices.end(), vertex) -
-      lip.sheet.vertices.begin());
-}
-
-// How far the vertices of `one` come nearer than wanted to the other lip's sheet straight above or below:
-// the worst for each column. `sign` is 1 if `one` is the upper lip.
-void find_lacks(const Lip& one, const Lip& other, double sign, std::array<double, kLipColumns + 1>& lacks) {
-  constexpr double kApart_mm = 0.03;  // less lets facets of the two touch; more shows a slit
-  for (const Quad& quad : other.sheet.quads)
-    for (const auto& [i, j, k] : {std::array{0, 1, 2}, std::array{0, 2, 3}}) {
-      const std::array corner{find_slot(other, quad[i]), find_slot(other, quad[j]),
-                              find_slot(other, quad[k])};
-      const glm::dvec3 &a = other.at[corner[0]], &b = other.at[corner[1]], &c = other.at[corner[2]];
-      const double low_x = std::min({a.x, b.x, c.x}), high_x = std::max({a.x, b.x, c.x});
-      const double low_z = std::min({a.z, b.z, c.z}), high_z = std::max({a.z, b.z, c.z});
-      const double area = (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
-      if (std::abs(area) < 1e-9) continue;
-      for (std::size_t v = 0; v < one.at.size(); ++v) {
-        const glm::dvec3& p = one.at[v];
-        if (p.x < low_x || p.x > high_x || p.z < low_z || p.z > high_z) continue;
-        if (std::find(quad.begin(), quad.end(), one.sheet.vertices[v]) != quad.end()) continue;
-        const double u = ((b.x - p.x) * (c.z - p.z) - (b.z - p.z) * (c.x - p.x)) / area;
-        const double w = ((a.x - p.x) * (b.z - p.z) - (a.z - p.z) * (b.x - p.x)) / area;
-        if (u < -1e-9 || w < -1e-9 || u + w > 1 + 1e-9) continue;
-        const double y = u * a.y + w * c.y + (1 - u - w) * b.y;
-        const double wanted = kApart_mm * std::clamp(kLipColumns - one.column[v], 0.0, 1.0);
-        const double lack = wanted - sign * (p.y - y);
-        for (int column = 0; column < kLipColumns; ++column)
-          if (const double near = 1 - std::abs(one.column[v] - column); near > 0)
-            lacks[column] = std::max(lacks[column], lack * near);
-      }
-    }
-}
-
 // Where the lips' lines lie one before the other they do not touch, but the upper one stays the upper one.
-void keep_order(const Surface& surface, const Cage& cage, std::array<double, kLipColumns + 1>& lacks) {
+void keep_order(const Surface& surface, const Cage& cage, LipLacks& lacks) {
   constexpr double kLeast_mm = 0.01;
   for (int column = 0; column < kLipColumns; ++column)
     for (const char* ring : kLipRings) {
@@ -246,13 +160,14 @@ void keep_order(const Surface& surface, const Cage& cage, std::array<double, kLi
 void part_lips(const Surface& surface, Cage& cage) {
   constexpr std::array kShares{1.0, 1.0, 0.35};  // of rings M0, M1, M2: the red's border hardly knows
   constexpr int kRounds = 12;                    // each takes away half or more; lips that are apart need one
-  Lip upper = find_lip(surface, cage, true), lower = find_lip(surface, cage, false);
+  constexpr double kApart_mm = 0.03;             // less lets facets of the two touch; more shows a slit
+  const LipSheet upper = build_lip_sheet(surface, cage, true), lower = build_lip_sheet(surface, cage, false);
+  std::vector<glm::dvec3> upper_at, lower_at;
   for (int round = 0; round < kRounds; ++round) {
-    place_lip(surface, cage, upper);
-    place_lip(surface, cage, lower);
-    std::array<double, kLipColumns + 1> lacks{};
-    find_lacks(upper, lower, 1, lacks);
-    find_lacks(lower, upper, -1, lacks);
+    place_lip(upper, cage.points, Side::left, upper_at);
+    place_lip(lower, cage.points, Side::left, lower_at);
+    LipLacks lacks{};
+    find_lip_lacks(upper, upper_at, lower, lower_at, kApart_mm, lacks);
     keep_order(surface, cage, lacks);
     if (*std::max_element(lacks.begin(), lacks.end()) <= 0) return;
     for (int column = 0; column < kLipColumns; ++column)
