@@ -175,8 +175,7 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
   for (const MomentPart& part : story.parts) {
     fmt::print("  {:3.0f} % {} ({} {:.4g}s)\n", 100 * part.share, part.label,
                part.is_cue ? "cue from" : "key at", part.at_s);
-    for (const auto& [area, off] : part.released)
-      fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
+    for (const auto& [area, off] : part.released) fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
     if (!part.order.empty()) fmt::print("        {}\n", part.order);
   }
   if (story.breath_mm > 0) fmt::print("  a breath has lifted the shoulders by {:.1f} mm\n", story.breath_mm);
