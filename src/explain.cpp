@@ -28,8 +28,9 @@ constexpr double kLeastMove_mm = 0.05;  // a row's landmark that moved less has 
 struct Story {
   std::string title;  // "hello.yaml at 1.2s"
   std::vector<MomentPart> parts;
-  double blink = 0;  // how far a blink has shut the lids: 0..1
-  double reach = 1;  // `exaggerate`
+  double blink = 0;      // how far a blink has shut the lids: 0..1
+  double breath_mm = 0;  // how far a breath has lifted the shoulders
+  double reach = 1;      // `exaggerate`
   Pose pose;
   std::vector<Held> held;
 };
@@ -78,6 +79,7 @@ Story tell_expression(const Spec& spec, const std::string& name) {
   Story story{fmt::format("{}: {}{}", spec.file.string(), library, expression.name),
               {},
               0,
+              0,
               expression.reach,
               expression.pose,
               expression.held};
@@ -86,8 +88,10 @@ Story tell_expression(const Spec& spec, const std::string& name) {
 
 // `performance` has the eyes of whoever is asked for.
 Story tell_moment(const Spec& spec, const Performance& performance, double at_s) {
-  Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 1, {}, {}};
-  story.pose = sample_performance(performance, at_s).pose;
+  Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 0, 1, {}, {}};
+  const Moment moment = sample_performance(performance, at_s);
+  story.pose = moment.pose;
+  story.breath_mm = moment.turn.breath_mm;
   story.blink = find_blink_closure(performance.idle.blinks, at_s);
   story.parts = list_parts(performance, at_s);
   for (const MomentPart& part : story.parts) story.reach = std::max(story.reach, part.reach);
@@ -168,9 +172,13 @@ std::string name_area(const MoveInfo& info) {
 
 void print_story(const Story& story, const std::vector<Row>& rows) {
   fmt::print("{}\n", story.title);
-  for (const MomentPart& part : story.parts)
+  for (const MomentPart& part : story.parts) {
     fmt::print("  {:3.0f} % {} ({} {:.4g}s)\n", 100 * part.share, part.label,
                part.is_cue ? "cue from" : "key at", part.at_s);
+    for (const auto& [area, off] : part.released) fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
+    if (!part.order.empty()) fmt::print("        {}\n", part.order);
+  }
+  if (story.breath_mm > 0) fmt::print("  a breath has lifted the shoulders by {:.1f} mm\n", story.breath_mm);
   if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
   if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
   if (rows.empty()) return fmt::print("\nnothing moves: every area is at rest\n");
@@ -209,15 +217,19 @@ Json build_json(const Row& row) {
 
 void print_json(const Story& story, const std::vector<Row>& rows) {
   Json parts = Json::array();
-  for (const MomentPart& part : story.parts)
-    parts.push_back({{"kind", part.is_cue ? "cue" : "key"},
-                     {"express", part.label},
-                     {"at_s", part.at_s},
-                     {"share", round_to(part.share, 6)}});
+  for (const MomentPart& part : story.parts) {
+    Json& told = parts.emplace_back(Json{{"kind", part.is_cue ? "cue" : "key"},
+                                         {"express", part.label},
+                                         {"at_s", part.at_s},
+                                         {"share", round_to(part.share, 6)}});
+    for (const auto& [area, off] : part.released) told["released"][area] = round_to(off, 6);
+    if (!part.order.empty()) told["order"] = part.order;
+  }
   fmt::print("{}\n", Json{{"kind", "moment"},
                           {"title", story.title},
                           {"keys", parts},
                           {"blink", round_to(story.blink, 6)},
+                          {"breath_mm", round_to(story.breath_mm, 3)},
                           {"exaggerate", story.reach}}
                          .dump());
   for (const Row& row : rows) fmt::print("{}\n", build_json(row).dump());

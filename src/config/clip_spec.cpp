@@ -16,21 +16,33 @@ int find_first_frame(double at_s, int fps) {
   return frame;
 }
 
+// How drawings are held about a frame, and since which one.
+struct Pace {
+  int first = 0, draw = 1;
+};
+
+Pace find_pace(const ClipSpec& clip, int frame) {
+  Pace pace{0, clip.draw};
+  for (const DrawChange& change : clip.draw_changes) {
+    const int at = find_first_frame(change.at_s, clip.fps);
+    if (at > frame) break;
+    pace = {at, change.draw};
+  }
+  pace.draw = std::max(pace.draw, 1);
+  return pace;
+}
+
 }  // namespace
 
 int count_frames(const ClipSpec& clip) {
   return std::max(1, static_cast<int>(std::lround(clip.length_s * clip.fps)));
 }
 
+int find_draw(const ClipSpec& clip, int frame) { return find_pace(clip, frame).draw; }
+
 int find_drawn_frame(const ClipSpec& clip, int frame) {
-  int first = 0, draw = clip.draw;
-  for (const DrawChange& change : clip.draw_changes) {
-    const int at = find_first_frame(change.at_s, clip.fps);
-    if (at > frame) break;
-    first = at;
-    draw = change.draw;
-  }
-  return frame - (frame - first) % std::max(draw, 1);
+  const auto [first, draw] = find_pace(clip, frame);
+  return frame - (frame - first) % draw;
 }
 
 }  // namespace mien

@@ -38,6 +38,26 @@ enum class Between {
   spline,  // the natural cubic spline
 };
 
+// How long after the first of them each sets out, and how much earlier than the last it arrives.
+enum class LeadPart { eyes, lids, brows, lips, corners, chin, head };
+inline constexpr std::size_t kLeadCount = 7;
+struct LeadSpec {
+  std::array<double, kLeadCount> after_s{};  // in the order of LeadPart; all 0: together
+  bool suits_shapes = false;                 // others lead where a mouth goes to a certain shape (lead.hpp)
+};
+
+// `lead: natural`. Eyes, then lids and brows a frame or two later, then the mouth, then jaw and head, at 24
+// frames a second (face-facts: animators' overlap, 1-2, 2-4 and 3-6 frames).
+inline constexpr LeadSpec kNaturalLead{{0, 0.0625, 0.0625, 0.125, 0.125, 0.1875, 0.1875}, true};
+
+// The parts of the face, which come before the head in LeadPart.
+inline constexpr std::size_t kFacePartCount = 6;
+
+// How long each part of the face takes to come off a key, s, on the way to the next one; it sets out at once
+// and then rests until the next key's time. Below 0: as the clip's lead has it.
+using Release = std::array<double, kFacePartCount>;
+inline constexpr Release kNoRelease{-1, -1, -1, -1, -1, -1};
+
 // One key of the performance. The pose is what `express`, `strength` and `areas` come to.
 struct PoseKey {
   double at_s = 0;
@@ -49,6 +69,7 @@ struct PoseKey {
   Between between = Between::ease;
   std::shared_ptr<const LivePose> live = {};  // instead of `pose`, if numbers of it are formulas
   Place place = {};                           // in the file; nothing for a key that mien adds
+  Release release = kNoRelease;
 };
 
 // What the camera looks at.
@@ -87,6 +108,8 @@ struct TurnKey {
   double tilt_deg = 0;  // crown toward the character's left shoulder (+)
   Between between = Between::ease;
   std::array<FormulaPointer, 3> live = {};
+  double breath_mm = 0;  // how far a breath has lifted the shoulders; no key says it
+  Place place = {};      // in the file
 };
 
 // What an author may write for the camera's and the head's numbers, and where curves and formulas are held.
@@ -134,17 +157,6 @@ struct CueSpec {
   std::shared_ptr<const TimeTable> table = {};  // its times count from `start_s`
   double start_s = 0;                           // when a script's or a table's time is 0
 };
-
-// How long after the first of them each sets out, and how much earlier than the last it arrives.
-enum class LeadPart { eyes, lids, brows, lips, corners, chin, head };
-inline constexpr std::size_t kLeadCount = 7;
-struct LeadSpec {
-  std::array<double, kLeadCount> after_s{};  // in the order of LeadPart; all 0: together
-};
-
-// `lead: natural`. Eyes, then lids and brows a frame or two later, then the mouth, then jaw and head, at 24
-// frames a second (face-facts: animators' overlap, 1-2, 2-4 and 3-6 frames).
-inline constexpr LeadSpec kNaturalLead{{0, 0.0625, 0.0625, 0.125, 0.125, 0.1875, 0.1875}};
 
 // From the first frame at `at_s` or later on.
 struct DrawChange {
@@ -212,6 +224,9 @@ struct ClipSpec {
 // rounded to the frame; at least 1. 3 s at 24 frames a second are 72 frames: the frame at 3 s would be the
 // first of the next second and is left out, unless the clip is a single moment.
 int count_frames(const ClipSpec& clip);
+
+// For how many frames the drawing of frame `frame` (from 0) is held.
+int find_draw(const ClipSpec& clip, int frame);
 
 // The frame (from 0) whose drawing frame `frame` shows: itself, or an earlier one where drawings are held.
 int find_drawn_frame(const ClipSpec& clip, int frame);

@@ -51,11 +51,16 @@ struct GazeSpec {
 struct DriftSpec {
   double amount = 0;  // 0: as still as stone, 1: restless
   std::uint64_t seed = 1;
+  double breaths_per_minute = 0;  // 0: none; grown-ups at rest 12 to 16, infants 30 and more
 };
 
 struct AsymmetrySpec {
-  double amount = 0;  // how much less than the other one side does at most: 0.05 is a twentieth
+  double amount = 0;  // how much less than the other one side does at most: 0.2 is a fifth
   std::uint64_t seed = 1;
 };
+
+// `asymmetry: natural`, and of one who gives a seed alone. Under 0.15 nobody sees it (asymmetry.cpp takes
+// three quarters of the amount and more); from 0.3 on it reads as contempt.
+inline constexpr double kNaturalAsymmetry = 0.2;
 
 }  // namespace mien

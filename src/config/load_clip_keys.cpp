@@ -2,6 +2,7 @@
 
 #include "config/load_clip.hpp"
 #include "config/load_track.hpp"
+#include "core/ticks.hpp"
 
 namespace mien {
 
@@ -76,6 +77,54 @@ void load_ease(const YamlValue& value, Ease& into) {
                            (suggest_name(name, kEasings).empty() ? fmt::format(", or {}", kCurve) : ""));
 }
 
+// What a key's release says of one part, and where.
+struct PartRelease {
+  std::size_t key = 0, part = 0;
+  YamlValue value;
+};
+
+// `release: 0.5s` of a key, or `release: {brows: 12f, corners: 6f}`.
+void load_release(const YamlMapping& entries, const ClipClock& clock, std::size_t key, Release& into,
+                  std::vector<PartRelease>& told) {
+  const YamlValue* value = find_value(entries, "release");
+  if (value == nullptr) return;
+  if (find_node(*value).kind != NodeKind::mapping) {
+    double all_s = 0;
+    if (!load_duration(*value, clock, all_s)) return;
+    into.fill(all_s);
+    told.push_back({key, 0, *value});
+    return;
+  }
+  for (const YamlEntry& entry : load_mapping(*value, kReleaseKeys, "a time, or times such as {brows: 12f}")) {
+    const auto part =
+        static_cast<std::size_t>(std::ranges::find(kReleaseKeys, entry.key) - kReleaseKeys.begin());
+    if (load_duration(entry.value, clock, into[part])) told.push_back({key, part, entry.value});
+  }
+}
+
+// A release lies within the way to the next key, which is gone area by area.
+void check_releases(const std::vector<PoseKey>& keys, const std::vector<PartRelease>& told,
+                    const ClipClock& clock) {
+  for (const auto& [key, part, value] : told) {
+    if (key + 1 >= keys.size()) {
+      add_mistake(value, fmt::format("{} stands in the last key; expected a key after it to go to",
+                                     describe_subject(value)));
+      continue;
+    }
+    const PoseKey& next = keys[key + 1];
+    const double way_s = next.at_s - keys[key].at_s;
+    if (next.between != Between::ease)
+      add_mistake(value,
+                  fmt::format("{} is of a way that is '{}' for all areas; expected one with an 'ease'",
+                              describe_subject(value), kBetweens[static_cast<std::size_t>(next.between)]));
+    else if (find_ticks(keys[key].release[part]) > find_ticks(way_s))
+      add_mistake(
+          value, fmt::format("{} is {}; expected {} at most, when the next key comes",
+                             describe_subject(value), format_quantity(keys[key].release[part], clock.measure),
+                             format_quantity(way_s, clock.measure)));
+  }
+}
+
 }  // namespace
 
 void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
@@ -121,9 +170,17 @@ Express load_pose(const YamlMapping& entries, const ClipReader& reader, PoseKey&
 }
 
 std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipReader& reader) {
-  return load_track<PoseKey>(
-      clip, "keys", kPoseKeyKeys, "{at: 1s, express: smile}", reader,
-      [&](const YamlMapping& entries, PoseKey& key) { load_pose(entries, reader, key); });
+  std::vector<PartRelease> releases;
+  std::size_t count = 0;
+  std::vector<PoseKey> keys =
+      load_track<PoseKey>(clip, "keys", kPoseKeyKeys, "{at: 1s, express: smile}", reader,
+                          [&](const YamlMapping& entries, PoseKey& key) {
+                            load_pose(entries, reader, key);
+                            key.release = kNoRelease;
+                            load_release(entries, reader.clock, count++, key.release, releases);
+                          });
+  check_releases(keys, releases, reader.clock);
+  return keys;
 }
 
 std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipReader& reader) {

@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kMaxPerMinute = 60;   // blinks; people come to 15 or 20
 constexpr double kMaxAsymmetry = 0.3;  // more is no life but contempt: say it with `brow.left` and the like
+constexpr double kMaxBreaths = 60;     // a minute: more is panting, which the head's turn says better
 constexpr double kMaxSide_deg = 90, kMaxUp_deg = 60;  // eyes and head together look no further
 constexpr double kFurthest_mm = 100'000;              // beyond, the two eyes look the same way
 
@@ -156,6 +157,22 @@ void load_dial(const YamlValue& value, double most, const Names& keys, std::stri
                 fmt::format("{} stands beside 'amount', which is its opposite; expected one of them",
                             describe_subject(*stillness)));
   load_seed(entries, dial.seed);
+  if constexpr (requires { dial.breaths_per_minute; })
+    if (const YamlValue* breath = find_value(entries, "breath"))
+      load_number(*breath, 0, kMaxBreaths, dial.breaths_per_minute, "breaths a minute");
+}
+
+// A word, a number, or a mapping; a seed alone asks for the natural amount.
+void load_asymmetry(const YamlValue& value, AsymmetrySpec& asymmetry) {
+  if (is_text(value) && !parse_number(find_node(value).text)) {
+    const std::string& name = find_node(value).text;
+    if (std::ranges::find(kAsymmetryWords, name) == kAsymmetryWords.end())
+      return add_unexpected(value, fmt::format("natural, none or a number from 0 to {}", kMaxAsymmetry));
+    asymmetry.amount = name == "natural" ? kNaturalAsymmetry : 0;
+    return;
+  }
+  asymmetry.amount = kNaturalAsymmetry;
+  load_dial(value, kMaxAsymmetry, kAsymmetryKeys, "{amount: 0.2, seed: 3}", asymmetry);
 }
 
 }  // namespace
@@ -170,7 +187,7 @@ void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& cli
   if (const YamlValue* drift = find_value(entries, "drift"))
     load_dial(*drift, 1, kDriftKeys, "{amount: 0.5, seed: 3}", clip.drift);
   if (const YamlValue* asymmetry = find_value(entries, "asymmetry"))
-    load_dial(*asymmetry, kMaxAsymmetry, kAsymmetryKeys, "{amount: 0.05, seed: 3}", clip.asymmetry);
+    load_asymmetry(*asymmetry, clip.asymmetry);
 }
 
 }  // namespace mien

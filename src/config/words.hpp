@@ -51,12 +51,14 @@ inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "tu
                              "blinks",    "length",  "between", "lead",      "cues", "laws",
                              "tracks",    "scripts", "inputs",  "include",   "gaze", "drift",
                              "asymmetry", "head",    "light",   "background"};
-inline const Names kPoseKeyKeys{"at",    "express", "strength", "exaggerate",
-                                "areas", "ease",    "between",  "name"};
+inline const Names kPoseKeyKeys{"at",   "express", "strength", "exaggerate", "areas",
+                                "ease", "between", "name",     "release"};
 inline const Names kCameraKeys{"at", "angle", "height", "distance", "look_at", "lens", "ease", "between"};
 inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between", "name"};
 inline const Names kDrawKeys{"at", "on"};
 inline const Names kLeadKeys{"eyes", "lids", "brows", "lips", "corners", "chin", "head"};  // as LeadPart
+inline const Names kReleaseKeys{"eyes", "lids",    "brows",
+                                "lips", "corners", "chin"};  // of the face, as LeadPart
 inline const Names kCueKeys{"from", "to",      "express",  "play",       "with",  "repeat", "attack",
                             "hold", "release", "strength", "exaggerate", "areas", "rule",   "name"};
 inline const Names kLawKeys{"area", "move", "value", "from", "to", "range", "attack", "release", "rule"};
@@ -76,7 +78,8 @@ inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial
 inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
 inline const Names kGazeKeyKeys{"at", "look"};
 inline const Names kDirectionKeys{"side", "up"};
-inline const Names kDriftKeys{"amount", "seed", "stillness"};
+inline const Names kDriftKeys{"amount", "seed", "stillness", "breath"};
+inline const Names kAsymmetryWords{"none", "natural"};
 inline const Names kAsymmetryKeys{"amount", "seed"};
 inline const Names kRenderKeys{"size", "quality", "background"};
 inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height", "base",

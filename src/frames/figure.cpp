@@ -18,13 +18,11 @@ namespace mien {
 
 namespace {
 
-bool is_turned(const TurnKey& turn) { return turn.turn_deg != 0 || turn.nod_deg != 0 || turn.tilt_deg != 0; }
-
 void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
                  std::vector<glm::dvec3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double share = face.turn_weights[i];
-    if (share == 0) continue;
+    if (share == 0 && turn.breath_mm == 0) continue;
     const glm::dmat4 world = share == 1 ? whole : find_turn(face.turn_pivot, turn, share);
     points[i] = glm::dvec3(world * glm::dvec4(points[i], 1));
   }

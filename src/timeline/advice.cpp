@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "config/quantity.hpp"
+#include "config/words.hpp"
 #include "timeline/easing.hpp"
+#include "timeline/jitter.hpp"
+#include "timeline/lead.hpp"
 
 namespace mien {
 namespace {
@@ -152,6 +156,25 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::
       advice);
 }
 
+// Of a key that names its areas: one release for the whole face may find some of them at rest.
+void judge_release(const ClipSpec& clip, std::size_t i, std::vector<Diagnostic>& advice) {
+  const PoseKey& key = clip.keys[i];
+  const bool is_whole = std::ranges::all_of(key.release, [](double part_s) { return part_s >= 0; });
+  if (i + 1 >= clip.keys.size() || is_whole || key.live || clip.keys[i + 1].live) return;
+  for (std::size_t part = 0; part < kFacePartCount; ++part) {
+    if (key.release[part] < 0) continue;
+    bool moves = false;
+    for (std::size_t move = 0; move < kMoveCount; ++move)
+      moves |= static_cast<std::size_t>(find_lead_part(move)) == part &&
+               key.pose.values[move] != clip.keys[i + 1].pose.values[move];
+    if (!moves)
+      add_advice(key,
+                 fmt::format("'{}' releases its {}, of which nothing moves on the way to '{}'", key.label,
+                             kReleaseKeys[part], clip.keys[i + 1].label),
+                 advice);
+  }
+}
+
 // How much of a cue there is at a time, whatever its areas' lead: 0..1.
 double find_presence(const CueSpec& cue, double time_s) {
   if (time_s < cue.from_s || time_s >= cue.end_s) return 0;
@@ -191,9 +214,11 @@ std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehea
     judge_hold(clip, i, advice);
     judge_speed(clip, i, frames, reach, advice);
     judge_apex(clip, i, keys_alone, advice);
+    judge_release(clip, i, advice);
   }
   for (const CueSpec& cue : clip.cues)
     if (cue.layer == Layer::cue) judge_cue(clip, cue, frames, advice);
+  std::ranges::move(list_jitter(clip), std::back_inserter(advice));
   return advice;
 }
 

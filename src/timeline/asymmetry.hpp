@@ -17,7 +17,8 @@ struct AreaLean {
   Side late = Side::right;  // this side starts later, the other arrives sooner
   double delay_s = 0;       // 0.02..0.06 between the two
   Side weak = Side::right;  // this side's values are less
-  double weakness = 0;      // by this share, at most the `amount` asked for and half of it at least
+  double weakness =
+      0;  // by this share, at most the `amount` asked for and three quarters at least; lids half
   std::array<std::bitset<kMoveCount>, 2> moves{};  // the left side's and the right one's
 };
 

@@ -78,12 +78,16 @@ FaceState show(const Cue& cue, Ticks time, const Moves& only) {
   return shown;
 }
 
-double find_envelope(const Cue& cue, Ticks after, Ticks widest, Ticks time) {
+Ticks find_after(const Lead& lead, std::size_t move) { return lead.after.empty() ? 0 : lead.after[move]; }
+
+double find_envelope(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
   if (time < cue.from || time >= cue.end) return 0;
-  const Ease eased = Easing::in_out;
-  const double come = ease(eased, find_led_fraction(cue.from, cue.full, after, widest, time));
-  const double gone =
-      time <= cue.ebb ? 0 : ease(eased, find_led_fraction(cue.ebb, cue.end, after, widest, time));
+  const auto sample = [&](Ticks begin, Ticks end, const Lead& lead) {
+    return ease(Easing::in_out,
+                find_led_fraction(begin, end, find_after(lead, move), lead.widest, time, lead.most_share));
+  };
+  const double come = sample(cue.from, cue.full, stack.leads[cue.come]);
+  const double gone = time <= cue.ebb ? 0 : sample(cue.ebb, cue.end, stack.leads[cue.go]);
   return come * (1 - gone);
 }
 
@@ -131,13 +135,13 @@ void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, const Moves& o
   if (moves.none() && !turns) return;
   const FaceState shown = show(cue, time, turns ? only : moves);
   for (std::size_t i = 0; turns && i < shown.turn_deg.size(); ++i)
-    face.turn_deg[i] += find_envelope(cue, 0, 0, time) * shown.turn_deg[i];
+    face.turn_deg[i] += find_envelope(stack, cue, 0, time) * shown.turn_deg[i];
   // Most cues come and go with all their moves, or with a few together.
   const bool is_even = cue.freezes.empty();
-  Ticks known_after = -1;
+  std::pair<Ticks, Ticks> known_after{-1, -1};
   double weight = 0;
   for_each_move(moves, [&](std::size_t move) {
-    const Ticks after = cue.spec.has_lead ? stack.after[move] : 0;
+    const std::pair after(find_after(stack.leads[cue.come], move), find_after(stack.leads[cue.go], move));
     if (!is_even || after != known_after) weight = find_weight(stack, cue, move, time);
     known_after = after;
     if (weight == 0) return;
@@ -165,20 +169,9 @@ void apply_layer(const CueStack& stack, std::size_t layer, Ticks time, const Mov
 
 }  // namespace
 
-LeadPart find_lead_part(std::size_t move) {
-  const std::string_view area = kMoves[move].area;
-  if (area == "eye") return LeadPart::eyes;
-  if (area == "lid") return LeadPart::lids;
-  if (area == "brow") return LeadPart::brows;
-  if (area == "lips") return LeadPart::lips;
-  return area == "corner" ? LeadPart::corners : LeadPart::chin;
-}
-
 CueStack build_cue_stack(const ClipSpec& clip) {
   CueStack stack;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    stack.after[i] = find_ticks(clip.lead.after_s[static_cast<std::size_t>(find_lead_part(i))]);
-  stack.widest = find_ticks(std::ranges::max(clip.lead.after_s));
+  stack.leads.emplace_back();
   for (const CueSpec& spec : clip.cues) {
     Cue cue{spec,
             find_ticks(spec.from_s),
@@ -190,6 +183,10 @@ CueStack build_cue_stack(const ClipSpec& clip) {
             {},
             {},
             0};
+    if (spec.has_lead) {
+      cue.come = take_lead(clip.lead, Pose{}, spec.what.pose, stack.leads);
+      cue.go = take_lead(clip.lead, spec.what.pose, Pose{}, stack.leads);
+    }
     if (spec.table) cue.table = build_table(*spec.table);
     stack.cues.push_back(std::move(cue));
   }
@@ -238,8 +235,7 @@ double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Tick
       time = freeze.from;  // the first one is the earliest
       break;
     }
-  return cue.spec.has_lead ? find_envelope(cue, stack.after[move], stack.widest, time)
-                           : find_envelope(cue, 0, 0, time);
+  return find_envelope(stack, cue, move, time);
 }
 
 Ticks find_script_time(const Cue& cue, Ticks time) {

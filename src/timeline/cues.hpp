@@ -27,7 +27,8 @@ struct Cue {
   std::shared_ptr<const Layers> script;  // what it shows: this,
   KeyTrack table;                        // else this, if it has keys, else `spec.what`
   std::vector<Freeze> freezes;
-  Ticks gone = 0;  // when it ends, or the last freeze does
+  Ticks gone = 0;                // when it ends, or the last freeze does
+  std::size_t come = 0, go = 0;  // which lead it comes and goes with
 };
 
 // The cues of a clip in the order in which they lie upon each other.
@@ -36,8 +37,7 @@ struct CueStack {
   std::vector<Ticks> latest_end;          // of this one and all before it, within its layer
   std::vector<std::size_t> layer_begins;  // where each layer begins, and the end
   std::vector<Moves> layer_moves;         // what the cues of each may move
-  std::array<Ticks, kMoveCount> after{};  // the clip's lead, move by move
-  Ticks widest = 0;
+  std::vector<Lead> leads;                // none, the clip's, and those of the kinds of ways
 };
 
 CueStack build_cue_stack(const ClipSpec& clip);
@@ -62,8 +62,5 @@ double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Tick
 
 // A script's own time: since it began, again and again if it is repeated.
 Ticks find_script_time(const Cue& cue, Ticks time);
-
-// Which part of `lead` a move belongs to.
-LeadPart find_lead_part(std::size_t move);
 
 }  // namespace mien

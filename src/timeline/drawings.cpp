@@ -18,10 +18,11 @@ namespace {
 // All numbers of a moment as bytes.
 std::string key_of(const Moment& moment) {
   std::string bytes;
-  bytes.reserve(sizeof(double) * (kMoveCount + 6));
+  bytes.reserve(sizeof(double) * (kMoveCount + 7));
   for (const double value : moment.pose.values) append_bytes(bytes, value);
-  for (const double value : {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg,
-                             moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})
+  for (const double value :
+       {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg, moment.turn.breath_mm,
+        moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})
     append_bytes(bytes, value);
   return hash_hex(bytes);  // 64 bits: two of 100,000 moments fall together by chance once in 10^9 clips
 }

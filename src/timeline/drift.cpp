@@ -16,6 +16,13 @@ namespace {
 constexpr double kTurn_deg = 2.5, kNod_deg = 1.8, kTilt_deg = 1.8;
 constexpr double kBrowsUp = 0.12, kBrowsTurn = 0.06, kCornersUp = 0.05;  // shares of the limit
 
+// Breathing in takes two fifths of the time, breathing out longer, and then there is a rest (West,
+// "Respiratory Physiology": in to out as 1 to 1.5 or 2).
+constexpr double kIn = 0.4, kOut = 0.47;
+// The neck straightens and the chin comes up a little with a full chest. 0.5 looks like a nod.
+constexpr double kBreathNod_deg = 0.35;
+constexpr double kShallow = 0.75;  // the shallowest breath's share of the deepest
+
 using BothSides = std::array<std::size_t, 2>;
 consteval BothSides find_both(std::string_view area, std::string_view move) {
   return {*find_move(area, Side::left, move), *find_move(area, Side::right, move)};
@@ -41,6 +48,16 @@ void add_within(double low, double high, double more, double& value) {
   value = std::clamp(value + more, std::min(low, value), std::max(high, value));
 }
 
+void add_breath(const Drift& drift, double time_s, TurnKey& turn) {
+  if (drift.breath_s <= 0) return;
+  const double breaths = time_s / drift.breath_s + drift.breath_phase, begun = std::floor(breaths);
+  // As deep as when it began, so that each one rises and falls smoothly.
+  const double deep = sample_sway(drift.depth, (begun - drift.breath_phase) * drift.breath_s);
+  const double full = sample_breath(breaths - begun) * std::lerp(kShallow, 1.0, (1 + deep) / 2);
+  turn.breath_mm += kBreath_mm * full;
+  add_within(-kMaxNod_deg, kMaxNod_deg, -kBreathNod_deg * full, turn.nod_deg);
+}
+
 }  // namespace
 
 double sample_sway(const Sway& sway, double time_s) {
@@ -50,12 +67,23 @@ double sample_sway(const Sway& sway, double time_s) {
   return sum;
 }
 
+double sample_breath(double phase) {
+  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
+  if (phase < kIn) return smooth(phase / kIn);
+  return smooth(std::max(1 - (phase - kIn) / kOut, 0.0));
+}
+
 Drift build_drift(const DriftSpec& spec) {
   const auto sway = [&](std::uint64_t use) { return build_sway(spec.seed, use); };
-  return {spec.amount, sway(1), sway(2), sway(3), sway(4), sway(5), sway(6)};
+  Drift drift{spec.amount, sway(1), sway(2), sway(3), sway(4), sway(5), sway(6), 0, 0, sway(7)};
+  if (spec.breaths_per_minute > 0) drift.breath_s = 60 / spec.breaths_per_minute;
+  std::mt19937_64 random = build_random(spec.seed, 8);
+  drift.breath_phase = sample_uniform(random);
+  return drift;
 }
 
 void add_drift(const Drift& drift, double time_s, Pose& pose, TurnKey& turn) {
+  add_breath(drift, time_s, turn);
   if (drift.amount <= 0) return;
   const auto swayed = [&](const Sway& sway, double most) {
     return drift.amount * most * sample_sway(sway, time_s);

@@ -1,4 +1,4 @@
-// Nobody holds quite still: a slow seeded drift of the head and the brows.
+// Nobody holds quite still: a slow seeded drift of the head and the brows, and breath.
 #pragma once
 
 #include <array>
@@ -26,11 +26,22 @@ double sample_sway(const Sway& sway, double time_s);
 struct Drift {
   double amount = 0;
   Sway turn, nod, tilt, brows_up, brows_turn, corners_up;
+  double breath_s = 0;      // how long one takes; 0: none
+  double breath_phase = 0;  // of the one at 0 s: 0..1
+  Sway depth;               // no two are equally deep
 };
+
+// How full the chest is, 0..1, at a share of a breath, 0..1: it fills in two fifths of the time, empties in
+// nearly half, and rests at 0.
+double sample_breath(double phase);
+
+// What a deep breath lifts the shoulders by. Quiet breath moves the breast bone by 2 to 4 mm; less is not
+// seen in a small picture, more is a sigh.
+inline constexpr double kBreath_mm = 2.2;
 
 Drift build_drift(const DriftSpec& spec);
 
-// Adds the drift at `time_s`. What has reached a limit is not driven past it.
+// Adds the drift and the breath at `time_s`. What has reached a limit is not driven past it.
 void add_drift(const Drift& drift, double time_s, Pose& pose, TurnKey& turn);
 
 }  // namespace mien

@@ -21,8 +21,22 @@ KeyLaw build_law(const std::array<FormulaPointer, 3>& live, const std::vector<do
   };
 }
 
+// Of a key that says how long an area takes to come off it.
+std::vector<Ticks> build_release(const Release& release_s) {
+  std::vector<Ticks> release;
+  if (release_s == kNoRelease) return release;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    const double part_s = release_s[static_cast<std::size_t>(find_lead_part(i))];
+    release.push_back(part_s < 0 ? -1 : find_ticks(part_s));
+  }
+  return release;
+}
+
 TrackKey build_track_key(const PoseKey& key) {
-  return {key.at_s, key.ease, key.between, {key.pose.values.begin(), key.pose.values.end()}, build_law(key)};
+  TrackKey built{
+      key.at_s, key.ease, key.between, {key.pose.values.begin(), key.pose.values.end()}, build_law(key)};
+  built.release = build_release(key.release);
+  return built;
 }
 
 TrackKey build_track_key(const TurnKey& key) {
@@ -44,32 +58,52 @@ std::vector<TrackKey> build_track_keys(const std::vector<Key>& keys) {
   return built;
 }
 
-double find_after_s(const LeadSpec& lead, LeadPart part) {
-  return lead.after_s[static_cast<std::size_t>(part)];
+// How far the areas of a pose's track may go past their limits, by the first to set out, the last, the first
+// that is released and the last: what any of them needs, all have (sample_keys).
+constexpr std::size_t kReaches = 4;
+
+KeyTrack build_reach(const KeyTrack& pose, std::vector<PoseKey> keys, double& most_reach) {
+  std::ranges::stable_sort(keys, {}, &PoseKey::at_s);
+  std::vector<TrackKey> reach = pose.keys;
+  for (std::size_t i = 0; i < reach.size(); ++i) {
+    const double most = keys.empty() ? 1 : keys[i].reach;
+    reach[i].values.assign(kReaches, most);
+    reach[i].law = {};
+    most_reach = std::max(most_reach, most);
+    Ticks least = -1, longest = -1;
+    for (const Ticks each : reach[i].release) {
+      if (each >= 0 && (least < 0 || each < least)) least = each;
+      longest = std::max(longest, each);
+    }
+    if (longest >= 0) reach[i].release = {-1, -1, least, longest};
+  }
+  KeyTrack track = build_track(std::move(reach), kReaches);
+  track.leads = pose.leads;
+  for (Lead& lead : track.leads) lead.after = {0, lead.widest, 0, lead.widest};
+  return track;
 }
 
 }  // namespace
 
 Layers build_layers(const ClipSpec& clip) {
   Layers layers;
-  const double widest_s = std::ranges::max(clip.lead.after_s);
-  std::vector<double> after_s;
-  for (std::size_t i = 0; i < kMoveCount; ++i) after_s.push_back(find_after_s(clip.lead, find_lead_part(i)));
-  after_s.push_back(widest_s);  // what sets out last of all: the whole way is everybody's
-  layers.pose = build_track(build_track_keys(clip.keys), kMoveCount, after_s);
+  layers.pose = build_track(build_track_keys(clip.keys), kMoveCount, build_lead(clip.lead));
+  for (std::size_t i = 1; i < layers.pose.keys.size(); ++i) {
+    const auto pose_of = [&](std::size_t key) {
+      Pose pose;
+      std::ranges::copy(layers.pose.keys[key].values, pose.values.begin());
+      return pose;
+    };
+    layers.pose.keys[i].lead = take_lead(clip.lead, pose_of(i - 1), pose_of(i), layers.pose.leads);
+  }
+  layers.reach = build_reach(layers.pose, clip.keys, layers.most_reach);
 
-  const double head_s = find_after_s(clip.lead, LeadPart::head);
-  layers.turn = build_track(build_track_keys(clip.turn), 3, std::array{head_s, head_s, head_s, widest_s});
+  Lead head;
+  head.after.assign(3, find_ticks(clip.lead.after_s[static_cast<std::size_t>(LeadPart::head)]));
+  head.widest = layers.pose.leads.front().widest;
+  layers.turn = build_track(build_track_keys(clip.turn), 3, head);
   layers.camera = build_track(build_track_keys(clip.camera), 3);
 
-  std::vector<TrackKey> reach = build_track_keys(clip.keys);
-  for (std::size_t i = 0; i < reach.size(); ++i) {
-    const double most = clip.keys.empty() ? 1 : clip.keys[i].reach;
-    reach[i].values = {most, most};
-    reach[i].law = {};
-    layers.most_reach = std::max(layers.most_reach, most);
-  }
-  layers.reach = build_track(std::move(reach), 2, std::array{0.0, widest_s});
   layers.cues = build_cue_stack(clip);
   layers.length = find_ticks(clip.length_s);
   return layers;
@@ -101,9 +135,9 @@ FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only) {
 FaceState sample_keys(const Layers& layers, Ticks time, const Moves& only) {
   FaceState face;
   sample_track(layers.pose, time, only, face.values);
-  std::array<double, 2> reach{1, 1};
+  std::array<double, kReaches> reach{1, 1, 1, 1};
   if (layers.most_reach > 1) sample_track(layers.reach, time, reach);
-  face.reach.fill(std::clamp(std::max(reach[0], reach[1]), 1.0, layers.most_reach));
+  face.reach.fill(std::clamp(std::ranges::max(reach), 1.0, layers.most_reach));
   if (only.all()) sample_track(layers.turn, time, face.turn_deg);
   return face;
 }

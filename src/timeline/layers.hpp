@@ -7,7 +7,7 @@ namespace mien {
 
 struct Layers {
   KeyTrack pose, turn, camera;
-  KeyTrack reach;  // of the pose's keys: that of the first area to set out, and of the last one
+  KeyTrack reach;  // of the pose's keys: of those areas that are the first or the last to move
   double most_reach = 1;
   CueStack cues;
   Ticks length = 0;

@@ -2,17 +2,36 @@
 
 #include <algorithm>
 
+#include "config/words.hpp"
 #include "timeline/easing.hpp"
+#include "timeline/lead.hpp"
 #include "timeline/most_held.hpp"
 
 namespace mien {
 
 namespace {
 
+bool is_led(const PoseKey& to) {
+  return to.between == Between::ease && to.ease.kind != Easing::linear && to.ease.kind != Easing::hold;
+}
+
 // How much of the later one of two keys there is.
 double find_share(const PoseKey& from, const PoseKey& to, double time_s) {
   const double fraction = (time_s - from.at_s) / (to.at_s - from.at_s);
   return to.between == Between::ease ? ease(to.ease, fraction) : fraction;
+}
+
+// Which parts of the face a key releases by themselves, and how far they are off.
+std::vector<std::pair<std::string, double>> list_released(const PoseKey& from, const PoseKey& to,
+                                                          double time_s) {
+  std::vector<std::pair<std::string, double>> released;
+  const Ticks begin = find_ticks(from.at_s), end = find_ticks(to.at_s);
+  for (std::size_t part = 0; part < kFacePartCount; ++part)
+    if (const double part_s = from.release[part]; part_s >= 0)
+      released.emplace_back(kReleaseKeys[part],
+                            ease(to.ease, find_led_fraction(begin, std::min(begin + find_ticks(part_s), end),
+                                                            0, 0, find_ticks(time_s))));
+  return released;
 }
 
 double find_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
@@ -36,7 +55,11 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
   } else {
     const double share = find_share(*(next - 1), *next, time_s);
     add(*(next - 1), 1 - share);
+    if (!parts.empty()) parts.back().released = list_released(*(next - 1), *next, time_s);
     add(*next, share);
+    if (const WayKind* kind = find_way_kind(performance.clip.lead, (next - 1)->pose, next->pose);
+        kind != nullptr && share > 0 && is_led(*next))
+      parts.back().order = kind->what;
   }
   const CueStack& stack = performance.layers->cues;
   for (const Cue& cue : stack.cues)

@@ -16,6 +16,9 @@ struct MomentPart {
   bool is_cue = false;
   double reach = 1;
   std::vector<Held> held;  // of itself
+  // Of a key that is being left: what its release says, and how much of each part is off.
+  std::vector<std::pair<std::string, double>> released = {};
+  std::string order = {};  // of a key that is being reached: who leads, where it is not the natural order
 };
 
 // The keys around the moment (one, exactly at its time), then the cues from below. A key's share is that of

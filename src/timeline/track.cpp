@@ -12,8 +12,6 @@ namespace mien {
 
 namespace {
 
-constexpr Ticks kLeadShare = 4;  // nobody is later than one in so many: with 1, a short way would be a jump
-
 bool is_curve(Between between) { return between == Between::smooth || between == Between::spline; }
 
 // The curves to the keys first + 1 .. last, which are all of one kind.
@@ -79,17 +77,27 @@ void sample_way(const KeyTrack& track, std::size_t to, Ticks time, const Moves& 
     sample_curve(track, to, time, only, into, a, b);
     return;
   }
+  const Ticks begin = track.at[to - 1], end = track.at[to];
   const bool is_even = key.between == Between::linear || key.ease.kind == Easing::linear;
   const Ease eased = is_even ? Ease(Easing::linear) : key.ease;
-  const bool is_led = !is_even && key.ease.kind != Easing::hold && !track.after.empty();
+  const bool is_held = key.ease.kind == Easing::hold;
+  const Lead& lead = track.leads[key.lead];
+  const std::vector<Ticks>& releases = track.keys[to - 1].release;
+  const bool is_led = !is_even && !is_held && !lead.after.empty();
+  const bool is_released = !is_held && !releases.empty();
   Ticks known_after = -1;
-  double share = 0;
+  double led_share = 0;
   for_each_move(only, [&](std::size_t i) {
-    const Ticks after = is_led ? track.after[i] : 0;
-    if (after != known_after)
-      share = ease(eased,
-                   find_led_fraction(track.at[to - 1], track.at[to], after, is_led ? track.widest : 0, time));
-    known_after = after;
+    const Ticks release = is_released ? releases[i] : -1;
+    const Ticks after = is_led ? lead.after[i] : 0;
+    if (release < 0 && after != known_after) {
+      known_after = after;
+      led_share =
+          ease(eased, find_led_fraction(begin, end, after, is_led ? lead.widest : 0, time, lead.most_share));
+    }
+    const double share =
+        release < 0 ? led_share
+                    : ease(eased, find_led_fraction(begin, std::min(begin + release, end), 0, 0, time));
     // std::lerp: exact at both ends and never outside them, which a + (b - a) * t is not.
     into[i] = std::lerp(a[i], b[i], share);
   });
@@ -97,15 +105,14 @@ void sample_way(const KeyTrack& track, std::size_t to, Ticks time, const Moves& 
 
 }  // namespace
 
-KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, std::span<const double> after_s) {
+KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, Lead lead) {
   KeyTrack track;
   track.channels = channels;
   track.keys = std::move(keys);
   std::ranges::stable_sort(track.keys, {}, &TrackKey::at_s);
   for (const TrackKey& key : track.keys) track.at.push_back(find_ticks(key.at_s));
   track.slopes.resize(track.keys.size());
-  for (const double each_s : after_s) track.after.push_back(find_ticks(each_s));
-  if (!track.after.empty()) track.widest = std::ranges::max(track.after);
+  track.leads.push_back(std::move(lead));
   build_curves(track);
   return track;
 }
@@ -121,21 +128,6 @@ void sample_track(const KeyTrack& track, Ticks time, const Moves& only, std::spa
   Numbers room;
   const auto values = find_values(track.keys[next == 0 ? 0 : next - 1], time, room);
   for_each_move(only, [&](std::size_t i) { into[i] = values[i]; });
-}
-
-double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time) {
-  const Ticks length = end - begin;
-  if (time >= end) return 1;
-  if (length <= 0 || time <= begin) return 0;
-  double out = static_cast<double>(after), early = static_cast<double>(widest - after);
-  if (widest > length / kLeadShare) {
-    const double less = static_cast<double>(length) / static_cast<double>(kLeadShare * widest);
-    out *= less;
-    early *= less;
-  }
-  const double fraction =
-      (static_cast<double>(time - begin) - out) / (static_cast<double>(length) - out - early);
-  return std::clamp(fraction, 0.0, 1.0);
 }
 
 }  // namespace mien

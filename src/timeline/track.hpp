@@ -10,6 +10,7 @@
 
 #include "config/clip_spec.hpp"
 #include "core/ticks.hpp"
+#include "timeline/lead.hpp"
 
 namespace mien {
 
@@ -35,6 +36,9 @@ struct TrackKey {
   Between between = Between::ease;
   std::vector<double> values;  // as many in each key of a track
   KeyLaw law = {};             // empty: the values stay what they are
+  std::size_t lead = 0;        // which of the track's leads the way to this key has
+  // Channel by channel how long it takes to come off this key; below 0: as the way is led. Empty: all below.
+  std::vector<Ticks> release = {};
 };
 
 // Keys made ready to be sampled.
@@ -45,22 +49,16 @@ struct KeyTrack {
   // For each key and channel the slopes of the curve to it: where it sets out and where it arrives. Empty for
   // a key that no curve leads to.
   std::vector<std::vector<std::array<double, 2>>> slopes;
-  std::vector<Ticks> after;  // channel by channel: how much later it sets out
-  Ticks widest = 0;          // the largest of them
+  std::vector<Lead> leads;  // the plain one, and those of the kinds of ways that there are
 };
 
-// `after_s` are offsets of `lead`, one a channel or none at all.
-KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, std::span<const double> after_s = {});
+// Without a lead all channels go together.
+KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, Lead lead = {});
 
 // The numbers at a time: a key's own at its time exactly, the first key's before it and the last one's after
-// it. An eased way is gone channel by channel (find_led_fraction); straight ways and curves together. With
-// `only` some channels: the others are left as they are.
+// it. An eased way is gone channel by channel, as its lead or the release of the key before has it; straight
+// ways and curves together. With `only` some channels: the others are left as they are.
 void sample_track(const KeyTrack& track, Ticks time, std::span<double> into);
 void sample_track(const KeyTrack& track, Ticks time, const Moves& only, std::span<double> into);
-
-// The share of a way's time, from `begin` to `end`, that is gone for one who sets out `after` later than the
-// first and arrives so much earlier than the last, who sets out `widest` later. Nobody is later than a
-// quarter of the way, and all are there at `end`.
-double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time);
 
 }  // namespace mien

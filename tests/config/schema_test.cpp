@@ -62,9 +62,12 @@ TEST(schema, has_the_keys_and_names_of_the_language) {
   EXPECT_EQ(look[0].at("enum").get<Names>(), kLooks);
   EXPECT_EQ(list_properties(look[1]), sort(kDirectionKeys));
   EXPECT_EQ(list_properties(clip.at("properties").at("drift").at("anyOf")[1]), sort(kDriftKeys));
-  EXPECT_EQ(list_properties(clip.at("properties").at("asymmetry").at("anyOf")[1]), sort(kAsymmetryKeys));
+  EXPECT_EQ(list_properties(clip.at("properties").at("asymmetry").at("anyOf")[2]), sort(kAsymmetryKeys));
+  EXPECT_EQ(clip.at("properties").at("asymmetry").at("anyOf")[0].at("enum").get<Names>(), kAsymmetryWords);
   EXPECT_EQ(clip.at("properties").at("draw").at("anyOf")[0].at("enum").get<Names>(), kDraws);
   EXPECT_EQ(list_properties(defs.at("pose_key")), sort(kPoseKeyKeys));
+  EXPECT_EQ(list_properties(defs.at("pose_key").at("properties").at("release").at("anyOf")[2]),
+            sort(kReleaseKeys));
   EXPECT_EQ(list_properties(defs.at("camera_key")), sort(kCameraKeys));
   EXPECT_EQ(list_properties(defs.at("turn_key")), sort(kTurnKeys));
   EXPECT_EQ(list_properties(defs.at("head_key")), sort(kHeadTrackKeys));

@@ -141,7 +141,10 @@ TEST(curves, a_key_with_an_ease_ends_the_curve) {
 
 TEST(track, led_ways_begin_in_order_and_all_arrive) {
   std::vector<TrackKey> keys{{0, {}, Between::ease, {0, 0, 0}}, {1, {}, Between::ease, {1, 1, 1}}};
-  const KeyTrack track = build_track(keys, 3, std::array{0.0, 0.1, 0.2});
+  Lead lead;
+  for (const double after_s : {0.0, 0.1, 0.2}) lead.after.push_back(find_ticks(after_s));
+  lead.widest = lead.after.back();
+  const KeyTrack track = build_track(keys, 3, lead);
   EXPECT_EQ(sample(track, 1), (std::array{1.0, 1.0, 1.0}));
   const auto early = sample(track, 0.15), late = sample(track, 0.85);
   EXPECT_GT(early[0], early[1]);
