@@ -150,22 +150,37 @@ void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm:
   }
 }
 
-// The fold of the upper lid stays over the lid: what comes nearer to it, from below or above, takes it along.
-void keep_fold(const LidRig& rig, Side side, std::vector<glm::dvec3>& points) {
+// A ring of the upper lid stays over the next lower one: what comes nearer to it than `wanted` tells for
+// their room at rest, from below or above, takes it along and out by `forward`. All in radians about the
+// lids' axis.
+template <typename Wanted>
+void keep_over(const LidRig& rig, const LidRing& lower, const LidRing& upper, const Wanted& wanted,
+               double forward, Side side, std::vector<glm::dvec3>& points) {
   const glm::dvec3 mirror(side == Side::left ? 1 : -1, 1, 1);
-  const LidRing &lid = rig.rings[rig.lid_ring], &fold = rig.rings[rig.fold_ring];
   for (int i = 1; i < 8; ++i) {
-    const double room = find_place(rig, fold.rest[i]).height_rad - find_place(rig, lid.rest[i]).height_rad;
-    if (room <= 0) continue;
-    const LidPlace below = find_place(rig, points[side == Side::left ? lid.left[i] : lid.right[i]] * mirror);
-    glm::dvec3& point = points[side == Side::left ? fold.left[i] : fold.right[i]];
+    const double room = find_place(rig, upper.rest[i]).height_rad - find_place(rig, lower.rest[i]).height_rad;
+    const LidPlace below =
+        find_place(rig, points[side == Side::left ? lower.left[i] : lower.right[i]] * mirror);
+    glm::dvec3& point = points[side == Side::left ? upper.left[i] : upper.right[i]];
     LidPlace place = find_place(rig, point * mirror);
-    const double lack = below.height_rad + rig.fold_least * room - place.height_rad;
+    const double lack = below.height_rad + wanted(room) - place.height_rad;
     if (lack <= 0) continue;
     place.height_rad += lack;
-    place.radius_mm *= 1 + rig.fold_forward * lack;
+    place.radius_mm *= 1 + forward * lack;
     point = find_point_at(rig, place) * mirror;
   }
+}
+
+// The fold of the upper lid stays over the lid; the hood under the brow may hang down before the fold, but no
+// further than the skin between them reaches.
+void keep_fold(const LidRig& rig, Side side, std::vector<glm::dvec3>& points) {
+  constexpr double kHang_rad = 0.1;  // more turns the skin between hood and fold over, less lifts the brow
+  const LidRing &fold = rig.rings[rig.fold_ring], &hood = rig.rings[rig.fold_ring + 1];  // E3, E4: by name
+  keep_over(
+      rig, rig.rings[rig.lid_ring], fold, [&](double room) { return room > 0 ? rig.fold_least * room : -1; },
+      rig.fold_forward, side, points);
+  keep_over(
+      rig, fold, hood, [](double room) { return std::min(room, 0.0) - kHang_rad; }, 0, side, points);
 }
 
 }  // namespace
