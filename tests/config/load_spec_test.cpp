@@ -249,6 +249,20 @@ TEST(load_spec, hair_and_brows_grey_with_age_where_the_author_gave_no_colour) {
   EXPECT_GT(look_at_age("{age: old, random: 7}").hair.g, look_at_age("{random: 7}").hair.g + 0.1f);
 }
 
+TEST(load_spec, age_spots_come_with_age_where_the_author_said_nothing_of_them) {
+  const auto count = [](const std::string& head) {
+    const Spec spec = load_text("mien: 1\nhead: {" + head + "}\n");
+    return find_aged_look(spec.head.look, spec.head.age).age_spots;
+  };
+  const double old = count("age: old");
+  EXPECT_GT(old, 0.3);
+  EXPECT_EQ(count("age: adult"), 0);
+  EXPECT_NEAR(count("age: {adult: 0.5, old: 0.5}"), old / 2, 1e-9);
+  EXPECT_EQ(count("age: old, look: {age_spots: 0}"), 0);
+  EXPECT_EQ(count("age: old, look: {age_spots: 0.1, skin: deep}"), 0.1);
+  EXPECT_EQ(count("age: old, look: {skin: porcelain}"), old);
+}
+
 TEST(load_spec, a_named_hair_brings_its_brows_and_a_beard_stands_beside_a_named_skin) {
   Findings findings;
   const auto colours = load_head_words(kData, findings).hair_colours;

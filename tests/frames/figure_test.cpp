@@ -49,13 +49,22 @@ TEST(figure, neutral_drawing_is_the_rest_model_to_the_last_bit) {
   }
 }
 
+// Folds are unlike on both sides.
+Drawing draw_without_folds(const Pose& pose) {
+  DeformBuffers buffers;
+  buffers.has_folds = false;
+  Drawing drawing;
+  deform_figure(adult(), pose, TurnKey{}, buffers, drawing);
+  return drawing;
+}
+
 TEST(figure, an_expression_of_one_side_is_the_other_sides_mirrored_to_the_last_bit) {
   const Spec spec = load_text("mien: 1\n");
   const std::vector<std::uint32_t>& mirror = adult().folds.skin.mirror;
   const glm::vec3 flip(-1, 1, 1);
   for (const std::string name : {"tezuka/doubt", "emfacs/contempt", "extras/wink"}) {
-    const Drawing left = draw(find_expression(spec, name + "_left").pose, TurnKey{});
-    const Drawing right = draw(find_expression(spec, name + "_right").pose, TurnKey{});
+    const Drawing left = draw_without_folds(find_expression(spec, name + "_left").pose);
+    const Drawing right = draw_without_folds(find_expression(spec, name + "_right").pose);
     const PartShape &here = left.parts.front(), &there = right.parts.front();
     ASSERT_EQ(here.positions.size(), mirror.size());
     EXPECT_FALSE(here.positions == there.positions) << name;

@@ -62,6 +62,41 @@ TEST(occlusion, leaves_a_floor_open_and_shuts_the_sky_beside_a_wall) {
   EXPECT_GT(open[far_away], 0.8f);
 }
 
+// Of a colour over the skin between the mouth and the brows: how unlike its places are.
+double find_unevenness(const NeutralHead& head, const Part& skin) {
+  double sum = 0, squares = 0, count = 0;
+  for (const char* point :
+       {"q12_C5", "q11_C5", "q10_C5", "q12_C6", "q11_C6", "q10_C6", "q11_C7", "q10_C7", "s1_C4", "s1_C5",
+        "s1_C6", "s1_C7", "s1_F1", "s2_F1", "s3_F1", "s1_F2", "s2_F2"}) {
+    const double value = skin.palette[skin.shade[head.cage.index.at(point)]].srgb.b;
+    sum += value;
+    squares += value * value;
+    ++count;
+  }
+  return std::sqrt(squares / count - sum * sum / count / count);
+}
+
+TEST(skin_look, wears_and_grows_uneven_with_age_and_pales_the_lips) {
+  HeadSpec spec;
+  const auto build = [&](const Mix& age) {
+    spec.age = age;
+    return build_neutral_head(spec, source_folder());
+  };
+  const Part adult = build_skin_part(average_head(), Look{});
+  const NeutralHead half_head = build({{"adult", 0.5}, {"old", 0.5}}), old_head = build({{"old", 1.0}});
+  const Part half = build_skin_part(half_head, Look{}), old = build_skin_part(old_head, Look{});
+  EXPECT_EQ(adult.wear, 0);
+  EXPECT_NEAR(half.wear, 0.5, 1e-6);
+  EXPECT_EQ(old.wear, 1);
+  EXPECT_GT(find_unevenness(old_head, old), 1.15 * find_unevenness(average_head(), adult));
+  const glm::vec3 young_lip = find_shade(adult, "M2_10").srgb, old_lip = find_shade(old, "M2_10").srgb;
+  EXPECT_LT(old_lip.r / old_lip.g, 0.97f * young_lip.r / young_lip.g);
+  Look painted;
+  painted.lips = glm::vec3(0.6f, 0.1f, 0.2f);
+  EXPECT_NEAR(find_shade(build_skin_part(old_head, painted), "M2_10").srgb.r,
+              find_shade(build_skin_part(average_head(), painted), "M2_10").srgb.r, 0.08);
+}
+
 TEST(skin_look, shades_mirror_images_alike) {
   const Part skin = build_skin_part(average_head(), Look{});
   ASSERT_EQ(skin.shade.size(), average_head().skin.positions.size());

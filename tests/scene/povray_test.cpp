@@ -143,6 +143,17 @@ TEST(povray, writes_the_grain_as_texture_coordinates) {
   EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one place on its grain a vertex");
 }
 
+TEST(povray, tells_a_material_how_worn_its_part_is_and_no_other) {
+  Part fresh = build_square("fresh", false), worn = build_square("worn", false);
+  worn.wear = 0.25;
+  const std::string text = build_povray_parts({{worn, fresh}}, kTemplates);
+  const std::size_t begins = text.find("#declare Wear = 0.25;"), ends = text.find("#declare Wear = 0;");
+  EXPECT_LT(begins, text.find("texture_list"));
+  EXPECT_LT(begins, ends);
+  EXPECT_LT(ends, text.find("surface_of_fresh"));
+  EXPECT_EQ(text.find("Wear", ends + 20), text.npos);
+}
+
 TEST(povray, says_what_is_wrong_with_a_part) {
   Part part = build_square("card", false);
   part.material = "velvet";
