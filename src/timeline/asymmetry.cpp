@@ -31,7 +31,7 @@ Way find_way(const std::vector<double>& keys_s, double time_s) {
 }
 
 double find_side_time_s(const Way& way, double time_s, double delay_s, bool is_late) {
-  if (way.length_s == 0) return time_s;
+  if (way.length_s == 0 || delay_s == 0) return time_s;
   const double waited_s = std::min(delay_s, kMostOfWay * way.length_s);
   const double moving_s = way.length_s - waited_s;
   const double gone_s = time_s - way.from_s - (is_late ? waited_s : 0);
@@ -48,6 +48,8 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
     AreaLean lean{.area = area};
     lean.late = sample_uniform(random) < 0.5 ? Side::left : Side::right;
     lean.delay_s = sample_uniform(random, kLeastDelay_s, kMostDelay_s);
+    // One nucleus drives both eyes' lids: one that opens a frame later winks.
+    if (area == "lid") lean.delay_s = 0;
     lean.weak = sample_uniform(random) < kLeftIsStronger ? Side::right : Side::left;
     lean.weakness = spec.amount * sample_uniform(random, kLeastWeakness, 1) * (area == "lid" ? kLids : 1);
     for (std::size_t i = 0; i < kMoveCount; ++i)

@@ -15,10 +15,11 @@ namespace mien {
 struct AreaLean {
   std::string_view area;    // "brow", "lid", "corner": eyes move together
   Side late = Side::right;  // this side starts later, the other arrives sooner
-  double delay_s = 0;       // 0.02..0.06 between the two
-  Side weak = Side::right;  // this side's values are less
-  double weakness =
-      0;  // by this share, at most the `amount` asked for and three quarters at least; lids half
+  double delay_s = 0;       // 0.02..0.06 between the two; lids 0
+  // This side's values are less by this share: at most the `amount` asked for, and three quarters of it at
+  // least; lids half as much.
+  Side weak = Side::right;
+  double weakness = 0;
   std::array<std::bitset<kMoveCount>, 2> moves{};  // the left side's and the right one's
 };
 

@@ -22,7 +22,7 @@ constexpr WayKind kFalls{"the jaw shuts before the corners fall, the brows come 
 // What it takes to be of a kind, as shares of the limits. Below them both orders look alike.
 constexpr double kNarrower = 0.25, kRound = -0.15;  // corners go in by so much, and to there
 constexpr double kOpener = 0.1;                     // more of the mouth opens or shuts
-constexpr double kLower = 0.5, kSmiling = 0.3;      // corners fall by so much, from there
+constexpr double kLower = 0.4, kSmiling = 0.3;      // corners fall by so much, from there
 
 constexpr std::size_t find_one(std::string_view area, Side side, std::string_view move) {
   return *find_move(area, side, move);

@@ -34,6 +34,20 @@ TEST(clip, leads_unless_it_is_told_not_to) {
   EXPECT_EQ(load_clip_text("  lead: none\n").lead.after_s, LeadSpec{}.after_s);
   EXPECT_EQ(load_clip_text("  lead: {brows: 2f, head: 0.5s}\n").lead.after_s,
             (std::array{0.0, 0.0, 2 / 24.0, 0.0, 0.0, 0.0, 0.5}));
+  EXPECT_TRUE(load_text("mien: 1\n").clip.lead.suits_shapes);
+  EXPECT_FALSE(load_clip_text("  lead: {brows: 2f}\n").lead.suits_shapes) << "an author's word is kept";
+}
+
+TEST(clip, reads_what_is_natural_of_a_face_that_leans_and_breathes) {
+  EXPECT_EQ(load_text("mien: 1\n").clip.asymmetry.amount, 0);
+  EXPECT_EQ(load_clip_text("  asymmetry: natural\n").asymmetry.amount, kNaturalAsymmetry);
+  EXPECT_EQ(load_clip_text("  asymmetry: none\n").asymmetry.amount, 0);
+  EXPECT_EQ(load_clip_text("  asymmetry: {seed: 4}\n").asymmetry.amount, kNaturalAsymmetry);
+  EXPECT_EQ(load_clip_text("  asymmetry: 0.1\n").asymmetry.amount, 0.1);
+  EXPECT_EQ(load_clip_text("  drift: 0.5\n").drift.breaths_per_minute, 0);
+  const DriftSpec drift = load_clip_text("  drift: {breath: 14}\n").drift;
+  EXPECT_EQ(drift.amount, 0);
+  EXPECT_EQ(drift.breaths_per_minute, 14);
 }
 
 TEST(clip, reads_changes_of_drawing) {

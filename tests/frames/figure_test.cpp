@@ -86,6 +86,31 @@ TEST(figure, the_head_turns_on_a_neck_that_stays) {
   EXPECT_GT(point(tilt, "cap_0_2").x, 20);  // the crown toward the left shoulder
 }
 
+TEST(figure, a_breath_lifts_the_shoulders_and_less_of_it_the_head) {
+  TurnKey breath;
+  breath.breath_mm = 2;
+  const Drawing drawing = draw(Pose{}, breath);
+  const std::vector<glm::vec3>&rest = adult().model.parts.front().rest.positions,
+        &now = drawing.parts.front().positions;
+  const auto rise = [&](std::uint32_t i) { return now[i].y - rest[i].y; };
+  std::uint32_t lowest = 0, highest = 0;
+  for (std::uint32_t i = 0; i < rest.size(); ++i) {
+    if (rest[i].y < rest[lowest].y) lowest = i;
+    if (rest[i].y > rest[highest].y) highest = i;
+    EXPECT_NEAR(now[i].x, rest[i].x, 1e-4);
+    EXPECT_GT(rise(i), 1.2 - 1e-3);
+    EXPECT_LT(rise(i), 2 + 1e-3);
+  }
+  EXPECT_NEAR(rise(lowest), 2, 1e-3);
+  EXPECT_NEAR(rise(highest), 1.2, 1e-3);
+  for (const auto& triangle : adult().model.parts.front().rest.triangles)
+    EXPECT_LT(std::abs(rise(triangle[0]) - rise(triangle[1])), 0.2) << "the neck gives smoothly";
+  for (std::size_t i = 0; i < drawing.parts.size(); ++i)
+    if (adult().model.parts[i].is_rigid) {
+      EXPECT_NEAR(glm::vec3(drawing.parts[i].world_from_rest[3]).y, 1.2, 1e-3);
+    }
+}
+
 TEST(figure, rigid_parts_go_with_the_turned_skin) {
   const Drawing drawing = draw(Pose{}, turned(25, -10, 8));
   for (std::size_t i = 0; i < drawing.parts.size(); ++i) {

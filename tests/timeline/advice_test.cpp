@@ -72,6 +72,17 @@ TEST(advice, warns_of_skin_that_jumps) {
       "is seen as a jump\n");
 }
 
+TEST(advice, warns_of_releases_of_what_does_not_move) {
+  ClipSpec clip =
+      build_clip({build_key(0, "gasp", 1, 1), build_key(1, "rest", 0, 2), build_key(2, "rest", 0, 3)});
+  clip.keys[0].release[static_cast<std::size_t>(LeadPart::brows)] = 0.5;
+  EXPECT_EQ(advise(clip), "");
+  clip.keys[0].release[static_cast<std::size_t>(LeadPart::corners)] = 0.5;
+  EXPECT_EQ(
+      advise(clip),
+      "a.yaml:1:7: warning: 'gasp' releases its corners, of which nothing moves on the way to 'rest'\n");
+}
+
 TEST(advice, lets_lids_and_eyes_be_quick) {
   ClipSpec clip = build_clip({build_key(0, "open", 0, 1), build_key(1, "open", 0, 2)});
   clip.keys[1].pose.values[*find_move("lid", Side::left, "upper")] = -1;
