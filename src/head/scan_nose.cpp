@@ -5,7 +5,7 @@ namespace mien {
 namespace {
 
 constexpr double kFacing = 0.3;     // least cosine between the scan's normal and ours
-constexpr double kOpenWay_mm = 14;  // a nostril's other wall is nearer than twice that, an adult's
+constexpr double kOpenWay_mm = 12;  // a nostril's other wall is nearer than twice that, an adult's
 
 bool find_pull(const NosePatch& patch, double reach_mm, NosePull& pull) {
   double least = reach_mm * reach_mm;
