@@ -174,7 +174,7 @@ void keep_over(const LidRig& rig, const LidRing& lower, const LidRing& upper, co
 // The fold of the upper lid stays over the lid; the hood under the brow may hang down before the fold, but no
 // further than the skin between them reaches.
 void keep_fold(const LidRig& rig, Side side, std::vector<glm::dvec3>& points) {
-  constexpr double kHang_rad = 0.1;  // more turns the skin between hood and fold over, less lifts the brow
+  constexpr double kHang_rad = 0.07;  // more turns the skin between hood and fold over, less lifts the brow
   const LidRing &fold = rig.rings[rig.fold_ring], &hood = rig.rings[rig.fold_ring + 1];  // E3, E4: by name
   keep_over(
       rig, rig.rings[rig.lid_ring], fold, [&](double room) { return room > 0 ? rig.fold_least * room : -1; },

@@ -92,7 +92,7 @@ TEST(face, reaches_its_limits) {
       {"brow", "up", "E5_4", Side::left, 1, 1, 12.6},   {"brow", "up", "E5_4", Side::left, -1, 1, -5.4},
       {"lips", "upper", "M1_2", Side::none, 1, 1, 7.3}, {"lips", "lower", "M1_10", Side::none, -1, 1, -6.7},
       {"corner", "out", "M1_6", Side::left, 1, 0, 7.6}, {"corner", "out", "M1_6", Side::left, -1, 0, -8.7},
-      {"corner", "up", "M1_6", Side::left, 1, 1, 10.7}, {"corner", "up", "M1_6", Side::left, -1, 1, -7.7}};
+      {"corner", "up", "M1_6", Side::left, 1, 1, 10.7}, {"corner", "up", "M1_6", Side::left, -1, 1, -6.3}};
   for (const Limit& limit : limits) {
     Pose pose;
     set(pose, limit.area, limit.side, limit.move, limit.value);
