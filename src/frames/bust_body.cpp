@@ -19,7 +19,7 @@ constexpr float kLockPerHeight = 0.6f / 80;   // from lock to lock of the brow; 
 constexpr float kIrisPerHeight = 0.45f / 80;  // a dish that throws a shadow
 constexpr float kPupilPerHeight = 1.0f / 80;  // dark in every light
 // Of shut lids and lips: narrower fills with plastic. Lips meet aslant, which takes a tenth.
-constexpr float kLidLine_mm = 0.35f, kLipLine_mm = 0.34f;
+constexpr float kLidLine_mm = 0.37f, kLipLine_mm = 0.34f;
 constexpr float kLineDepth_mm = 0.7f;
 constexpr float kWidestLine_mm = 2.2f;  // of the head: a low print's line must not gape
 constexpr float kLight_mm = 1.1f;       // the width of the light in the pupil
