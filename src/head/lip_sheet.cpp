@@ -75,6 +75,8 @@ void find_lacks_of(const LipSheet& one, const std::vector<glm::dvec3>& at, const
       const auto& quad = other.quads[q];
       const glm::dvec3 &a = other_at[quad[0]], &b = other_at[quad[1]], &c = other_at[quad[2]],
                        &d = other_at[quad[3]];
+      const double nearest = std::max({sign * a.y, sign * b.y, sign * c.y, sign * d.y});
+      if (sign * p.y - nearest >= wanted) continue;
       const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z, d.z});
       if (p.z < low_z || p.z > high_z) continue;
       if (std::ranges::any_of(quad, [&](auto i) { return other.vertices[i] == one.vertices[v]; })) continue;
