@@ -97,7 +97,7 @@ TEST(figure, a_breath_lifts_the_shoulders_and_less_of_it_the_head) {
   for (std::uint32_t i = 0; i < rest.size(); ++i) {
     if (rest[i].y < rest[lowest].y) lowest = i;
     if (rest[i].y > rest[highest].y) highest = i;
-    EXPECT_NEAR(now[i].x, rest[i].x, 1e-3);
+    EXPECT_NEAR(now[i].x, rest[i].x, 1e-3);  // fine skin lies as its normals do, which tilt a little
     EXPECT_GT(rise(i), 1.2 - 1e-3);
     EXPECT_LT(rise(i), 2 + 1e-3);
   }
