@@ -112,10 +112,11 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
 }
 
 constexpr int kHeightShades = 5, kDepthShades = 7, kGapShades = 3, kMilkShades = 2;
+constexpr double kBehind = 0.95;  // of the throat's shade: less, and the row across the mouth is a broken grey band
 
 std::uint16_t find_tooth_shade(const Tooth& tooth, double height, double across, double behind) {
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
-  const double far = std::max(smooth_step(0.12, 0.95, tooth.share), 0.6 * behind);
+  const double far = std::max(smooth_step(0.12, 0.95, tooth.share), kBehind * behind);
   const auto depth = std::lround(far * (kDepthShades - 1));
   const auto gap = std::lround(smooth_step(0.8, 1.0, std::abs(across)) * (kGapShades - 1));
   const auto milk = std::lround(tooth.milk);
