@@ -112,8 +112,7 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
 }
 
 constexpr int kHeightShades = 5, kDepthShades = 7, kGapShades = 3, kMilkShades = 2;
-constexpr double kBehind =
-    0.95;  // of the throat's shade: less, and the row across the mouth is a broken grey band
+constexpr double kBehind = 0.95;  // of the throat's shade; less of it shows the far row as a grey band
 
 std::uint16_t find_tooth_shade(const Tooth& tooth, double height, double across, double behind) {
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
