@@ -1,4 +1,4 @@
-#include "busts.hpp"
+#include "bust/build_bust.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

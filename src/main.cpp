@@ -13,7 +13,6 @@
 
 #include "command_line/arguments.hpp"
 #include "core/error.hpp"
-#include "pipeline.hpp"
 #include "render/process.hpp"
 
 namespace {
@@ -22,50 +21,13 @@ using namespace mien;
 
 constexpr int kDone = 0, kFailed = 1, kWrongInput = 2, kInterrupted = 130;
 
-int run_command(const Request& request) {
-  const Options& options = request.options;
-  switch (request.command) {
-    case Command::usage:
-      fmt::print(stderr, "{}", request.text);
-      return kWrongInput;
-    case Command::text:
-      fmt::print("{}", request.text);
-      break;
-    case Command::render:
-      render_clip(options);
-      break;
-    case Command::frames:
-      write_frames(options);
-      break;
-    case Command::still:
-      render_still(options);
-      break;
-    case Command::sheet:
-      render_sheet(request.kind, options);
-      break;
-    case Command::mesh:
-      write_mesh(options);
-      break;
-    case Command::bust:
-      write_busts(options);
-      break;
-    case Command::check:
-      check_file(options);
-      break;
-    case Command::explain:
-      explain_pose(options);
-      break;
-    case Command::list:
-      list_kind(request.kind, options);
-      break;
-    case Command::create:
-      write_starter(options);
-      break;
-    case Command::schema:
-      print_schema();
-      break;
+int run_request(const Request& request) {
+  if (request.command != nullptr) {
+    request.command->run(request.options);
+    return kDone;
   }
-  return kDone;
+  fmt::print(request.is_usage ? stderr : stdout, "{}", request.text);
+  return request.is_usage ? kWrongInput : kDone;
 }
 
 std::string format_json(const Diagnostic& diagnostic) {
@@ -104,7 +66,7 @@ int main(int argc, char** argv) {
   };
   try {
     install_signal_handlers();
-    const int status = run_command(read_arguments(argc, argv));
+    const int status = run_request(read_arguments(argc, argv));
     flush_output();
     return status;
   } catch (const InputError& e) {

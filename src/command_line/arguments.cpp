@@ -7,7 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "command_line/help.hpp"
 #include "command_line/values.hpp"
+#include "commands/table.hpp"
 #include "core/error.hpp"
 
 namespace mien {
@@ -21,10 +23,8 @@ struct Typed {
   TypedValues values;
 };
 
-constexpr std::string_view kSheetWithoutFile = "people";
-
 // A command that takes only what every command takes: for what stands before the command's name.
-constexpr CommandInfo kNoCommand{Command::text, "", "", "", "", "", ""};
+constexpr CommandInfo kNoCommand{"", "", "", "", "", "", "", nullptr};
 
 void add_options(CLI::App& app, const CommandInfo& command, TypedValues& values) {
   app.set_help_flag("");
@@ -48,10 +48,10 @@ Typed read_typed(int argc, const char* const* argv) {
   add_options(app, kNoCommand, typed.values);
   app.add_flag_callback("-V,--version", [&typed] { typed.values["version"]; });
   app.require_subcommand(0, 1);  // a second command's name is a word like any other
-  for (const CommandInfo& command : kCommands) {
-    CLI::App* sub = app.add_subcommand(std::string(command.name));
-    add_options(*sub, command, typed.values);
-    sub->callback([&typed, &command] { typed.command = &command; });
+  for (const CommandInfo* command : kCommands) {
+    CLI::App* sub = app.add_subcommand(std::string(command->name));
+    add_options(*sub, *command, typed.values);
+    sub->callback([&typed, command] { typed.command = command; });
   }
   try {
     app.parse(argc, words.data());
@@ -65,7 +65,7 @@ Typed read_typed(int argc, const char* const* argv) {
 
 std::string describe_unknown_command(const std::string& word) {
   std::vector<std::string> names;
-  for (const CommandInfo& command : kCommands) names.emplace_back(command.name);
+  for (const CommandInfo* command : kCommands) names.emplace_back(command->name);
   return fmt::format("unknown command '{}'{}", word, suggest(word, names));
 }
 
@@ -97,8 +97,8 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
   if (!typed.command || !typed.unknown.empty()) return;
   const std::string_view argument = typed.command->argument;
   const std::size_t wanted = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
-  const bool needs_no_file = typed.command->command == Command::sheet && !typed.words.empty() &&
-                             typed.words.front() == kSheetWithoutFile;
+  const std::string_view alone = typed.command->kind_without_file;
+  const bool needs_no_file = !alone.empty() && !typed.words.empty() && typed.words.front() == alone;
   if (typed.words.size() + (needs_no_file ? 1 : 0) < wanted) add(describe_missing_argument(*typed.command));
   for (std::size_t i = wanted; i < typed.words.size(); ++i)
     add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
@@ -108,28 +108,29 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
 
 Request read_arguments(int argc, const char* const* argv) {
   const Typed typed = read_typed(argc, argv);
-  if (typed.values.contains("version")) return {Command::text, {}, {}, "mien " MIEN_VERSION "\n"};
-  if (typed.values.contains("help"))
-    return {Command::text, {}, {}, typed.command ? build_command_help(*typed.command) : build_help()};
-
+  Request request;
+  request.command = typed.command;
+  if (typed.values.contains("version") || typed.values.contains("help")) {
+    request.command = nullptr;
+    request.text = typed.values.contains("version") ? "mien " MIEN_VERSION "\n"
+                   : typed.command                  ? build_command_help(*typed.command)
+                                                    : build_help();
+    return request;
+  }
   std::vector<Diagnostic> mistakes;
   find_wrong_words(typed, mistakes);
-  Request request{typed.command ? typed.command->command : Command::usage,
-                  build_options(typed.values, mistakes),
-                  {},
-                  build_usage()};
+  request.options = build_options(typed.values, mistakes);
   if (!mistakes.empty()) throw InputError(std::move(mistakes));
+  if (!typed.command) {
+    request.text = build_usage();
+    request.is_usage = true;
+    return request;
+  }
   std::vector<std::string> words = typed.words;
-  if (request.command == Command::list || request.command == Command::sheet) {
-    request.kind = words.front();
+  if (typed.command->argument.starts_with("KIND")) {
+    request.options.kind = words.front();
     words.erase(words.begin());
   }
-  if (request.command == Command::sheet && request.options.express && request.kind != "heads")
-    throw InputError(fmt::format(
-        "--express says nothing to 'mien sheet {}'; expected it with 'mien sheet heads'", request.kind));
-  if (request.command == Command::sheet && request.options.seed && request.kind != kSheetWithoutFile)
-    throw InputError(fmt::format("--seed says nothing to 'mien sheet {}'; expected it with 'mien sheet {}'",
-                                 request.kind, kSheetWithoutFile));
   if (!words.empty()) request.options.file = words.front();
   return request;
 }

@@ -3,16 +3,16 @@
 
 #include <string>
 
-#include "command_line/commands.hpp"
-#include "pipeline.hpp"
+#include "commands/command.hpp"
+#include "options.hpp"
 
 namespace mien {
 
 struct Request {
-  Command command = Command::usage;
+  const CommandInfo* command = nullptr;  // null: only `text` is to be shown
   Options options;
-  std::string kind;  // of Command::list and Command::sheet: "ages", "skulls", ...
-  std::string text;  // of Command::usage and Command::text
+  std::string text;       // help, or the version
+  bool is_usage = false;  // `text` is what mien says where no command was named: a mistake
 };
 
 // `argv` as main() has it. Throws InputError with every mistake: an unknown command or option (with the

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/error.hpp"
-#include "pipeline.hpp"
+#include "options.hpp"
 
 namespace mien {
 

@@ -1,16 +1,16 @@
 #include "config/head_words.hpp"
 
-#include "config/yaml_reader.hpp"
+#include "config/data_table.hpp"
 
 namespace mien {
 
 namespace {
 
-std::optional<YamlDocument> load_data(const std::filesystem::path& file, Findings& findings) {
+// Nothing if there is no such file.
+std::optional<YamlDocument> load_if(const std::filesystem::path& file, Findings& findings) {
   std::error_code ignored;
   if (!std::filesystem::exists(file, ignored)) return std::nullopt;
-  auto source = load_source(file, findings);
-  return source ? scan_document(std::move(*source), findings) : std::nullopt;
+  return load_document(file, findings);
 }
 
 // The keys of one mapping of the file, behind `names`.
@@ -20,14 +20,21 @@ void append_keys(const YamlMapping& entries, std::string_view key, Names& names)
       if (entry.key != "pupil") names.push_back(entry.key);
 }
 
-void load_looks(const YamlMapping& entries, std::string_view key,
-                std::vector<std::pair<std::string, Look>>& looks) {
-  const YamlValue* mapping = find_value(entries, key);
-  if (mapping == nullptr) return;
-  for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping")) {
+const Names kLookKeys{"meaning", "skin", "lips", "brow", "hair", "iris", "freckles", "age_spots"};
+
+// Each with its meaning and the text of the colour that it is known by.
+void read_looks(const DataTable& root, const std::string& key, const std::string& colour,
+                std::vector<std::pair<std::string, Look>>& looks, std::vector<LookWord>& meanings) {
+  for (const YamlEntry& entry : root.list(key)) {
     Look look;
-    load_look_words(load_free_mapping(entry.value, "colours"), look);
+    load_look_words(load_mapping(entry.value, kLookKeys, "colours"), look);
     looks.emplace_back(entry.key, look);
+    LookWord& word = meanings.emplace_back(LookWord{entry.key, "", ""});
+    const YamlMapping entries = load_free_mapping(entry.value, "colours");
+    if (const YamlValue* value = find_required(entries, colour, entry.value, "a colour"))
+      load_text(*value, "a colour", word.value);
+    if (const YamlValue* value = find_required(entries, "meaning", entry.value, "a few words"))
+      load_text(*value, "a few words", word.meaning);
   }
 }
 
@@ -76,20 +83,22 @@ void load_look_words(const YamlMapping& entries, Look& look) {
 
 HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& findings) {
   HeadWords words;
-  if (const auto document = load_data(data_folder / "templates/head/features.yaml", findings))
+  if (const auto document = load_if(data_folder / "templates/head/features.yaml", findings))
     append_keys(load_free_mapping(find_root(*document, findings), "a mapping"), "features", words.features);
-  if (const auto document = load_data(data_folder / "templates/head/landmarks.yaml", findings)) {
+  if (const auto document = load_if(data_folder / "templates/head/landmarks.yaml", findings)) {
     const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
     append_keys(entries, "middle", words.middle);
     append_keys(entries, "everyday_middle", words.middle);
     append_keys(entries, "sided", words.sided);
     append_keys(entries, "everyday_sided", words.sided);
   }
-  if (const auto document = load_data(data_folder / "templates/head/looks.yaml", findings)) {
-    const YamlMapping entries = load_free_mapping(find_root(*document, findings), "a mapping");
-    load_looks(entries, "looks", words.looks);
-    load_looks(entries, "hair_colours", words.hair_colours);
-    if (const YamlValue* greying = find_value(entries, "greying")) load_greying(*greying, words.greying);
+  if (const auto document = load_if(data_folder / "templates/head/looks.yaml", findings)) {
+    const DataTable root(find_root(*document, findings));
+    read_looks(root, "looks", "skin", words.looks, words.look_words);
+    read_looks(root, "hair_colours", "hair", words.hair_colours, words.hair_colour_words);
+    if (const YamlValue* greying = root.require("greying")) load_greying(*greying, words.greying);
+    for (const YamlEntry& dial : root.list("dials"))
+      load_text(dial.value, "a few words", words.dial_words.emplace_back(LookWord{dial.key, "", ""}).meaning);
   }
   words.people =
       load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);

@@ -20,6 +20,13 @@ struct Greying {
   double age_spots = 0;  // at least, where the author says nothing of them
 };
 
+// A word of looks.yaml as `mien list looks` tells it.
+struct LookWord {
+  std::string name;
+  std::string value;  // the colour as the file writes it; none for a dial
+  std::string meaning;
+};
+
 struct HeadWords {
   Names features;  // the keys of `head.features`
   Names middle;    // places of the mid-plane: Farkas' codes and everyday words
@@ -27,8 +34,9 @@ struct HeadWords {
   std::vector<std::pair<std::string, Look>>
       hair_colours;  // what `look.hair` may name, with brows to go with it
   Greying greying;   // with age
-  Names sided;       // places that stand on both sides, without _l or _r; pupils are none, they are no skin
-  People people;     // whom `random` draws from
+  std::vector<LookWord> look_words, hair_colour_words, dial_words;  // in the file's order
+  Names sided;    // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+  People people;  // whom `random` draws from
 };
 
 // From templates/head/features.yaml, landmarks.yaml, looks.yaml and people.yaml of the data folder; what does

@@ -6,6 +6,7 @@
 #include <deque>
 #include <tuple>
 
+#include "config/data_table.hpp"
 #include "config/expressions.hpp"
 #include "config/sections.hpp"
 
@@ -14,11 +15,6 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMaxTitleLength = 200;  // bytes; it is shown in one line
-
-std::optional<YamlDocument> load_document(const std::filesystem::path& file, Findings& findings) {
-  auto source = load_source(file, findings);
-  return source ? scan_document(std::move(*source), findings) : std::nullopt;
-}
 
 // The files of expression libraries, by name.
 std::vector<std::filesystem::path> list_library_files(const std::filesystem::path& folder) {
@@ -109,11 +105,6 @@ void check_version(const YamlValue& root, const YamlMapping& entries) {
                                       show_word(node.text), kLanguageVersion));
 }
 
-struct Language {
-  ExpressionBook libraries;
-  HeadWords words;
-};
-
 LanguagePointer load_language(const std::filesystem::path& data_folder) {
   Findings findings;
   auto language = std::make_shared<Language>();
@@ -121,10 +112,6 @@ LanguagePointer load_language(const std::filesystem::path& data_folder) {
   language->words = load_head_words(data_folder, findings);
   throw_mistakes(std::move(findings));
   return language;
-}
-
-Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder) {
-  return load_spec(file, *load_language(data_folder));
 }
 
 Spec load_spec(const std::filesystem::path& file, const Language& language) {

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "config/expressions.hpp"
+#include "config/head_words.hpp"
 #include "config/spec.hpp"
 
 namespace mien {
@@ -19,17 +21,19 @@ inline constexpr int kMaxFrames = 100000;              // over an hour at 24 fra
 inline constexpr int kMaxSide_px = 8192;               // POV-Ray's memory, ffmpeg's H.264 limit
 inline constexpr int kMinSide_px = 16;
 
-// Reads `file` and the expression libraries of `data_folder`/configs/expressions. Throws InputError with
-// every mistake of the file at its place (unknown keys with the nearest known one, wrong types, values out of
-// range, duplicate keys, unknown names), RunError if the data folder is broken.
-Spec load_spec(const std::filesystem::path& file, const std::filesystem::path& data_folder);
-
-// What the data folder gives to every file: the libraries' expressions and the words of heads.
-struct Language;
+// What mien's own data give to every file: the libraries' expressions and the words of heads.
+struct Language {
+  ExpressionBook libraries;
+  HeadWords words;
+};
 using LanguagePointer = std::shared_ptr<const Language>;
+
+// Reads configs/expressions and the words of templates/head. Throws InputError with every mistake at its
+// place, RunError for what cannot be read.
 LanguagePointer load_language(const std::filesystem::path& data_folder);
 
-// The same for many files: the language is read once.
+// Reads `file`. Throws InputError with every mistake of the file at its place (unknown keys with the nearest
+// known one, wrong types, values out of range, duplicate keys, unknown names).
 Spec load_spec(const std::filesystem::path& file, const Language& language);
 
 // The expression called `name` ("smile" in the file, then in its library; "tezuka/smile" in that one). Throws

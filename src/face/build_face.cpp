@@ -5,11 +5,11 @@
 #include <map>
 #include <optional>
 
+#include "config/area_data.hpp"
 #include "core/conventions.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "face/face.hpp"
-#include "face/face_data.hpp"
 #include "head/cage.hpp"
 #include "head/patterns.hpp"
 
@@ -30,7 +30,7 @@ double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std:
 // The points that a table's fields leave where they are, by the word that names them.
 using Anchors = std::map<std::string, std::vector<bool>>;
 
-Anchors find_anchors(const Cage& cage, const FaceData& data) {
+Anchors find_anchors(const Cage& cage, const AreaData& data) {
   Anchors anchors;
   for (const auto& [name, own] : data.anchors) {
     PointPatterns patterns = data.anchors.at("always");
@@ -108,7 +108,7 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
 }
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
-std::vector<DrivenField> build_fields(const Cage& cage, const FaceData& data, const Scales& scales) {
+std::vector<DrivenField> build_fields(const Cage& cage, const AreaData& data, const Scales& scales) {
   const Anchors anchors = find_anchors(cage, data);
   std::vector<std::function<DrivenField(const FieldSolver&)>> works;
   for (const MoveTable& table : data.moves)
@@ -138,7 +138,7 @@ std::vector<DrivenField> build_fields(const Cage& cage, const FaceData& data, co
   return fields;
 }
 
-JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const FaceData& data,
+JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const AreaData& data,
                  const Scales& scales) {
   const JawData& jaw = data.jaw;
   std::map<std::string, double> values;
@@ -169,7 +169,7 @@ glm::dvec3 carry_point(const NeutralHead& head, const glm::dvec3& adult) {
           adult.z * head.cage.points[brow].z / head.adult_points[brow].z};
 }
 
-std::vector<LipColumn> build_lips(const Cage& cage, const FaceData& data) {
+std::vector<LipColumn> build_lips(const Cage& cage, const AreaData& data) {
   std::vector<LipColumn> lips;
   for (const bool is_right : {false, true})
     for (int i = is_right ? 1 : 0; i < 6;
@@ -198,7 +198,7 @@ std::vector<LipColumn> build_lips(const Cage& cage, const FaceData& data) {
 }
 
 // Columns 0 to 4 of both sides; further out the cheek hangs on no nose.
-std::vector<PhiltrumColumn> build_philtrum(const Cage& cage, const FaceData& data) {
+std::vector<PhiltrumColumn> build_philtrum(const Cage& cage, const AreaData& data) {
   std::vector<PhiltrumColumn> philtrum;
   for (const bool is_right : {false, true})
     for (int i = is_right ? 1 : 0; i < 5; ++i) {
@@ -235,7 +235,7 @@ GiveWay build_give_way(const Cage& cage, const GiveWayData& data) {
 }
 
 // How far each point goes with a turning head: by row down the neck, all the way above it.
-std::vector<double> build_turn_weights(const Cage& cage, const FaceData& data) {
+std::vector<double> build_turn_weights(const Cage& cage, const AreaData& data) {
   std::vector<double> weights(cage.points.size(), 1.0);
   for (const auto& [row, share] : data.turn_rows) {
     const std::vector<bool> found = find_points(cage, {"*_" + row});
@@ -253,8 +253,8 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
           0.954 * eye.radius_mm};
 }
 
-Face build_face(const NeutralHead& head, const std::filesystem::path& file) {
-  const FaceData data = load_face_data(file);
+Face build_face(const NeutralHead& head) {
+  const AreaData& data = head.data->areas;
   const Scales scales{measure_face(head.cage, head.cage.points, head.eye),
                       measure_face(head.cage, head.adult_points, head.adult_eye)};
   Face face;

@@ -6,7 +6,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <vector>
 
 #include "config/areas.hpp"
@@ -105,8 +104,9 @@ struct Face {
 
 FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, const Eye& eye);
 
-// Solves `file` (templates/head/areas.yaml) for this head. About 0.1 s. Throws RunError for broken data.
-Face build_face(const NeutralHead& head, const std::filesystem::path& file);
+// Solves templates/head/areas.yaml for this head. About 0.1 s. Throws RunError for data that cannot be
+// solved.
+Face build_face(const NeutralHead& head);
 
 // What a pose's values come to where `exaggerate` or `head.limits` lift them past their limits: skin that is
 // stretched or pressed together gets stiff. Within the limits it is the pose itself.

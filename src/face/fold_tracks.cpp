@@ -149,8 +149,7 @@ double find_height_mm(const Track& track, const Beside& beside, std::uint32_t si
 
 }  // namespace
 
-std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, const FoldData& data,
-                                const std::filesystem::path& file) {
+std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, const FoldData& data) {
   std::vector<Track> tracks;
   for (const FoldSet& set : data.sets)
     for (const FoldLine& line : set.lines) {
@@ -159,7 +158,7 @@ std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, cons
         tracks.back().uneven = &data.uneven;
         tracks.back().series = 1000 * data.uneven.seed + static_cast<std::uint32_t>(tracks.size());
       } catch (const RunError& e) {
-        throw RunError(fmt::format("{}:{}: {}", file.string(), line.file_line, e.what()));
+        throw RunError(fmt::format("{}:{}: {}", data.file, line.file_line, e.what()));
       }
     }
   return tracks;

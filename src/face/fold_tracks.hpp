@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "face/fold_data.hpp"
+#include "config/fold_data.hpp"
 #include "head/fine_skin.hpp"
 
 namespace mien {
@@ -24,8 +24,7 @@ struct Track {
 
 // All lines of `data`, which must outlive them. `adult` is the adult's skin on the cage of `head`. Throws
 // RunError "FILE:LINE: ..." for a point that the cage does not have.
-std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, const FoldData& data,
-                                const std::filesystem::path& file);
+std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, const FoldData& data);
 
 // The height of a set's whole folds at a place of the left half and at its mirror image, mm; negative in a
 // groove. They differ as `uneven` says, and on the mid-line not at all.

@@ -126,14 +126,14 @@ void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
 
 }  // namespace
 
-Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::filesystem::path& file) {
-  const FoldData data = load_fold_data(file);
+Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
+  const FoldData& data = head.data->folds;
   Mesh adult{{}, {}, head.skin.triangles};
   std::vector<Float4> packed;
   pack_points(head.adult_points, packed);
   deform_surface(*head.surface, packed, adult.positions);
   update_surface_normals(*head.surface, adult.positions, adult.normals);
-  const std::vector<Track> tracks = build_tracks(head, adult, data, file);
+  const std::vector<Track> tracks = build_tracks(head, adult, data);
 
   Folds folds;
   folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));

@@ -4,11 +4,10 @@
 // from the height's slope, so a groove is as crisp as the mesh allows.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "config/areas.hpp"
-#include "face/fold_data.hpp"
+#include "config/fold_data.hpp"
 #include "head/fine_skin.hpp"
 
 namespace mien {
@@ -47,9 +46,9 @@ struct FoldBuffers {
   std::vector<Float4> slopes;  // sum of weight x slope, and of weight
 };
 
-// Solves `file` (templates/head/folds.yaml) for this head; `spec` tells its age and character. Throws
-// RunError for broken data.
-Folds build_folds(const NeutralHead& head, const HeadSpec& spec, const std::filesystem::path& file);
+// Solves templates/head/folds.yaml for this head; `spec` tells its age and character. Throws RunError for
+// data that do not fit it.
+Folds build_folds(const NeutralHead& head, const HeadSpec& spec);
 
 // How much of a set's folds there is on one side: from what is there at rest to 1, of slope 0 where it begins
 // and ends.

@@ -80,7 +80,7 @@ void measure_edge(const LidRig& rig, const RingPoints& points, LidEdge& edge) {
 LidRig build_lid_rig(const NeutralHead& head, const LidData& data) {
   LidRig rig;
   rig.eye = head.eye;
-  rig.eye_numbers = load_part_numbers().eye;
+  rig.eye_numbers = head.data->parts.eye;
   rig.rings = build_rings(head, data);
   RingPoints rest;
   for (const LidRing& ring : rig.rings) rest.push_back(ring.rest);

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "config/area_data.hpp"
 #include "config/areas.hpp"
-#include "face/face_data.hpp"
+#include "config/part_numbers.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

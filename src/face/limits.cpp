@@ -2,7 +2,6 @@
 #include "face/limits.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 #include <cmath>
 
 #include "core/conventions.hpp"
@@ -64,32 +63,6 @@ Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& n
   return limit;
 }
 
-std::vector<Limit> measure_all(const NeutralHead& head, const Face& face, const LimitShares& shares,
-                               const YAML::Node& table) {
-  const FaceUnits adult = measure_face(head.cage, head.adult_points, head.adult_eye);
-  std::vector<Limit> limits;
-  for (const LimitName& name : list_limits()) {
-    const MoveInfo& info = kMoves[name.move];
-    const YAML::Node row = table[fmt::format("{}.{}", info.area, info.move)];
-    Pose lifted;
-    lifted.values[name.move] = name.sign * (name.sign > 0 ? shares.plus : shares.minus)[name.move];
-    const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
-    const std::string point =
-        (info.side == Side::right && info.area != "eye" ? "R:" : "") + row["at"].as<std::string>();
-    if (!row["axis"]) {
-      limits.push_back(measure_turn(head, face, name, share, lifted, point));
-      continue;
-    }
-    const std::string unit = row["unit"].as<std::string>();
-    const double adult_mm = row[name.sign > 0 ? "plus_mm" : "minus_mm"].as<double>();
-    const double value = share * adult_mm / find_unit_mm(adult, unit);
-    limits.push_back({&name, unit, value, value * find_unit_mm(face.units, unit),
-                      find_ways(head, face, lifted, point).skin_mm, point,
-                      row["axis"].as<std::string>() == "x" ? 0 : 1});
-  }
-  return limits;
-}
-
 }  // namespace
 
 LimitShares::LimitShares() {
@@ -112,13 +85,26 @@ Pose apply_limits(const LimitShares& shares, const Pose& pose) {
   return limited;
 }
 
-std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares,
-                                  const std::filesystem::path& file) {
-  try {
-    return measure_all(head, face, shares, YAML::LoadFile(file.string())["limits"]);
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares) {
+  const FaceUnits adult = measure_face(head.cage, head.adult_points, head.adult_eye);
+  std::vector<Limit> limits;
+  for (const LimitName& name : list_limits()) {
+    const MoveInfo& info = kMoves[name.move];
+    const LimitPlace& place = head.data->areas.limits.at(fmt::format("{}.{}", info.area, info.move));
+    Pose lifted;
+    lifted.values[name.move] = name.sign * (name.sign > 0 ? shares.plus : shares.minus)[name.move];
+    const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
+    const std::string point = (info.side == Side::right && info.area != "eye" ? "R:" : "") + place.point;
+    if (place.axis < 0) {
+      limits.push_back(measure_turn(head, face, name, share, lifted, point));
+      continue;
+    }
+    const double adult_mm = name.sign > 0 ? place.plus_mm : place.minus_mm;
+    const double value = share * adult_mm / find_unit_mm(adult, place.unit);
+    limits.push_back({&name, place.unit, value, value * find_unit_mm(face.units, place.unit),
+                      find_ways(head, face, lifted, point).skin_mm, point, place.axis});
   }
+  return limits;
 }
 
 }  // namespace mien

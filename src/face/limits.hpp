@@ -2,7 +2,6 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -37,8 +36,7 @@ struct Limit {
   int axis = -1;       // along which: 0 x, 1 y; -1 for a turn
 };
 
-// `file` is templates/head/areas.yaml. Throws RunError for broken data.
-std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares,
-                                  const std::filesystem::path& file);
+// In the order of config/limits.hpp.
+std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares);
 
 }  // namespace mien

@@ -70,21 +70,20 @@ void deform_strands(const HeadPart& bound, const Part& part, const std::vector<S
 
 }  // namespace
 
-Figure build_figure(const HeadSpec& asked, const std::filesystem::path& data_folder, FigureUse use) {
+Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use) {
   HeadSpec spec = asked;
   spec.look = find_aged_look(asked.look, asked.age);
   const bool is_print = use == FigureUse::print;
   Figure figure;
-  figure.head = build_neutral_head(spec, data_folder);
+  figure.head = build_neutral_head(stock, spec);
   figure.limits = find_limit_shares(spec.limits);
   // Independent of each other, the slow ones first.
   std::array<std::vector<HeadPart>, 7> made;
   std::vector<SkinTint> tints;
   const std::array<std::function<void()>, 10> works{
-      [&] { figure.face = build_face(figure.head, data_folder / "templates/head/areas.yaml"); },
+      [&] { figure.face = build_face(figure.head); },
       [&] {
-        if (!is_print)
-          figure.folds = build_folds(figure.head, spec, data_folder / "templates/head/folds.yaml");
+        if (!is_print) figure.folds = build_folds(figure.head, spec);
       },
       [&] {
         made[0].push_back({is_print ? build_plain_skin_part(figure.head, spec.look)

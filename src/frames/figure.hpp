@@ -1,7 +1,6 @@
 // A head that can be posed and drawn: the only place where geometry and time meet.
 #pragma once
 
-#include <filesystem>
 #include <vector>
 
 #include "config/spec.hpp"
@@ -9,6 +8,7 @@
 #include "face/face.hpp"
 #include "face/folds.hpp"
 #include "face/limits.hpp"
+#include "head/form.hpp"
 #include "head/head.hpp"
 
 namespace mien {
@@ -37,9 +37,9 @@ enum class FigureUse {
   print,  // the skin is smooth and of one colour: no folds, no grain and no shade are made
 };
 
-// About 0.2 s on two cores, half of it for a print. Throws RunError for broken data in `data_folder`.
-Figure build_figure(const HeadSpec& spec, const std::filesystem::path& data_folder,
-                    FigureUse use = FigureUse::picture);
+// About 0.2 s on two cores, half of it for a print. Throws InputError for broken files that
+// `spec` names.
+Figure build_figure(const HeadStock& stock, const HeadSpec& spec, FigureUse use = FigureUse::picture);
 
 // The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives
 // the rest meshes bit for bit.

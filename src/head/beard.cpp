@@ -1,12 +1,10 @@
 #include "head/beard.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "head/cage.hpp"
@@ -25,15 +23,10 @@ enum Channel : std::uint32_t { kAcross, kAlong, kLength, kTurn, kRise, kShade };
 // Eye to chin: boys have none, men all of it.
 constexpr double kBoy_mm = 94, kMan_mm = 106;
 
-const BeardStock& find_stock() {
-  static const BeardStock stock = load_beards(find_data_folder() / "templates/head/hair.yaml");
-  return stock;
-}
-
-const Beard& find_beard(const std::string& name) {
-  const auto found = find_stock().beards.find(name);
-  if (found == find_stock().beards.end())
-    throw RunError(fmt::format("templates/head/hair.yaml has no beard '{}'", name));
+const Beard& find_beard(const NeutralHead& head, const std::string& name) {
+  const auto& beards = head.data->hair.beards.beards;
+  const auto found = beards.find(name);
+  if (found == beards.end()) throw RunError(fmt::format("templates/head/hair.yaml has no beard '{}'", name));
   return found->second;
 }
 
@@ -60,7 +53,7 @@ BeardField build_field(const NeutralHead& head, const Beard& beard) {
   const std::size_t count = head.skin.positions.size();
   BeardField field{std::vector<float>(count), std::vector<glm::vec3>(count)};
   for (const auto& [name, share] : beard.shares) {
-    const BeardArea& area = find_stock().areas.at(name);
+    const BeardArea& area = head.data->hair.beards.areas.at(name);
     const std::vector<float> values = spread_area(head, area);
     for (std::size_t v = 0; v < count && v < values.size(); ++v) {
       const float value = static_cast<float>(share) * values[v];
@@ -141,53 +134,23 @@ void append_beard_hair(HeadPart& part, const NeutralHead& head, const BeardField
 
 }  // namespace
 
-BeardStock load_beards(const std::filesystem::path& file) {
-  BeardStock stock;
-  std::string name = "beards";
-  try {
-    const YAML::Node root = YAML::Load(read_file(file));
-    for (const auto& entry : root["beard_areas"]) {
-      name = entry.first.as<std::string>();
-      const auto way = entry.second["way"].as<std::vector<double>>();
-      if (way.size() != 3) throw RunError("way: three numbers are missing");
-      stock.areas[name] = {entry.second["density"].as<std::map<std::string, double>>(),
-                           {way[0], way[1], way[2]}};
-    }
-    for (const auto& entry : root["beards"]) {
-      name = entry.first.as<std::string>();
-      const YAML::Node& node = entry.second;
-      Beard beard;
-      beard.shares = node["areas"].as<std::map<std::string, double>>();
-      for (const auto& [area, share] : beard.shares)
-        if (!stock.areas.contains(area)) throw RunError(fmt::format("areas: unknown area '{}'", area));
-      beard.count = node["count"].as<int>();
-      beard.length_mm = node["length"].as<double>();
-      beard.radius_mm = node["radius"].as<double>();
-      beard.stand = node["stand"].as<double>();
-      beard.paint = node["paint"].as<double>();
-      stock.beards[name] = beard;
-    }
-  } catch (const std::exception& problem) {
-    throw RunError(fmt::format("{}: {}: {}", file.string(), name, problem.what()));
-  }
-  return stock;
-}
-
 std::vector<float> paint_beard(const NeutralHead& head, const std::string& name) {
   if (name == "none") return {};
   const auto growth = static_cast<float>(find_growth(head));
-  std::vector<float> covers = build_field(head, find_beard(name)).density;
+  std::vector<float> covers = build_field(head, find_beard(head, name)).density;
   for (float& cover : covers) cover *= growth;
   return covers;
 }
 
-double find_beard_paint(const std::string& name) { return name == "none" ? 0 : find_beard(name).paint; }
+double find_beard_paint(const NeutralHead& head, const std::string& name) {
+  return name == "none" ? 0 : find_beard(head, name).paint;
+}
 
 glm::vec3 find_beard_colour(const Look& look) { return glm::mix(look.brow, look.hair, 0.5f); }
 
 std::vector<HeadPart> build_beard(const NeutralHead& head, const Look& look) {
   if (look.beard == "none") return {};
-  const Beard& beard = find_beard(look.beard);
+  const Beard& beard = find_beard(head, look.beard);
   const double growth = find_growth(head);
   if (growth <= 0) return {};
   const BeardField field = build_field(head, beard);

@@ -1,7 +1,7 @@
+#include "config/part_numbers.hpp"
 #include "core/holes.hpp"
 #include "head/form.hpp"
 #include "head/mouth_bag.hpp"
-#include "head/part_numbers.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -34,19 +34,19 @@ Mix find_ages(const HeadSpec& spec) {
 
 }  // namespace
 
-NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path& data_folder) {
-  HeadStock stock = load_head_stock(data_folder);
+NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec) {
   HeadForm form = build_form(stock, spec);
   NeutralHead head;
-  head.adult_points = std::move(stock.adult.points);
-  head.cage = std::move(stock.adult);
+  head.data = stock.data;
+  head.adult_points = stock.adult.points;
+  head.cage = stock.adult;
   head.cage.points = std::move(form.points);
   head.eye = form.eye;
   head.surface = stock.surface;
   head.hairline = form.hairline;
   head.brow_thickness = form.brow_thickness;
   head.ages = find_ages(spec);
-  const MouthNumbers mouth = load_part_numbers(data_folder / "templates/head/parts.yaml").mouth;
+  const MouthNumbers mouth = stock.data->parts.mouth;
   shape_mouth_bag(mouth, head.cage, head.adult_points);
   shape_mouth_bag(mouth, head.cage, head.cage.points);
 

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "config/part_numbers.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 #include "head/surface.hpp"
 
 namespace mien {

@@ -4,8 +4,8 @@
 #include <glm/glm.hpp>
 #include <vector>
 
+#include "config/part_numbers.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

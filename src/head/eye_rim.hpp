@@ -1,8 +1,8 @@
 // What lies between ball and lids: the wet line and the pink corner. Both follow the lids.
 #pragma once
 
+#include "config/part_numbers.hpp"
 #include "head/lids.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

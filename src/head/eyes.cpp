@@ -6,11 +6,11 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "config/part_numbers.hpp"
 #include "head/binding.hpp"
 #include "head/eye_rim.hpp"
 #include "head/head.hpp"
 #include "head/lids.hpp"
-#include "head/part_numbers.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
@@ -222,7 +222,7 @@ HeadPart build_cornea(const EyeFrame& frame) {
 }  // namespace
 
 std::vector<HeadPart> build_eyes(const NeutralHead& head, const Look& look) {
-  const EyeNumbers eye = load_part_numbers().eye;
+  const EyeNumbers& eye = head.data->parts.eye;
   const Lids lids = build_lids(head, eye.ball_mm);
   const auto turn = static_cast<float>(eye.outward_deg * kPi / 180);
   EyeFrame frame{glm::translate(glm::mat4(1), lids.centre), eye};

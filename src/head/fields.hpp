@@ -11,15 +11,13 @@
 #include <string_view>
 #include <vector>
 
+#include "config/shape_data.hpp"
 #include "head/head.hpp"
 
 namespace mien {
 
 // A displacement in millimetres for each control point of the cage.
 using Field = std::vector<glm::dvec3>;
-
-// Named points of the left half and their displacements.
-using Handles = std::map<std::string, glm::dvec3>;
 
 // Which side of the head a table of handles of the left half moves.
 enum class Reach { both, left };

@@ -3,11 +3,11 @@
 #include <array>
 #include <functional>
 
+#include "config/part_numbers.hpp"
 #include "core/parallel.hpp"
 #include "head/contact.hpp"
 #include "head/nostrils.hpp"
 #include "head/own_half.hpp"
-#include "head/part_numbers.hpp"
 #include "head/sculpt.hpp"
 #include "head/shapes.hpp"
 #include "head/solve.hpp"
@@ -19,7 +19,7 @@ namespace mien {
 namespace {
 
 void settle_contacts(const HeadStock& stock, const Eye& eye, Cage& cage) {
-  seat_lids(*stock.surface, load_part_numbers().eye, eye, cage);
+  seat_lids(*stock.surface, stock.data->parts.eye, eye, cage);
   part_lips(*stock.surface, cage);
 }
 
@@ -48,18 +48,14 @@ void settle(const HeadStock& stock, const HeadForm& start, HeadForm& form) {
 
 }  // namespace
 
-HeadStock load_head_stock(const std::filesystem::path& data_folder) {
+HeadStock build_head_stock(HeadDataPointer data) {
   HeadStock stock;
-  stock.folder = data_folder / "templates/head";
-  stock.half = load_half_head(stock.folder);
-  stock.adult = build_cage(stock.half);
+  stock.data = std::move(data);
+  stock.adult = build_cage(stock.data->half);
   const Cage unsolved = stock.adult;  // the surface asks for its quads only
   const std::array<std::function<void()>, 2> works{
-      [&] { solve_cage(stock.half, stock.adult); },
-      [&] {
-        stock.surface = std::make_shared<const Surface>(build_surface(unsolved));
-        stock.shapes = load_head_shapes(stock.folder);
-      }};
+      [&] { solve_cage(stock.data->half, stock.adult); },
+      [&] { stock.surface = std::make_shared<const Surface>(build_surface(unsolved)); }};
   for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
   settle_contacts(stock, Eye{}, stock.adult);
   return stock;
@@ -67,6 +63,7 @@ HeadStock load_head_stock(const std::filesystem::path& data_folder) {
 
 NeutralHead build_bare_head(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
   NeutralHead head;
+  head.data = stock.data;
   head.cage = stock.adult;
   head.cage.points = points;
   head.hairline = kAdultHairline;
@@ -79,7 +76,7 @@ NeutralHead build_bare_head(const HeadStock& stock, const std::vector<glm::dvec3
 HeadForm build_form(const HeadStock& stock, const HeadSpec& spec) {
   const HeadForm start = build_start(stock, spec);
   HeadForm form = start;
-  shape_head(stock.shapes, spec, stock.adult, form);
+  shape_head(stock.data->shapes.heads, spec, stock.adult, form);
   settle(stock, start, form);
   sculpt_form(stock, spec.sculpt, form);
   return form;

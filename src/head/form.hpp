@@ -9,16 +9,15 @@
 
 namespace mien {
 
-// All that every head is made from; read and solved once.
+// All that every head is made from, solved once; shared by all threads.
 struct HeadStock {
-  std::filesystem::path folder;            // templates/head
-  HalfHead half;                           // the shipped one
-  Cage adult;                              // solved
+  HeadDataPointer data;
+  Cage adult;                              // the shipped one, solved
   std::shared_ptr<const Surface> surface;  // of every head
-  HeadShapes shapes;
 };
 
-HeadStock load_head_stock(const std::filesystem::path& data_folder);
+// About 0.1 s. Throws RunError for data that cannot be solved.
+HeadStock build_head_stock(HeadDataPointer data);
 
 // These control points with the skin's positions and nothing else: for finding places on it.
 NeutralHead build_bare_head(const HeadStock& stock, const std::vector<glm::dvec3>& points);

@@ -2,25 +2,14 @@
 // Source: Loomis, "Drawing the Head and Hands" (1956): the heights of the lines at each age are his charts.
 #pragma once
 
-#include <map>
-#include <string>
 #include <vector>
 
 #include <glm/glm.hpp>
 
+#include "config/shape_data.hpp"
 #include "head/head.hpp"
 
 namespace mien {
-
-// Heights by the names of config/words.hpp (kGuides, kEarGuides), as fractions of the head's height above the
-// chin.
-using GuideLines = std::map<std::string, double>;
-
-// One age's chart.
-struct GuideChart {
-  double height_mm = 229;  // chin to crown
-  GuideLines lines;
-};
 
 inline constexpr double kAdultHairline = 5.0;  // at 0.857 of the shipped adult's height
 

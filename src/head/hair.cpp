@@ -56,11 +56,18 @@ HeadPart make_part(const char* name, const char* material, std::vector<Shade> pa
   return part;
 }
 
+const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
+  const auto found = head.data->hair.cuts.find(name);
+  if (found == head.data->hair.cuts.end())
+    throw RunError(fmt::format("templates/head/hair.yaml has no cut '{}'", name));
+  return found->second;
+}
+
 }  // namespace
 
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look) {
   if (name == "none") return {};
-  const HairScene scene = build_hair_scene(head, load_hair_cut(name));
+  const HairScene scene = build_hair_scene(head, find_cut(head, name));
   const glm::vec3 colour = find_colour(scene, look);
   std::vector<HeadPart> parts;
   if (scene.cut.mass > 0) {
@@ -94,7 +101,7 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
 
 std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name) {
   if (name == "none") return {};
-  const HairScene scene = build_hair_scene(head, load_hair_cut(name));
+  const HairScene scene = build_hair_scene(head, find_cut(head, name));
   constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
   const std::vector<HairGround> grounds = list_hair_grounds(head);
   const double soft = scene.cut.soft_mm / kWay_mm;

@@ -34,7 +34,7 @@ void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint
 }
 
 std::vector<HeadPart> build_hairs(const NeutralHead& head, const Look& look) {
-  const PartNumbers numbers = load_part_numbers();
+  const PartNumbers& numbers = head.data->parts;
   const double youth =
       1 - smooth_step(numbers.brow.grown_mm[0], numbers.brow.grown_mm[1], find_eye_to_chin_mm(head));
   std::vector<HeadPart> parts;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <memory>
 #include <string>
@@ -12,6 +11,7 @@
 #include <glm/glm.hpp>
 
 #include "config/areas.hpp"
+#include "config/head_data.hpp"
 #include "config/head_spec.hpp"
 #include "core/model.hpp"
 
@@ -42,6 +42,7 @@ struct Eye {
 // The skin as a smooth mesh, and where the cage's points came to lie on it: vertex i of the mesh is point i
 // of the cage, moved to the limit surface, for i below the number of cage points.
 struct NeutralHead {
+  HeadDataPointer data;  // what it is made from, and its parts will be
   std::vector<glm::dvec3>
       adult_points;  // the average adult's control points, in the same order: the yardstick
   Eye adult_eye;
@@ -81,8 +82,10 @@ struct SkinFrame {
 SkinFrame find_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
                           const Triangle& triangle, const glm::vec3& barycentric);
 
-// The neutral head of `spec` from the half in `data_folder`/templates/head, its skin included. About 0.1 s.
-NeutralHead build_neutral_head(const HeadSpec& spec, const std::filesystem::path& data_folder);
+struct HeadStock;
+
+// The neutral head of `spec`, its skin included. Throws InputError for broken files that it names.
+NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec);
 
 // The parts, each fitted to the neutral head it is given. Left ones first, then their exact mirror images.
 // eyes: eye_left/right (sclera), iris_left/right (disc with pupil), cornea_left/right, tear_left/right (wet

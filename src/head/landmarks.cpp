@@ -1,7 +1,6 @@
 #include "head/landmarks.hpp"
 
 #include <fmt/format.h>
-#include <yaml-cpp/yaml.h>
 
 #include <cmath>
 
@@ -17,8 +16,6 @@ namespace {
 
 // How far the front of the cornea stands before the centre of a ball of 13 mm.
 constexpr double kCornea_mm = 14.05;
-
-constexpr std::string_view kHairline = "hairline";  // stands for the mark of find_hairline
 
 double measure(const std::string& rule, const glm::vec3& p) {
   if (rule == "highest") return p.y;
@@ -47,14 +44,10 @@ std::uint32_t find_extreme(const NeutralHead& head, const std::string& rule, con
   return best;
 }
 
-std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const YAML::Node& node) {
+std::vector<std::uint32_t> find_vertices(const NeutralHead& head, const LandmarkRule& rule) {
+  if (rule.kind == LandmarkRule::Kind::extreme) return {find_extreme(head, rule.rule, rule.pattern)};
   std::vector<std::uint32_t> vertices;
-  if (node.IsScalar()) vertices.push_back(find_point(head.cage, node.as<std::string>()));
-  if (node.IsSequence())
-    for (const YAML::Node& name : node) vertices.push_back(find_point(head.cage, name.as<std::string>()));
-  if (node.IsMap())
-    vertices.push_back(
-        find_extreme(head, node.begin()->first.as<std::string>(), node.begin()->second.as<std::string>()));
+  for (const std::string& point : rule.points) vertices.push_back(find_point(head.cage, point));
   return vertices;
 }
 
@@ -62,12 +55,12 @@ std::vector<double> share_equally(const std::vector<std::uint32_t>& vertices) {
   return std::vector<double>(vertices.size(), 1.0 / static_cast<double>(vertices.size()));
 }
 
-Landmark find_skin_landmark(const NeutralHead& head, const std::string& name, const YAML::Node& node) {
-  if (node.IsScalar() && node.Scalar() == kHairline) {
+Landmark find_skin_landmark(const NeutralHead& head, const std::string& name, const LandmarkRule& rule) {
+  if (rule.kind == LandmarkRule::Kind::hairline) {
     const HairlineMark mark = find_hairline(head.cage, head.hairline);
     return {name, {mark.below, mark.above}, {1 - mark.share, mark.share}, false, Side::none};
   }
-  const std::vector<std::uint32_t> vertices = find_vertices(head, node);
+  const std::vector<std::uint32_t> vertices = find_vertices(head, rule);
   return {name, vertices, share_equally(vertices), false, Side::none};
 }
 
@@ -83,58 +76,41 @@ glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model,
 
 }  // namespace
 
-std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesystem::path& file) {
-  try {
-    std::vector<Landmark> landmarks;
-    const YAML::Node root = YAML::LoadFile(file.string());
-    for (const auto& entry : root["middle"])
-      landmarks.push_back(find_skin_landmark(head, entry.first.as<std::string>(), entry.second));
-    for (const auto& entry : root["sided"]) {
-      const std::string name = entry.first.as<std::string>();
-      if (name == "pupil") {
-        landmarks.push_back({"pupil_l", {}, {}, true, Side::left});
-        landmarks.push_back({"pupil_r", {}, {}, true, Side::right});
-        continue;
-      }
-      const std::vector<std::uint32_t> left = find_vertices(head, entry.second);
-      std::vector<std::uint32_t> right;
-      for (const std::uint32_t v : left) right.push_back(head.cage.mirror[v]);
-      landmarks.push_back({name + "_l", left, share_equally(left), false, Side::left});
-      landmarks.push_back({name + "_r", right, share_equally(left), false, Side::right});
+std::vector<Landmark> find_landmarks(const NeutralHead& head) {
+  const LandmarkData& data = head.data->landmarks;
+  std::vector<Landmark> landmarks;
+  for (const auto& [name, rule] : data.middle) landmarks.push_back(find_skin_landmark(head, name, rule));
+  for (const auto& [name, rule] : data.sided) {
+    if (rule.kind == LandmarkRule::Kind::pupil) {
+      landmarks.push_back({name + "_l", {}, {}, true, Side::left});
+      landmarks.push_back({name + "_r", {}, {}, true, Side::right});
+      continue;
     }
-    return landmarks;
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    const std::vector<std::uint32_t> left = find_vertices(head, rule);
+    std::vector<std::uint32_t> right;
+    for (const std::uint32_t v : left) right.push_back(head.cage.mirror[v]);
+    landmarks.push_back({name + "_l", left, share_equally(left), false, Side::left});
+    landmarks.push_back({name + "_r", right, share_equally(left), false, Side::right});
   }
+  return landmarks;
 }
 
-SkinSpot find_place(const NeutralHead& head, const std::string& name, const std::filesystem::path& file) {
-  try {
-    const YAML::Node root = YAML::LoadFile(file.string());
-    std::string code = name;
-    for (const char* table : {"everyday_middle", "everyday_sided", "middle", "sided"})
-      if (const YAML::Node node = root[table][code]) {
-        const bool is_code =
-            node.IsScalar() && (root["middle"][node.Scalar()] || root["sided"][node.Scalar()]);
-        if (!is_code) {
-          Landmark place = find_skin_landmark(head, name, node);
-          const bool is_extreme = node.IsMap() || node.Scalar() == kHairline;
-          return {std::move(place.vertices), std::move(place.shares), is_extreme};
-        }
-        code = node.Scalar();
-      }
-    throw RunError(fmt::format("{}: no place called '{}'", file.string(), name));
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+SkinSpot find_place(const NeutralHead& head, const std::string& name) {
+  const LandmarkData& data = head.data->landmarks;
+  std::string code = name;
+  for (const auto* words : {&data.everyday_middle, &data.everyday_sided})
+    for (const auto& [word, meaning] : *words)
+      if (word == name) code = meaning;
+  LandmarkRule point;
+  const LandmarkRule* rule = find_landmark_rule(data, code);
+  if (rule == nullptr && code != name) {
+    point.points = {code};
+    rule = &point;
   }
-}
-
-std::vector<std::string> find_needed_landmarks(const std::filesystem::path& file) {
-  try {
-    return YAML::LoadFile(file.string())["needed"].as<std::vector<std::string>>();
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
-  }
+  if (rule == nullptr || rule->kind == LandmarkRule::Kind::pupil)
+    throw RunError(fmt::format("no place of the skin is called '{}'", name));
+  Landmark place = find_skin_landmark(head, name, *rule);
+  return {std::move(place.vertices), std::move(place.shares), rule->kind != LandmarkRule::Kind::points};
 }
 
 std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head,

@@ -1,7 +1,6 @@
-// Named places on the head, after Farkas: templates/head/landmarks.yaml found on one head.
+// Named places, found on one head.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
@@ -20,8 +19,8 @@ struct Landmark {
   Side side = Side::none;  // of a pupil: whose
 };
 
-// In the file's order, each sided one as NAME_l, NAME_r. Throws RunError for a broken file.
-std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesystem::path& file);
+// In the data's order, each sided one as NAME_l, NAME_r.
+std::vector<Landmark> find_landmarks(const NeutralHead& head);
 
 // A place on the left half of the skin: the weighted mean of some vertices.
 struct SkinSpot {
@@ -30,12 +29,9 @@ struct SkinSpot {
   bool is_extreme = false;  // found by a rule, such as the highest point: less sharp than a named one
 };
 
-// A landmark without its _l or _r, or an everyday word of the file. Throws RunError for a name that the file
-// does not have, and for pupils, which are no skin.
-SkinSpot find_place(const NeutralHead& head, const std::string& name, const std::filesystem::path& file);
-
-// The landmarks that a scan must have, without _l and _r.
-std::vector<std::string> find_needed_landmarks(const std::filesystem::path& file);
+// A landmark without its _l or _r, or an everyday word. Throws RunError for a name that the data do not have,
+// and for pupils, which are no skin.
+SkinSpot find_place(const NeutralHead& head, const std::string& name);
 
 // Where the landmarks are in a drawing of `model`, mm. A pupil is the front of the cornea, which the part
 // "eye_left" or "eye_right" of the model carries.

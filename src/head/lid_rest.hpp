@@ -2,8 +2,8 @@
 // iris is fright, whatever the rest of the face says.
 #pragma once
 
+#include "config/part_numbers.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 #include "head/surface.hpp"
 
 namespace mien {

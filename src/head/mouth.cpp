@@ -2,11 +2,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/part_numbers.hpp"
 #include "head/binding.hpp"
 #include "head/dental_arch.hpp"
 #include "head/head.hpp"
 #include "head/lids.hpp"
-#include "head/part_numbers.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
@@ -86,7 +86,7 @@ void make_room_for_lips(const NeutralHead& head, DentalArch& arch, const TeethRo
 }  // namespace
 
 std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
-  const MouthNumbers numbers = load_part_numbers().mouth;
+  const MouthNumbers& numbers = head.data->parts.mouth;
   DentalArch arch = fit_arch(head, numbers);
   const TeethRow upper{numbers.upper, 1}, lower{numbers.lower, -1};
   make_room_for_lips(head, arch, upper, lower);

@@ -3,8 +3,8 @@
 
 #include <vector>
 
+#include "config/part_numbers.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

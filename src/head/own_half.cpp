@@ -42,7 +42,7 @@ std::vector<std::vector<std::uint32_t>> sort_faces(const Polygons& mesh) {
 }
 
 bool has_our_faces(const HeadStock& stock, const Polygons& mesh) {
-  if (mesh.positions.size() != stock.half.points.size()) return false;
+  if (mesh.positions.size() != stock.data->half.points.size()) return false;
   std::vector<std::vector<std::uint32_t>> ours;
   for (const Quad& quad : find_half_quads(stock)) {
     ours.emplace_back(quad.begin(), quad.end());
@@ -92,7 +92,7 @@ std::vector<glm::dvec3> solve_moves(const HeadStock& stock, const std::vector<gl
   LeastSquares problem;
   for (std::uint32_t i = 0; i < cage.points.size(); ++i) {
     const std::uint32_t left = i < half_count ? i : cage.mirror[i];
-    const bool is_hard = stock.half.points[left].is_hard;
+    const bool is_hard = stock.data->half.points[left].is_hard;
     const glm::dvec3 move = moves[left] * glm::dvec3(left == i ? 1 : -1, 1, 1);
     problem.equations.push_back(
         {is_hard ? LinearRow{{i, 1.0}} : find_limit_row(*stock.surface, i), is_hard ? kHardWeight : 1, move});
@@ -141,8 +141,8 @@ HeadForm build_moved(const HeadStock& stock, const Polygons& mesh) {
 
 std::vector<glm::dvec3> find_half_places(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
   std::vector<glm::dvec3> places;
-  for (std::size_t i = 0; i < stock.half.points.size(); ++i) {
-    const bool is_hard = stock.half.points[i].is_hard;
+  for (std::size_t i = 0; i < stock.data->half.points.size(); ++i) {
+    const bool is_hard = stock.data->half.points[i].is_hard;
     glm::dvec3 place = is_hard ? points[i] : sample_row(find_limit_row(*stock.surface, i), points);
     for (int axis = 0; axis < 3; ++axis) place[axis] = std::round(place[axis] * kDecimals) / kDecimals;
     if (stock.adult.mirror[i] == i) place.x = 0;
@@ -153,7 +153,7 @@ std::vector<glm::dvec3> find_half_places(const HeadStock& stock, const std::vect
 
 std::vector<Quad> find_half_quads(const HeadStock& stock) {
   return {stock.adult.quads.begin(),
-          stock.adult.quads.begin() + static_cast<std::ptrdiff_t>(stock.half.quads.size())};
+          stock.adult.quads.begin() + static_cast<std::ptrdiff_t>(stock.data->half.quads.size())};
 }
 
 HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& file) {
@@ -164,8 +164,8 @@ HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& fil
         mesh, mesh.positions.size(),
         fmt::format("{} points and {} faces are not those of the shipped half ({} and {}); expected "
                     "templates/head/half.obj with its points moved, or landmarks in '{}' beside it",
-                    mesh.positions.size(), mesh.face_count(), stock.half.points.size(),
-                    stock.half.quads.size(),
+                    mesh.positions.size(), mesh.face_count(), stock.data->half.points.size(),
+                    stock.data->half.quads.size(),
                     std::filesystem::path(file).replace_extension(".yaml").filename().string()));
   }
   check_size(stock, mesh);

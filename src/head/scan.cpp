@@ -113,7 +113,7 @@ struct MarkReader {
 
 void add_mark(MarkReader& reader, const std::string& name, const std::string& bare, bool is_right,
               const glm::dvec3& at) {
-  const SkinSpot spot = find_place(reader.adult, bare, reader.stock.folder / "landmarks.yaml");
+  const SkinSpot spot = find_place(reader.adult, bare);
   LinearRow place = find_mean_row(*reader.stock.surface, spot.vertices, spot.shares);
   if (is_right)
     for (auto& entry : place) entry.first = reader.stock.adult.mirror[entry.first];
@@ -154,7 +154,7 @@ void check_needed(const MarkReader& reader, const YamlValue& root) {
     return std::ranges::find(reader.scan.marks, name, &ScanMark::name) != reader.scan.marks.end();
   };
   Names missing;
-  for (const std::string& name : find_needed_landmarks(reader.stock.folder / "landmarks.yaml")) {
+  for (const std::string& name : reader.stock.data->landmarks.needed) {
     const bool is_sided = std::ranges::find(reader.words.sided, name) != reader.words.sided.end();
     for (const std::string& each : is_sided ? Names{name + "_l", name + "_r"} : Names{name})
       if (!has(each)) missing.push_back(each);
@@ -186,7 +186,7 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
   if (is_cloud) cloud = build_cloud_surface(scan.mesh);
 
   Findings findings;
-  const HeadWords words = load_head_words(stock.folder.parent_path().parent_path(), findings);
+  const HeadWords& words = stock.data->words;
   Names names = words.middle;
   for (const std::string& name : words.sided)
     for (const char* side : {"_l", "_r"}) names.push_back(name + side);

@@ -50,7 +50,7 @@ void apply_stroke(const HeadStock& stock, const std::vector<PointRing>& rings, c
                   HeadForm& form) {
   NeutralHead head = build_bare_head(stock, form.points);
   head.hairline = form.hairline;
-  const SkinSpot spot = find_place(head, stroke.at, stock.folder / "landmarks.yaml");
+  const SkinSpot spot = find_place(head, stroke.at);
   const LinearRow place = find_mean_row(*stock.surface, spot.vertices, spot.shares);
   const glm::dvec3 at = sample_row(place, form.points);
   const std::vector<double> distances = find_distances(head, rings, place, at, stroke.radius_mm);

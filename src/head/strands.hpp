@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "config/part_numbers.hpp"
 #include "head/binding.hpp"
 #include "head/head.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

@@ -123,11 +123,11 @@ void choose_samples(Problem& problem) {
 void choose_fairness(Problem& problem) {
   const Cage& cage = problem.stock->adult;
   const std::vector<LinearRow> umbrellas = find_umbrella_rows(cage);
-  for (std::uint32_t i = 0; i < problem.stock->half.points.size(); ++i) {
+  for (std::uint32_t i = 0; i < problem.stock->data->half.points.size(); ++i) {
     problem.bends.push_back(build_half_row(cage, umbrellas[i]));
     problem.least_stiffness.push_back(find_least_stiffness(cage.names[i]));
   }
-  for (std::uint32_t i = 0; i < problem.stock->half.points.size(); ++i)
+  for (std::uint32_t i = 0; i < problem.stock->data->half.points.size(); ++i)
     if (find_ear_ring(cage.names[i]) > 0) problem.ear_points.push_back(build_half_row(cage, {{i, 1.0}}));
   for (const Quad& quad : find_half_quads(*problem.stock))
     for (int i = 0; i < 4; ++i)
@@ -357,12 +357,12 @@ Problem build_problem(const HeadStock& stock, const Scan& scan, const Similarity
   problem.stock = &stock;
   problem.scan.tree = build_surface_tree(mesh);
   if (!scan.rims.empty()) problem.scan.tree.is_rim = scan.rims;
-  problem.rest.assign(stock.half.points.size(), glm::dvec3(0));
+  problem.rest.assign(stock.data->half.points.size(), glm::dvec3(0));
   choose_samples(problem);
   choose_fairness(problem);
   choose_marks(problem, scan, ours_from_scan);
   problem.system = build_half_system(
-      stock.adult, stock.half.points.size(),
+      stock.adult, stock.data->half.points.size(),
       {&problem.samples, &problem.marks, &problem.bends, &problem.edges, &problem.ear_points});
   return problem;
 }

@@ -132,16 +132,13 @@ struct Setting {
 
 double find_pen_mm(double size_mm) { return std::max(kLeastPen_mm, kPenShare * size_mm); }
 
-Letters load_letters(const std::filesystem::path& data_folder) {
-  const std::filesystem::path path = data_folder / "templates/openscad/letters.csv";
-  const std::string text = read_file(path);
+Letters build_letters(const Template& table) {
   Letters letters;
   int number = 0;
-  for (const std::string_view line : split(text, '\n')) {
+  for (const std::string_view line : split(table.text, '\n')) {
     ++number;
     if (line.empty() || line[0] == '#') continue;
-    if (!read_letter(line, letters))
-      throw RunError(fmt::format("{}:{}: not a letter", path.string(), number));
+    if (!read_letter(line, letters)) throw RunError(fmt::format("{}:{}: not a letter", table.origin, number));
   }
   return letters;
 }

@@ -2,12 +2,12 @@
 // nozzle.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "core/mesh.hpp"
+#include "core/templates.hpp"
 
 namespace mien {
 
@@ -23,8 +23,8 @@ struct Letters {
   Glyph box;                         // for all others
 };
 
-// templates/openscad/letters.csv. Throws RunError "PATH:LINE: not a letter".
-Letters load_letters(const std::filesystem::path& data_folder);
+// From templates/openscad/letters.csv. Throws RunError "PATH:LINE: not a letter".
+Letters build_letters(const Template& table);
 
 // One line of text, set.
 struct Label {

@@ -174,8 +174,9 @@ std::string build_label_settings(const PosableBust& bust) {
 }
 
 // A template that becomes a part of another one.
-std::string read_part(const std::filesystem::path& path, const std::map<std::string, std::string>& values) {
-  std::string text = fill_template(read_file(path), values, path.string());
+std::string fill_part(const Templates& templates, std::string_view name,
+                      const std::map<std::string, std::string>& values) {
+  std::string text = fill_template(templates, name, values);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
 }
@@ -191,14 +192,13 @@ void require_closed(const PosableBust& bust) {
 
 }  // namespace
 
-std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::path& templates_folder) {
+std::string build_openscad_bust(const PosableBust& bust, const Templates& templates) {
   require_closed(bust);
-  const std::filesystem::path folder = templates_folder / "openscad", origin = folder / "bust.scad";
   const BustGrid& mouth = bust.mouth.grid;
   const std::size_t chest =
       mouth.first + (2 * mouth.upper.size() - 3) * static_cast<std::size_t>(mouth.rows - 1);
   return fill_template(
-      read_file(origin),
+      templates, "openscad/bust.scad",
       {{"title", clean_title(bust.title)},
        {"height_mm", number(bust.height_mm)},
        {"figure_mm", number(bust.figure_mm)},
@@ -218,8 +218,8 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"own_is_flat", bust.base_shape == "none" ? "true" : "false"},
        {"other_foot_mm", number(bust.other_foot_mm)},
        {"mm_per_head_mm", number(bust.mm_per_head_mm, 6)},
-       {"base_functions", read_part(folder / "base.scad", {{"letters", bust.letters}})},
-       {"hollow_functions", read_part(folder / "hollow.scad", {})},
+       {"base_functions", fill_part(templates, "openscad/base.scad", {{"letters", bust.letters}})},
+       {"hollow_functions", fill_part(templates, "openscad/hollow.scad", {})},
        {"moves", list_moves(bust)},
        {"expressions", list_expressions(bust)},
        {"chin_down", fmt::format("{}", find_move_index(bust, "chin", "down"))},
@@ -243,8 +243,7 @@ std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::
        {"skin_rows", list_scad_vertices(bust, 0, bust.eyes[0].grid.first)},
        {"chest_rows", list_scad_vertices(bust, chest, bust.rest.size())},
        {"triangles", list_scad_triangles(bust.triangles)},
-       {"cavity", list_scad_cavity(bust.cavity)}},
-      origin.string());
+       {"cavity", list_scad_cavity(bust.cavity)}});
 }
 
 }  // namespace mien

@@ -2,10 +2,10 @@
 // clockwise-from-outside here.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "core/print.hpp"
+#include "core/templates.hpp"
 
 namespace mien {
 
@@ -13,6 +13,6 @@ namespace mien {
 // move, with the whole print as one polyhedron of numbers, which OpenSCAD need not unite with anything. In
 // names of expressions all but letters, digits, "_", "-" and "/" becomes "_"; equal ones are numbered. Throws
 // RunError "the bust is not closed: N open edges".
-std::string build_openscad_bust(const PosableBust& bust, const std::filesystem::path& templates_folder);
+std::string build_openscad_bust(const PosableBust& bust, const Templates& templates);
 
 }  // namespace mien

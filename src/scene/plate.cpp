@@ -61,7 +61,7 @@ std::string quote_povray(std::string_view words) {
   return quoted + "\"";
 }
 
-std::string build_plate_scene(const Plate& plate, const std::filesystem::path& templates_folder) {
+std::string build_plate_scene(const Plate& plate, const Templates& templates) {
   std::string marks;
   const auto number = [](double value) { return format_number(value, kDecimals); };
   for (const PlateRule& rule : plate.rules)
@@ -78,12 +78,10 @@ std::string build_plate_scene(const Plate& plate, const std::filesystem::path& t
                          quote_povray(plain), number(words.x_px), number(words.y_px), number(words.size_px),
                          number(words.align), number(words.room_px), number(words.strength));
   }
-  const std::filesystem::path file = templates_folder / "povray/plate.pov";
-  return fill_template(read_file(file),
+  return fill_template(templates, "povray/plate.pov",
                        {{"width", std::to_string(plate.width_px)},
                         {"height", std::to_string(plate.height_px)},
-                        {"marks", marks}},
-                       file.string());
+                        {"marks", marks}});
 }
 
 }  // namespace mien

@@ -1,10 +1,11 @@
 // A sheet's page as a POV-Ray scene: paper, rules, lines and words, to which pictures are added afterwards.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "core/templates.hpp"
 
 namespace mien {
 
@@ -41,7 +42,7 @@ struct Plate {
 };
 
 // The page's scene by `templates_folder`/povray/plate.pov.
-std::string build_plate_scene(const Plate& plate, const std::filesystem::path& templates_folder);
+std::string build_plate_scene(const Plate& plate, const Templates& templates);
 
 // UTF-8 as the letters that POV-Ray's own fonts have: ASCII. Latin letters lose their marks, typographic
 // quotes and dashes become plain, the rest is left out.

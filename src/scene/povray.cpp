@@ -188,16 +188,15 @@ double find_camera_distance_mm(const CameraView& view) {
          CameraView{}.frame_height_mm;
 }
 
-std::string build_povray_parts(const Model& model, const std::filesystem::path& templates_folder) {
-  const std::string materials = read_file(templates_folder / "povray/materials.inc");
+std::string build_povray_parts(const Model& model, const Templates& templates) {
+  const std::string& materials = find_template(templates, "povray/materials.inc").text;
   std::string parts;
   for (const Part& part : model.parts) append_part(parts, part, materials);
   return parts;
 }
 
-std::string build_povray_include(const Model& model, const RenderSpec& render,
-                                 const std::filesystem::path& templates_folder) {
-  return build_povray_stage(build_povray_parts(model, templates_folder), render, templates_folder);
+std::string build_povray_include(const Model& model, const RenderSpec& render, const Templates& templates) {
+  return build_povray_stage(build_povray_parts(model, templates), render, templates);
 }
 
 void append_povray_start(std::string& text, const FrameStart& start) {

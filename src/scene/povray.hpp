@@ -17,6 +17,7 @@
 
 #include "config/spec.hpp"
 #include "core/model.hpp"
+#include "core/templates.hpp"
 
 namespace mien {
 
@@ -60,22 +61,21 @@ double find_camera_distance_mm(const CameraView& view);
 // material is the macro NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds
 // words to the object, such as no_shadow. Throws RunError on an unknown material and a part that does not fit
 // together.
-std::string build_povray_parts(const Model& model, const std::filesystem::path& templates_folder);
+std::string build_povray_parts(const Model& model, const Templates& templates);
 
 // Light sets and backgrounds of templates/povray that frames name, besides the studio and the render's own.
 struct StageSets {
   std::set<std::string> lights, backgrounds;
 };
 
-// The text of scenes/head.inc: materials, lights and background from `templates_folder`/povray, quality
+// The text of scenes/head.inc: materials, lights and background from templates/povray, quality
 // settings, and `parts` of all models that never change in the clip. Throws RunError on a broken template and
 // an unknown background.
-std::string build_povray_stage(const std::string& parts, const RenderSpec& render,
-                               const std::filesystem::path& templates_folder, const StageSets& sets = {});
+std::string build_povray_stage(const std::string& parts, const RenderSpec& render, const Templates& templates,
+                               const StageSets& sets = {});
 
 // The stage with one model's parts.
-std::string build_povray_include(const Model& model, const RenderSpec& render,
-                                 const std::filesystem::path& templates_folder);
+std::string build_povray_include(const Model& model, const RenderSpec& render, const Templates& templates);
 
 // What a frame's file begins with.
 struct FrameStart {

@@ -6,10 +6,8 @@
 
 namespace mien {
 
-std::string build_plaster_scene(const Mesh& mesh, double aspect,
-                                const std::filesystem::path& templates_folder) {
+std::string build_plaster_scene(const Mesh& mesh, double aspect, const Templates& templates) {
   constexpr int kDecimals = 4;
-  const std::filesystem::path origin = templates_folder / "povray/bust.pov";
   std::string vertices, faces;
   for (const glm::vec3& p : mesh.positions) {
     vertices += vertices.empty() ? "<" : ",\n<";
@@ -23,15 +21,14 @@ std::string build_plaster_scene(const Mesh& mesh, double aspect,
   for (const Triangle& t : mesh.triangles)
     faces += fmt::format("{}<{},{},{}>", faces.empty() ? "" : ",\n", t[0], t[1], t[2]);
   const Box box = find_bounds(mesh.positions);
-  return fill_template(read_file(origin),
+  return fill_template(templates, "povray/bust.pov",
                        {{"height_mm", format_number(box.high.z, 3)},
                         {"width_mm", format_number(box.high.x - box.low.x, 3)},
                         {"aspect", format_number(aspect, 5)},
                         {"vertex_count", fmt::format("{}", mesh.positions.size())},
                         {"vertices", vertices},
                         {"face_count", fmt::format("{}", mesh.triangles.size())},
-                        {"faces", faces}},
-                       origin.string());
+                        {"faces", faces}});
 }
 
 }  // namespace mien

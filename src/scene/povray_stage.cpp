@@ -15,12 +15,12 @@ constexpr const char* kOwnLights = "studio";  // of a scene whose frames say not
 constexpr int kShareDecimals = 6, kAngleDecimals = 4, kColourDecimals = 4;
 
 // templates/povray/light_moon.inc and the like.
-std::string read_named(const std::filesystem::path& folder, const char* kind, const std::string& name) {
-  const std::filesystem::path file = folder / fmt::format("{}_{}.inc", kind, name);
-  if (name.find_first_not_of("abcdefghijklmnopqrstuvwxyz_") != std::string::npos ||
-      !std::filesystem::exists(file))
-    throw RunError(fmt::format("unknown {} '{}': {} does not exist", kind, name, file.string()));
-  return read_file(file);
+const std::string& find_named(const Templates& templates, const char* kind, const std::string& name) {
+  const std::string file = fmt::format("povray/{}_{}.inc", kind, name);
+  const auto found = templates.find(file);
+  if (found == templates.end())
+    throw RunError(fmt::format("unknown {} '{}': templates/{} does not exist", kind, name, file));
+  return found->second.text;
 }
 
 // The inside of a pigment.
@@ -33,27 +33,24 @@ std::string format_background(const BackgroundShare& background) {
 
 }  // namespace
 
-std::string build_povray_stage(const std::string& parts, const RenderSpec& render,
-                               const std::filesystem::path& templates_folder, const StageSets& sets) {
-  const std::filesystem::path folder = templates_folder / "povray";
+std::string build_povray_stage(const std::string& parts, const RenderSpec& render, const Templates& templates,
+                               const StageSets& sets) {
   std::set<std::string> grounds = sets.backgrounds, lights = sets.lights;
   grounds.insert(render.background);
   lights.insert(kOwnLights);
-  std::string light_sets = read_file(folder / "lights.inc"), backgrounds;
-  for (const std::string& name : lights) light_sets += read_named(folder, "light", name);
-  for (const std::string& name : grounds) backgrounds += read_named(folder, "background", name);
+  std::string light_sets = find_template(templates, "povray/lights.inc").text, backgrounds;
+  for (const std::string& name : lights) light_sets += find_named(templates, "light", name);
+  for (const std::string& name : grounds) backgrounds += find_named(templates, "background", name);
   const PovrayQuality settings = find_povray_quality(render.quality);
-  const std::filesystem::path frame = folder / "head.inc";
-  return fill_template(read_file(frame),
+  return fill_template(templates, "povray/head.inc",
                        {{"key_samples", std::to_string(settings.light_samples)},
                         {"key_depth", std::to_string(settings.key_depth)},
-                        {"materials", read_file(folder / "materials.inc")},
+                        {"materials", find_template(templates, "povray/materials.inc").text},
                         {"lights", light_sets},
                         {"background", backgrounds},
                         {"light", kOwnLights},
                         {"ground", render.background},
-                        {"parts", parts}},
-                       frame.string());
+                        {"parts", parts}});
 }
 
 // Their Turn goes to the picture's left, an author's angle to the character's.

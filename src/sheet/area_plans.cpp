@@ -222,7 +222,7 @@ SheetTable build_limit_table(std::string_view area) {
 
 }  // namespace
 
-SheetPlan plan_areas(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_areas(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {360, 300};
   plan.across = 2;
@@ -239,7 +239,7 @@ SheetPlan plan_areas(const SheetSubject& subject, const std::filesystem::path&) 
   return plan;
 }
 
-SheetPlan plan_limits(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_limits(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {800, 600};
   plan.across = 3;

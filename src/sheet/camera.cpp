@@ -93,8 +93,8 @@ glm::vec3 find_toward_camera(const CameraView& view) {
   return {std::sin(angle), 0, std::cos(angle)};
 }
 
-FigurePlaces build_places(const Figure& figure, const std::filesystem::path& data_folder) {
-  const auto landmarks = find_landmarks(figure.head, data_folder / "templates/head/landmarks.yaml");
+FigurePlaces build_places(const Figure& figure) {
+  const auto landmarks = find_landmarks(figure.head);
   return [&figure, landmarks](const Pose& pose) {
     DeformBuffers buffers;
     Drawing drawing;
@@ -107,11 +107,10 @@ FigurePlaces build_places(const Figure& figure, const std::filesystem::path& dat
   };
 }
 
-HeadMeasures measure_head(const Figure& figure, const std::filesystem::path& data_folder) {
+HeadMeasures measure_head(const Figure& figure) {
   HeadMeasures measures;
-  measures.landmarks = build_places(figure, data_folder)(Pose{});
-  measures.limits =
-      measure_limits(figure.head, figure.face, figure.limits, data_folder / "templates/head/areas.yaml");
+  measures.landmarks = build_places(figure)(Pose{});
+  measures.limits = measure_limits(figure.head, figure.face, figure.limits);
   measures.guides = measure_guide_heights(figure.head);
   std::vector<glm::vec3> above;
   for (const glm::vec3& p : figure.head.skin.positions)

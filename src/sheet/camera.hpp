@@ -17,7 +17,7 @@ namespace mien {
 using PlacesOfPose = std::map<std::string, glm::dvec3>;
 using FigurePlaces = std::function<PlacesOfPose(const Pose& pose)>;
 
-FigurePlaces build_places(const Figure& figure, const std::filesystem::path& data_folder);
+FigurePlaces build_places(const Figure& figure);
 
 // What framing and captions need to know of a head, mm.
 struct HeadMeasures {
@@ -30,7 +30,7 @@ struct HeadMeasures {
   double height_mm() const { return guides.back().second - guides.front().second; }
 };
 
-HeadMeasures measure_head(const Figure& figure, const std::filesystem::path& data_folder);
+HeadMeasures measure_head(const Figure& figure);
 
 // Level, of length 1.
 glm::vec3 find_toward_camera(const CameraView& view);

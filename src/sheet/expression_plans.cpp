@@ -81,7 +81,7 @@ const Pose& find_pose(const Spec& spec, const std::string& library, const std::s
 
 }  // namespace
 
-SheetPlan plan_heads(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_heads(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {400, 480};
   const Expression& expression = subject.expression;
@@ -105,7 +105,7 @@ SheetPlan plan_heads(const SheetSubject& subject, const std::filesystem::path&) 
   return plan;
 }
 
-SheetPlan plan_expressions(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_expressions(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {400, 400};
   plan.heads = {subject.spec.head};
@@ -123,7 +123,7 @@ SheetPlan plan_expressions(const SheetSubject& subject, const std::filesystem::p
   return plan;
 }
 
-SheetPlan plan_libraries(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_libraries(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {400, 400};
   plan.heads = {subject.spec.head};

@@ -42,7 +42,7 @@ SheetFraming frame_feature(const FeatureInfo& feature) {
 
 }  // namespace
 
-SheetPlan plan_views(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_views(const SheetSubject& subject, const HeadData&) {
   constexpr double kWide =
       1.52;  // Loomis' square seen from the side is as wide as high; words stand beside it
   SheetPlan plan;
@@ -62,7 +62,7 @@ SheetPlan plan_views(const SheetSubject& subject, const std::filesystem::path&) 
   return plan;
 }
 
-SheetPlan plan_details(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_details(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {480, 400};
   plan.across = 2;
@@ -90,7 +90,7 @@ SheetPlan plan_details(const SheetSubject& subject, const std::filesystem::path&
   return plan;
 }
 
-SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_ages(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {460, 500};
   plan.blocks.resize(2);
@@ -119,7 +119,7 @@ SheetPlan plan_ages(const SheetSubject& subject, const std::filesystem::path&) {
   return plan;
 }
 
-SheetPlan plan_skulls(const SheetSubject& subject, const std::filesystem::path&) {
+SheetPlan plan_skulls(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {400, 480};
   plan.blocks.resize(2);
@@ -134,11 +134,11 @@ SheetPlan plan_skulls(const SheetSubject& subject, const std::filesystem::path&)
   return plan;
 }
 
-SheetPlan plan_features(const SheetSubject& subject, const std::filesystem::path& data) {
+SheetPlan plan_features(const SheetSubject& subject, const HeadData& data) {
   SheetPlan plan;
   plan.cell_px = {280, 320};
   plan.heads = {subject.spec.head};
-  for (const FeatureInfo& feature : load_features(data / "templates/head")) {
+  for (const FeatureInfo& feature : data.shapes.features) {
     SheetBlock& block = plan.blocks.emplace_back();
     block.heading = build_caption(feature.name);
     block.note = "1: " + feature.meaning;

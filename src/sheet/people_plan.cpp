@@ -18,10 +18,7 @@ constexpr double kWide = 0.92;      // of the head's height: hair has room
 
 }  // namespace
 
-SheetPlan plan_people(const SheetSubject& subject, const std::filesystem::path& data) {
-  Findings findings;
-  const HeadWords words = load_head_words(data, findings);
-  throw_mistakes(std::move(findings));
+SheetPlan plan_people(const SheetSubject& subject, const HeadData& data) {
   SheetPlan plan;
   plan.cell_px = {400, 440};
   SheetBlock& block = plan.blocks.emplace_back();
@@ -36,8 +33,8 @@ SheetPlan plan_people(const SheetSubject& subject, const std::filesystem::path& 
     cell.framing.scale_of = cell.head;  // tall hair on a tall head has room too
     block.cells.push_back(cell);
     HeadSpec& head = plan.heads.emplace_back(subject.spec.head);
-    draw_person(words.people, static_cast<std::uint64_t>(seed), head);
-    set_greying(words.greying, head.look);
+    draw_person(data.words.people, static_cast<std::uint64_t>(seed), head);
+    set_greying(data.words.greying, head.look);
   }
   return plan;
 }

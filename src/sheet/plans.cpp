@@ -17,7 +17,7 @@ namespace {
 struct SheetKind {
   const char* name;
   const char* subject;
-  SheetPlan (*plan)(const SheetSubject& subject, const std::filesystem::path& data_folder);
+  SheetPlan (*plan)(const SheetSubject& subject, const HeadData& data);
 };
 constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
                             SheetKind{"details", "Details", plan_details},
@@ -66,11 +66,10 @@ void check_sheet_kind(const std::string& kind) {
                                 : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
 }
 
-SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
-                           const std::filesystem::path& data_folder) {
+SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject, const HeadData& data) {
   check_sheet_kind(kind);
   const SheetKind& known = *find_kind(kind);
-  SheetPlan plan = known.plan(subject, data_folder);
+  SheetPlan plan = known.plan(subject, data);
   plan.subject = known.subject;
   return plan;
 }

@@ -2,7 +2,6 @@
 // them. What makes pictures of a plan is the same for all kinds.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <utility>
 #include <vector>
@@ -91,10 +90,9 @@ struct SheetPlan {
 std::string build_caption(std::string word);
 
 // The plan of one kind of sheet. Throws InputError "unknown kind 'vews'; did you mean 'views'?".
-SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
-                           const std::filesystem::path& data_folder);
+SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject, const HeadData& data);
 
-// Kinds that are made elsewhere (sheet_strip.hpp): suggested like the others.
+// Kinds that are made elsewhere (clip_sheets.hpp): suggested like the others.
 inline constexpr std::array<std::string_view, 2> kClipSheets{"strip", "exposure"};
 
 // The one that needs no file.

@@ -7,12 +7,10 @@
 #include <algorithm>
 #include <tuple>
 
-#include "clip.hpp"
-#include "core/data.hpp"
+#include "clip/pictures.hpp"
 #include "core/error.hpp"
 #include "core/parallel.hpp"
 #include "core/text.hpp"
-#include "pipeline.hpp"
 #include "render/driver.hpp"
 #include "render/picture.hpp"
 #include "render/process.hpp"
@@ -67,10 +65,10 @@ std::vector<SheetCell*> list_cells(SheetPlan& plan) {
 
 // What is wrong with a head, such as guide lines that cross, is known when it is built: each is, once, before
 // anything is written.
-void check_heads(const SheetPlan& plan, const Options& options, const fs::path& data) {
+void check_heads(const SheetPlan& plan, const Options& options, const HeadStock& stock) {
   for_each_index(plan.heads.size(), count_jobs(options), [&](std::size_t i, int) {
     throw_if_interrupted();
-    build_neutral_head(plan.heads[i], data);
+    build_neutral_head(stock, plan.heads[i]);
   });
 }
 
@@ -86,10 +84,10 @@ double find_way_mm(const HeadMeasures& measures, const SheetCell& cell, const Dr
 // goes behind their captions.
 void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const Figure& figure,
                        const std::vector<HeadMeasures>& measures, const RenderSpec& render,
-                       const fs::path& work, const fs::path& data) {
+                       const fs::path& work, const Templates& templates) {
   const fs::path folder = work / fmt::format("head{}", index);
-  write_file(folder / "head.inc", build_povray_include(figure.model, render, data / "templates"));
-  const FigurePlaces places = build_places(figure, data);
+  write_file(folder / "head.inc", build_povray_include(figure.model, render, templates));
+  const FigurePlaces places = build_places(figure);
   const std::pair size_px(render.width_px, render.height_px);
   DeformBuffers buffers;
   Drawing drawing;
@@ -135,15 +133,15 @@ void tell_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
 }
 
 // Builds the heads one after the other: none is kept but its measures.
-void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path& work, const fs::path& data,
-                      Progress& progress) {
+void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path& work,
+                      const Resources& resources, Progress& progress) {
   const std::vector<SheetCell*> cells = list_cells(plan);
   std::vector<HeadMeasures> measures;
   for (std::size_t i = 0; i < plan.heads.size(); ++i) {
     throw_if_interrupted();
-    const Figure figure = build_figure(plan.heads[i], data);
-    measures.push_back(measure_head(figure, data));
-    write_cell_scenes(cells, i, figure, measures, render, work, data);
+    const Figure figure = build_figure(resources.heads, plan.heads[i]);
+    measures.push_back(measure_head(figure));
+    write_cell_scenes(cells, i, figure, measures, render, work, resources.stock.templates);
     progress.advance(false, static_cast<int>(i) + 1);
   }
   progress.finish();
@@ -169,18 +167,13 @@ void render_cells(const std::vector<SheetCell*>& cells, const RenderSpec& render
     jobs.push_back({static_cast<int>(i) + 1,
                     work / fmt::format("head{}", cells[i]->head) / fmt::format("cell{}.pov", i),
                     find_cell_picture(work, i), ""});
-  RenderSettings settings;
-  settings.width_px = render.width_px;
-  settings.height_px = render.height_px;
-  settings.povray_options = list_quality_options(render.quality);
-  settings.jobs = count_jobs(options);
-  render_scenes(jobs, settings, options, "cells");
+  render_scenes(jobs, list_settings(render, {}, count_jobs(options)), options, "cells");
 }
 
 // The page without its cells. Many rays for the words, whatever the cells' quality; where letters are so
 // small that a stroke may pass between two pixels' middles, for every pixel.
-Pixels render_page(const SheetLayout& layout, const fs::path& work, const fs::path& data) {
-  write_file(work / "plate.pov", build_plate_scene(layout.plate, data / "templates"));
+Pixels render_page(const SheetLayout& layout, const fs::path& work, const Templates& templates) {
+  write_file(work / "plate.pov", build_plate_scene(layout.plate, templates));
   RenderSettings settings;
   settings.width_px = layout.plate.width_px;
   settings.height_px = layout.plate.height_px;
@@ -192,13 +185,11 @@ Pixels render_page(const SheetLayout& layout, const fs::path& work, const fs::pa
 
 }  // namespace
 
-std::filesystem::path write_sheet(const std::string& kind, const Options& options) {
-  check_sheet_kind(kind);
-  const fs::path data = find_data_folder();
-  const SheetSubject subject = load_sheet_subject(kind, options, data);
+std::filesystem::path write_sheet(const Options& options, const Resources& resources) {
+  const SheetSubject subject = load_sheet_subject(options, resources.stock);
   const Spec& spec = subject.spec;
-  const fs::path path = find_sheet_path(kind, options, spec);
-  SheetPlan plan = build_sheet_plan(kind, subject, data);
+  const fs::path path = find_sheet_path(options.kind, options, spec);
+  SheetPlan plan = build_sheet_plan(options.kind, subject, *resources.stock.head);
   RenderSpec render = spec.render;
   render.background = kGround;
   const std::pair<int, int> cell_px = options.size_px.value_or(plan.cell_px);
@@ -206,16 +197,16 @@ std::filesystem::path write_sheet(const std::string& kind, const Options& option
   const std::string title = find_title(spec);
   check_page(build_sheet_layout(plan, title, cell_px));
   require_programs({{"povray", "povray"}});
-  check_heads(plan, options, data);
+  check_heads(plan, options, resources.heads);
 
   const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
   Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "heads",
                     static_cast<int>(plan.heads.size()));
-  write_all_scenes(plan, render, work.path, data, progress);
+  write_all_scenes(plan, render, work.path, resources, progress);
   const std::vector<SheetCell*> cells = list_cells(plan);
   render_cells(cells, render, work.path, options);
   const SheetLayout layout = build_sheet_layout(plan, title, cell_px);
-  Pixels page = render_page(layout, work.path, data);
+  Pixels page = render_page(layout, work.path, resources.stock.templates);
   for (std::size_t i = 0; i < cells.size(); ++i)
     paste_pixels(page, read_pixels(find_cell_picture(work.path, i)), layout.places[i].left_px,
                  layout.places[i].top_px);

@@ -4,9 +4,8 @@
 
 #include <algorithm>
 
-#include "clip.hpp"
+#include "clip/clip.hpp"
 #include "config/findings.hpp"
-#include "config/load_spec.hpp"
 #include "core/error.hpp"
 #include "sheet/plans.hpp"
 #include "timeline/drawings.hpp"
@@ -25,13 +24,13 @@ bool is_file(const fs::path& word) {
 constexpr const char* kPlainHair = "crop";  // bald heads look startled and unfinished
 
 // What stands for a file where none was named.
-Spec build_plain_spec(const std::string& word, const Options& options, const fs::path& data) {
+Spec build_plain_spec(const std::string& word, const Options& options, const Stock& stock) {
   Spec spec;
   std::string stem = word;
   std::ranges::replace(stem, '/', '_');
   spec.name = build_name(stem);
   spec.head.hair = kPlainHair;
-  spec.expressions = load_expression_libraries(data / "configs/expressions");
+  spec.expressions = stock.language->libraries.expressions;
   if (options.quality) spec.render.quality = *options.quality;
   return spec;
 }
@@ -56,26 +55,27 @@ Expression find_poster_face(const Spec& spec) {
 
 }  // namespace
 
-SheetSubject load_sheet_subject(const std::string& kind, const Options& options, const fs::path& data) {
+SheetSubject load_sheet_subject(const Options& options, const Stock& stock) {
+  const std::string& kind = options.kind;
   const bool is_of_heads = kind == "heads";
   const std::string word = options.file.string();
   SheetSubject subject;
-  subject.sources = load_library_sources(data / "configs/expressions");
+  subject.sources = stock.library_sources;
   subject.seed = options.seed.value_or(subject.seed);
   if (kind == kPeopleSheet && word.empty()) {
-    subject.spec = build_plain_spec(word, options, data);
+    subject.spec = build_plain_spec(word, options, stock);
     subject.spec.name = kind;
     subject.spec.head.hair = HeadSpec{}.hair;  // each has a cut of their own
     return subject;
   }
   if (is_file(options.file) || (kind != "expressions" && !is_of_heads)) {
-    subject.spec = load_actor_request(options, data);
+    subject.spec = load_actor_request(options, *stock.language);
     if (is_of_heads)
       subject.expression =
           options.express ? take_expression(subject.spec, *options.express) : find_poster_face(subject.spec);
     return subject;
   }
-  subject.spec = build_plain_spec(word, options, data);
+  subject.spec = build_plain_spec(word, options, stock);
   if (is_of_heads) {
     if (options.express)
       throw InputError(fmt::format(

@@ -1,12 +1,11 @@
 // What a sheet is about: the second word of `mien sheet KIND FILE`, which for some kinds may be a name.
 #pragma once
 
-#include <filesystem>
 #include <map>
 #include <string>
 
-#include "config/spec.hpp"
-#include "pipeline.hpp"
+#include "config/stock.hpp"
+#include "options.hpp"
 
 namespace mien {
 
@@ -21,7 +20,6 @@ struct SheetSubject {
 // stand for `sheet expressions`, an expression for `sheet heads`; `sheet heads FILE` shows what --express
 // says, else the face of the clip's poster. `sheet people` needs no word. Throws InputError: a wrong file's
 // mistakes, an unknown name with the nearest known one, --express beside an expression's name.
-SheetSubject load_sheet_subject(const std::string& kind, const Options& options,
-                                const std::filesystem::path& data_folder);
+SheetSubject load_sheet_subject(const Options& options, const Stock& stock);
 
 }  // namespace mien

@@ -3,9 +3,10 @@
 
 #include <set>
 
-#include "clip_scenes.hpp"
+#include "clip/scenes.hpp"
 #include "config/config_fixture.hpp"
 #include "frames/place.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -28,7 +29,7 @@ Clip plan_two(const std::filesystem::path& folder) {
   options.file = folder / "two.yaml";
   options.output = folder / "out";
   write_file(options.file, kTwo);
-  return plan_clip(options, kData);
+  return plan_clip(options, *shipped().stock.language);
 }
 
 std::string read_scenes(const std::filesystem::path& folder) {
@@ -46,10 +47,7 @@ TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
   for (const int jobs : {1, 4}) {
     const auto folder = make_test_folder(std::to_string(jobs));
     const Clip clip = plan_two(folder);
-    Options options;
-    options.jobs = jobs;
-    options.is_quiet = true;
-    keys.push_back(write_scenes(clip, build_cast(clip, kData), options, kData));
+    keys.push_back(write_scenes(clip, build_cast(clip, shipped().heads), shipped(), jobs, [](int) {}));
     scenes.push_back(read_scenes(folder));
   }
   EXPECT_EQ(keys[0], keys[1]);
@@ -61,10 +59,8 @@ TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
 TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
   const auto folder = make_test_folder();
   const Clip clip = plan_two(folder);
-  const Cast cast = build_cast(clip, kData);
-  Options options;
-  options.is_quiet = true;
-  write_scenes(clip, cast, options, kData);
+  const Cast cast = build_cast(clip, shipped().heads);
+  write_scenes(clip, cast, shipped(), 1, [](int) {});
   const std::string include = read_file(folder / "out/scenes/head.inc"),
                     heads = read_file(folder / "out/scenes/h0001.inc"),
                     frame = read_file(folder / "out/scenes/f0001.pov");
@@ -91,7 +87,7 @@ TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
 
 TEST(actors, are_all_framed) {
   const Clip clip = plan_two(make_test_folder());
-  const Cast cast = build_cast(clip, kData);
+  const Cast cast = build_cast(clip, shipped().heads);
   const CameraView view = find_view(cast.framing, {}, {}, clip.spec.render);
   EXPECT_GT(view.frame_width_mm, 380) << "two heads, 240 mm from middle to middle";
   Options options;

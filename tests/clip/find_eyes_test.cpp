@@ -3,10 +3,11 @@
 
 #include <cmath>
 
-#include "clip.hpp"
-#include "clip_view.hpp"
+#include "clip/clip.hpp"
+#include "clip/view.hpp"
 #include "core/conventions.hpp"
 #include "core/data.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -22,7 +23,7 @@ TEST(find_eyes, meets_the_camera_on_every_head) {
   for (const char* age : {"infant", "adult"}) {
     HeadSpec head;
     head.age = {{age, 1.0}};
-    const Figure figure = build_figure(head, find_data_folder());
+    const Figure figure = build_figure(shipped().heads, head);
     const EyeRig rig = find_eyes(figure, {});
     EXPECT_NEAR(rig.left.up_deg, 25, 1e-9);
     EXPECT_NEAR(rig.right.down_deg, 30, 1e-9);
@@ -45,7 +46,7 @@ TEST(find_eyes, meets_the_camera_on_every_head) {
 TEST(find_eyes, takes_the_limits_of_the_head) {
   HeadSpec head;
   head.limits = {{"eye.left.up", 0.5}};
-  const EyeRig rig = find_eyes(build_figure(head, find_data_folder()), {});
+  const EyeRig rig = find_eyes(build_figure(shipped().heads, head), {});
   EXPECT_NEAR(rig.left.up_deg, 12.5, 1e-9);
   EXPECT_NEAR(rig.right.up_deg, 25, 1e-9);
 }

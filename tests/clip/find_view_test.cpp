@@ -3,9 +3,10 @@
 
 #include <cmath>
 
-#include "clip_view.hpp"
+#include "clip/view.hpp"
 #include "core/conventions.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -13,7 +14,7 @@ namespace {
 Figure build_head(const char* age) {
   HeadSpec spec;
   spec.age = {{age, 1.0}};
-  return build_figure(spec, source_folder());
+  return build_figure(shipped().heads, spec);
 }
 
 CameraView find_view_at(const Figure& figure, double angle_deg, double height_deg = 0) {
@@ -45,7 +46,7 @@ TEST(find_view, takes_in_all_of_the_hair_above) {
   for (const char* cut : {"curls", "bun", "pixie", "wavy"}) {
     HeadSpec spec;
     spec.hair = cut;
-    const Figure figure = build_figure(spec, source_folder());
+    const Figure figure = build_figure(shipped().heads, spec);
     for (const double angle_deg : {0.0, 30.0, 90.0, 180.0}) {
       const CameraView view = find_view_at(figure, angle_deg);
       const double angle = view.angle_deg * kRadiansPerDegree, distance = find_camera_distance_mm(view);

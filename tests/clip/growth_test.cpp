@@ -1,9 +1,10 @@
 // A head that grows in a clip: its keys to the last bit, and nothing that jumps between them.
 #include <gtest/gtest.h>
 
-#include "clip_scenes.hpp"
+#include "clip/scenes.hpp"
 #include "config/config_fixture.hpp"
 #include "head/form.hpp"
+#include "shipped.hpp"
 #include "timeline/head_track.hpp"
 
 namespace mien {
@@ -29,7 +30,8 @@ head:
   features: {ear_size: 0.5}
 )")
                              .head;
-  const Figure grown = build_figure(sample_head(load_heads(), 2), kData), plain = build_figure(alone, kData);
+  const Figure grown = build_figure(shipped().heads, sample_head(load_heads(), 2)),
+               plain = build_figure(shipped().heads, alone);
   ASSERT_EQ(grown.model.parts.size(), plain.model.parts.size());
   for (std::size_t i = 0; i < plain.model.parts.size(); ++i) {
     EXPECT_EQ(grown.model.parts[i].rest.positions, plain.model.parts[i].rest.positions);
@@ -51,7 +53,7 @@ TEST(growth, a_head_that_cannot_be_between_two_good_ones_is_told_before_anything
   actor.performance.clip.head = {old, young};
   clip.actors = {actor};
   try {
-    build_cast(clip, kData);
+    build_cast(clip, shipped().heads);
     ADD_FAILURE() << "all were built";
   } catch (const InputError& error) {
     const std::string message = error.what();
@@ -68,7 +70,7 @@ double find_jump_mm(const HeadForm& a, const HeadForm& b) {
 }
 
 TEST(growth, is_continuous_at_and_between_its_keys) {
-  const HeadStock stock = load_head_stock(kData);
+  const HeadStock stock = shipped().heads;
   const std::vector<HeadKey> keys = load_heads();
   const auto form_at = [&](double time_s) { return build_form(stock, sample_head(keys, time_s)); };
   // Nearly nothing happens in a hundred thousandth of a second, beside a key as elsewhere.
@@ -89,12 +91,12 @@ TEST(growth, is_framed_by_the_largest_head_all_through) {
   Options options;
   options.file = make_test_folder() / "growth.yaml";
   write_file(options.file, kGrowth);
-  const Clip clip = plan_clip(options, kData);
-  const Cast cast = build_cast(clip, kData);
+  const Clip clip = plan_clip(options, *shipped().stock.language);
+  const Cast cast = build_cast(clip, shipped().heads);
   ASSERT_EQ(cast.figures.size(), 1u);
   EXPECT_EQ(cast.figures.front(), nullptr) << "no single head stands for the clip";
   Framing largest;
-  add_figure(build_figure(find_head(clip.actors.front(), 2), kData), glm::dmat4(1), largest);
+  add_figure(build_figure(shipped().heads, find_head(clip.actors.front(), 2)), glm::dmat4(1), largest);
   EXPECT_EQ(cast.framing.crown_mm, largest.crown_mm);
   EXPECT_EQ(cast.framing.chin_mm, largest.chin_mm);
 }

@@ -70,7 +70,7 @@ TEST(actors, take_heads_from_files) {
   const auto folder = make_test_folder();
   write_file(folder / "ann.yaml", "mien: 1\nhead: {age: infant}\n");
   write_file(folder / "two.yaml", "mien: 1\nactors:\n  ann: {head: ann.yaml}\n");
-  EXPECT_EQ(load_spec(folder / "two.yaml", kData).actors[0].head.age, (Mix{{"infant", 1.0}}));
+  EXPECT_EQ(load_spec(folder / "two.yaml", *find_language()).actors[0].head.age, (Mix{{"infant", 1.0}}));
 }
 
 TEST(actors, a_clip_alone_may_wait_for_its_own_keys) {

@@ -207,7 +207,7 @@ clip:
   keys: [{at: 0s, express: anger}, {at: 2s, express: fear}]
   cues: [{from: 3s, play: wink}]
 )Y");
-  const ClipSpec clip = load_spec(folder / "main.yaml", kData).clip;
+  const ClipSpec clip = load_spec(folder / "main.yaml", *find_language()).clip;
   EXPECT_EQ(clip.fps, 24);
   ASSERT_EQ(clip.keys.size(), 4u);
   EXPECT_EQ(clip.keys[1].at_s, 1);
@@ -216,7 +216,7 @@ clip:
   EXPECT_EQ(find_value(clip.keys[3].pose, "brow", Side::left, "up"), 1);  // its t counts from 1 s
   ASSERT_EQ(clip.cues.size(), 1u);
   write_file(folder / "part.yaml", "mien: 1\nclip: {include: {file: other.yaml, take: [scripts]}}\n");
-  const ClipSpec part = load_spec(folder / "part.yaml", kData).clip;
+  const ClipSpec part = load_spec(folder / "part.yaml", *find_language()).clip;
   EXPECT_EQ(part.keys.size(), 1u);
   write_file(folder / "loop.yaml", "mien: 1\nclip: {include: [loop.yaml, none.yaml]}\n");
   EXPECT_EQ(find_mistakes(folder / "loop.yaml"),
@@ -232,7 +232,7 @@ TEST(clip, reads_tables) {
   const auto folder = make_test_folder("_files");
   write_file(folder / "talk.csv", "time,lips.upper, brows.up\n0.5,0,0.1\n1,0.5,0.2\n\n1.5,1,-0.3\n");
   write_file(folder / "main.yaml", "mien: 1\nclip: {tracks: [{csv: talk.csv, at: 1s}]}\n");
-  const ClipSpec clip = load_spec(folder / "main.yaml", kData).clip;
+  const ClipSpec clip = load_spec(folder / "main.yaml", *find_language()).clip;
   ASSERT_EQ(clip.cues.size(), 1u);
   const CueSpec& cue = clip.cues[0];
   EXPECT_EQ(cue.full_s, 1.5);

@@ -18,7 +18,7 @@ TEST(head_files, are_found_from_the_folder_of_the_file_that_names_them) {
   write_head(folder / "inner/a.yaml", "{mesh: ../parts/half.OBJ}");
   write_head(folder / "b.yaml", "{mix: {inner/a.yaml: 2, plain.yml: 6}}");
   write_head(folder / "plain.yml", "{}");
-  const HeadSpec head = load_spec(folder / "b.yaml", kData).head;
+  const HeadSpec head = load_spec(folder / "b.yaml", *find_language()).head;
   ASSERT_EQ(head.mix.size(), 2u);
   EXPECT_EQ(head.mix[0].weight, 0.25);
   ASSERT_TRUE(head.mix[0].head.mesh);
@@ -40,7 +40,7 @@ TEST(head_files, looks_are_mixed_and_can_be_changed) {
   write_head(folder / "a.yaml", "{look: {skin: \"#000000\", iris: \"#ff0000\", freckles: 1}}");
   write_head(folder / "b.yaml", "{look: {skin: \"#ffffff\", lips: \"#00ff00\"}}");
   write_head(folder / "c.yaml", "{mix: {a.yaml: 1, b.yaml: 1}, look: {iris: \"#0000ff\"}}");
-  const Look look = load_spec(folder / "c.yaml", kData).head.look;
+  const Look look = load_spec(folder / "c.yaml", *find_language()).head.look;
   EXPECT_EQ(look.skin, glm::vec3(0.5f));
   EXPECT_EQ(look.iris, glm::vec3(0, 0, 1));
   EXPECT_EQ(look.freckles, 0.5);

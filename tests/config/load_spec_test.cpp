@@ -167,7 +167,7 @@ TEST(load_spec, names_the_output_by_the_file) {
                                                  {"plain", "plain"}};
   for (const auto& [file, name] : names) {
     write_file(folder / file, "mien: 1\n");
-    EXPECT_EQ(load_spec(folder / file, kData).name, name) << file;
+    EXPECT_EQ(load_spec(folder / file, *find_language()).name, name) << file;
   }
 }
 
@@ -190,7 +190,7 @@ TEST(load_spec, loads_every_example_and_the_starter) {
 }
 
 TEST(load_spec, says_hello_in_48_drawings) {
-  const Spec spec = load_spec(kData / "configs/hello.yaml", kData);
+  const Spec spec = load_spec(kData / "configs/hello.yaml", *find_language());
   EXPECT_EQ(count_frames(spec.clip), 96);
   EXPECT_EQ(spec.clip.draw, 2);
   EXPECT_EQ(spec.render.width_px, 480);
@@ -283,7 +283,7 @@ TEST(load_spec, knows_the_features_of_the_data) {
   write_file(folder / "templates/head/features.yaml",
              "features:\n  nose_length: {mm: 3}\n  mouth_width: {mm: 5}\n");
   write_file(folder / "good.yaml", "mien: 1\nhead: {features: {nose_length: 0.3, mouth_width: -1}}\n");
-  EXPECT_EQ(load_spec(folder / "good.yaml", folder).head.features,
+  EXPECT_EQ(load_spec(folder / "good.yaml", *find_language(folder)).head.features,
             (std::map<std::string, double>{{"mouth_width", -1}, {"nose_length", 0.3}}));
   write_file(folder / "bad.yaml", "mien: 1\nhead: {features: {nose_lenght: 0.3, ears: 1, mouth_width: 2}}\n");
   EXPECT_EQ(

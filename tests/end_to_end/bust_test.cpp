@@ -3,12 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "busts.hpp"
+#include "bust/build_bust.hpp"
 #include "core/text.hpp"
 #include "end_to_end/program.hpp"
 #include "places.hpp"
 #include "scene/openscad.hpp"
 #include "scene/stl.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -255,17 +256,17 @@ ProgramRun pose_in_openscad(const std::filesystem::path& folder, const std::stri
 
 TEST(bust, openscad_poses_the_face_as_mien_does) {
   const auto folder = make_folder("bust_pose");
-  const Figure figure = build_figure(HeadSpec{}, source_folder());
+  const Figure figure = build_figure(shipped().heads, HeadSpec{});
   Pose laugh;
   for (const auto& [area, move, value] :
        {std::tuple{"chin", "down", 0.6}, std::tuple{"corner", "up", 0.9}, std::tuple{"lid", "lower", 0.6}})
     for (std::size_t i = 0; i < kMoveCount; ++i)
       if (kMoves[i].area == area && kMoves[i].move == move) laugh.values[i] = value;
-  BustShop shop{figure, {{"neutral", Pose{}}, {"laugh", laugh}}, "A test", {}};
+  BustCache cache{figure, {{"neutral", Pose{}}, {"laugh", laugh}}, "A test", {}};
   BustSpec spec;
   spec.expression.name = "neutral";
-  write_file(folder / "bust.scad", build_openscad_bust(make_bust(shop, spec).source,
-                                                       std::filesystem::path(source_folder()) / "templates"));
+  write_file(folder / "bust.scad",
+             build_openscad_bust(make_bust(cache, spec).source, shipped_stock().templates));
 
   struct Case {
     std::string set;  // of the Customizer
@@ -289,7 +290,7 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
     const ProgramRun run = pose_in_openscad(folder, c.set);
     ASSERT_EQ(run.status, 0) << run.out;
     spec.expression.pose = c.pose;
-    EXPECT_LT(find_furthest_mm(read_stl(folder / "a.stl").positions, make_bust(shop, spec).mesh.positions),
+    EXPECT_LT(find_furthest_mm(read_stl(folder / "a.stl").positions, make_bust(cache, spec).mesh.positions),
               c.bound_mm)
         << c.set;
   }
@@ -297,19 +298,22 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
 
 TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
   const auto folder = make_folder("bust_hollow");
-  const Figure figure = build_figure(HeadSpec{}, source_folder());
+  const Figure figure = build_figure(shipped().heads, HeadSpec{});
   Pose open;
   open.values[find_move("chin", Side::none, "down").value()] = 0.8;
-  BustShop shop{figure, {{"neutral", Pose{}}, {"open", open}}, "A test", load_letters(source_folder())};
+  BustCache cache{figure,
+                  {{"neutral", Pose{}}, {"open", open}},
+                  "A test",
+                  build_letters(find_template(shipped().stock.templates, "openscad/letters.csv"))};
   BustSpec spec;
   spec.expression.name = "neutral";
   spec.triangles = 8000;
-  write_file(folder / "bust.scad", build_openscad_bust(make_bust(shop, spec).source,
-                                                       std::filesystem::path(source_folder()) / "templates"));
+  write_file(folder / "bust.scad",
+             build_openscad_bust(make_bust(cache, spec).source, shipped_stock().templates));
   const auto compare = [&](const BustSpec& asked, const std::string& set) {
     const ProgramRun run = pose_in_openscad(folder, set);
     ASSERT_EQ(run.status, 0) << run.out;
-    const Mesh meant = make_bust(shop, asked).mesh;
+    const Mesh meant = make_bust(cache, asked).mesh;
     const StlFacts facts = check_stl(folder / "a.stl");
     EXPECT_EQ(facts.open_edges, 0u) << set;
     EXPECT_EQ(facts.parts, asked.drain_mm > 0 ? 1u : 2u) << set;

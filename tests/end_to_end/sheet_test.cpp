@@ -6,6 +6,7 @@
 #include "render/picture.hpp"
 #include "sheet/camera.hpp"
 #include "sheet/layout.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -44,11 +45,11 @@ TEST(sheet, draws_each_guide_line_at_its_height_in_every_view) {
 
   SheetSubject subject;
   subject.spec.head.age = {{"child", 1.0}};
-  const SheetPlan plan = build_sheet_plan("views", subject, source_folder());
+  const SheetPlan plan = build_sheet_plan("views", subject, *shipped_stock().head);
   const SheetLayout layout = build_sheet_layout(plan, "", kCell);
   ASSERT_EQ(page.size.width_px, layout.plate.width_px);
   ASSERT_EQ(page.size.height_px, layout.plate.height_px);
-  const HeadMeasures head = measure_head(build_figure(subject.spec.head, source_folder()), source_folder());
+  const HeadMeasures head = measure_head(build_figure(shipped().heads, subject.spec.head));
   ASSERT_EQ(head.guides.size(), 7u);
   for (std::size_t i = 0; i < 4; ++i) {
     const SheetCell& cell = plan.blocks[1].cells[i];
@@ -75,7 +76,8 @@ TEST(sheet, draws_the_limits_on_the_face) {
   const ProgramRun run = run_shell(folder, "mien sheet limits child.yaml --size 96x72 --quiet -o limits.png");
   ASSERT_EQ(run.status, 0) << run.err;
   const Pixels page = read_pixels(folder / "limits.png");
-  const SheetLayout layout = build_sheet_layout(build_sheet_plan("limits", {}, source_folder()), "", kCell);
+  const SheetLayout layout =
+      build_sheet_layout(build_sheet_plan("limits", {}, *shipped_stock().head), "", kCell);
   ASSERT_EQ(page.size.width_px, layout.plate.width_px);
   ASSERT_EQ(page.size.height_px, layout.plate.height_px);
   const auto [left, top] = layout.places.at(5);

@@ -9,12 +9,13 @@
 #include "core/text.hpp"
 #include "frames/figure.hpp"
 #include "head/landmarks.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, kData);
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
   return figure;
 }
 
@@ -33,8 +34,7 @@ std::vector<std::string> split_cells(const std::string& line) {
 
 // Each landmark of the adult in a pose, and "incisor": the middle of the lower teeth's edge.
 std::map<std::string, glm::dvec3> find_places(const Pose& pose) {
-  static const std::vector<Landmark> landmarks =
-      find_landmarks(adult().head, kData / "templates/head/landmarks.yaml");
+  static const std::vector<Landmark> landmarks = find_landmarks(adult().head);
   DeformBuffers buffers;
   Drawing drawing;
   deform_figure(adult(), pose, TurnKey{}, buffers, drawing);

@@ -10,6 +10,7 @@
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -21,8 +22,8 @@ struct Subject {
 };
 
 Subject build(const std::string& name, const HeadSpec& spec) {
-  Subject subject{name, build_neutral_head(spec, find_data_folder()), {}};
-  subject.face = build_face(subject.head, find_data_folder() / "templates/head/areas.yaml");
+  Subject subject{name, build_neutral_head(shipped().heads, spec), {}};
+  subject.face = build_face(subject.head);
   return subject;
 }
 
@@ -39,8 +40,7 @@ const std::vector<Subject>& subjects() {
     built.push_back(build("adult", HeadSpec{}));
     built.push_back(build("infant", spec_of("infant", "average")));
     built.push_back(build("square", spec_of("adult", "square")));
-    built.push_back(
-        build("random", build_random_spec(7, load_head_shapes(find_data_folder() / "templates/head"))));
+    built.push_back(build("random", build_random_spec(7, shipped().stock.head->shapes.heads)));
     return built;
   }();
   return all;
@@ -80,8 +80,7 @@ bool is_contact(const Limit& limit) { return limit.name->thesis == "LIPS_MATCH_L
 
 TEST(areas, go_as_far_as_their_limits_say_on_every_head) {
   for (const Subject& s : subjects()) {
-    for (const Limit& limit :
-         measure_limits(s.head, s.face, {}, find_data_folder() / "templates/head/areas.yaml")) {
+    for (const Limit& limit : measure_limits(s.head, s.face, {})) {
       if (limit.axis < 0 || is_contact(limit)) continue;
       Pose pose;
       pose.values[limit.name->move] = limit.name->sign;

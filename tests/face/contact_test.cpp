@@ -7,6 +7,7 @@
 #include "core/data.hpp"
 #include "face/face.hpp"
 #include "head/lip_sheet.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -20,8 +21,8 @@ Subject build(const std::string& age) {
   HeadSpec spec;
   spec.age = {{age, 1.0}};
   Subject subject;
-  subject.head = build_neutral_head(spec, find_data_folder());
-  subject.face = build_face(subject.head, find_data_folder() / "templates/head/areas.yaml");
+  subject.head = build_neutral_head(shipped().heads, spec);
+  subject.face = build_face(subject.head);
   return subject;
 }
 

@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "head/surface.hpp"
 #include "poses.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -24,8 +25,8 @@ Subject build(const std::string& age = "adult", const std::string& skull = "aver
   spec.age = {{age, 1.0}};
   spec.skull = {{skull, 1.0}};
   Subject subject;
-  subject.head = build_neutral_head(spec, find_data_folder());
-  subject.face = build_face(subject.head, find_data_folder() / "templates/head/areas.yaml");
+  subject.head = build_neutral_head(shipped().heads, spec);
+  subject.face = build_face(subject.head);
   return subject;
 }
 

@@ -13,18 +13,17 @@
 #include "frames/figure.hpp"
 #include "head/cage.hpp"
 #include "poses.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
 
-fs::path find_fold_file() { return find_data_folder() / "templates/head/folds.yaml"; }
-
 Figure build(const std::string& age) {
   HeadSpec spec;
   spec.age = {{age, 1.0}};
-  return build_figure(spec, find_data_folder());
+  return build_figure(shipped().heads, spec);
 }
 
 const Figure& adult() {
@@ -92,7 +91,7 @@ TEST(folds, only_the_old_have_lines_at_rest_and_the_more_the_older) {
   const auto find_rest = [&](const Mix& age) {
     spec.age = age;
     double sum = 0;
-    for (const FoldField& field : build_figure(spec, find_data_folder()).folds.fields) {
+    for (const FoldField& field : build_figure(shipped().heads, spec).folds.fields) {
       EXPECT_GE(find_fold_amount(field, Pose{}, Side::left), field.rest);
       sum += find_fold_amount(field, Pose{}, Side::left);
     }
@@ -105,18 +104,17 @@ TEST(folds, only_the_old_have_lines_at_rest_and_the_more_the_older) {
   EXPECT_NEAR(2 * half, old, 1e-9);
 }
 
-// The shipped folds with `line` for the one that begins with "uneven:".
-Folds build_uneven(const std::string& line) {
-  std::string text = read_file(find_fold_file());
-  const std::size_t at = text.find("\nuneven:") + 1;
-  text.replace(at, text.find('\n', at) + 1 - at, line);
-  const fs::path file = fs::path(testing::TempDir()) / "uneven_folds.yaml";
-  write_file(file, text);
-  return build_folds(adult().head, HeadSpec{}, file);
+// The shipped folds, as uneven as asked.
+Folds build_uneven(const FoldUnevenness& uneven) {
+  auto data = std::make_shared<HeadData>(*adult().head.data);
+  data->folds.uneven = uneven;
+  NeutralHead head = adult().head;
+  head.data = data;
+  return build_folds(head, HeadSpec{});
 }
 
 TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit_where_none_is_uneven) {
-  const Folds folds = build_uneven("");
+  const Folds folds = build_uneven({});
   std::mt19937 random(3);
   for (int round = 0; round < 20; ++round) {
     const Pose pose = build_random_pose(random);
@@ -167,10 +165,10 @@ TEST(folds, of_another_seed_are_others_and_of_the_same_the_same) {
       for (const FoldedVertex& folded : field.vertices) heights_mm += std::abs(folded.near_mm);
     return heights_mm;
   };
-  const std::string rest = ", along_mm: 11, aside_mm: 1, broken: .7, shared_mm: 9}\n";
-  const double one = sum(build_uneven("uneven: {seed: 1" + rest));
-  EXPECT_EQ(sum(build_uneven("uneven: {seed: 1" + rest)), one);
-  EXPECT_NE(sum(build_uneven("uneven: {seed: 2" + rest)), one);
+  const FoldUnevenness first{1, 11, 1, 0.7, 9}, second{2, 11, 1, 0.7, 9};
+  const double one = sum(build_uneven(first));
+  EXPECT_EQ(sum(build_uneven(first)), one);
+  EXPECT_NE(sum(build_uneven(second)), one);
 }
 
 TEST(folds, one_brow_folds_its_own_side) {
@@ -235,39 +233,6 @@ TEST(folds, are_deep_on_an_adult_and_hardly_seen_on_an_infant) {
   EXPECT_LT(adult_mm, 3.0);
   EXPECT_LT(find_deepest_mm(build("child"), build_folded_pose()), 0.4 * adult_mm);
   EXPECT_LT(find_deepest_mm(build("infant"), build_folded_pose()), 0.15 * adult_mm);
-}
-
-// The message for the shipped file with `from` replaced by `to`, less the folder.
-std::string find_mistake(const std::string& from, const std::string& to) {
-  std::string text = read_file(find_fold_file());
-  const std::size_t at = text.find(from);
-  EXPECT_NE(at, text.npos) << from;
-  text.replace(at, from.size(), to);
-  const fs::path file = fs::path(testing::TempDir()) / "folds.yaml";
-  write_file(file, text);
-  try {
-    build_folds(adult().head, HeadSpec{}, file);
-  } catch (const RunError& e) {
-    const std::string message = e.what();
-    EXPECT_TRUE(message.starts_with(file.string() + ":")) << message;
-    return message.substr(message.find(": ") + 2);
-  }
-  return "none";
-}
-
-TEST(folds, mistakes_in_the_file_are_told_at_their_line) {
-  EXPECT_EQ(find_mistake("broken: .7", "broken: 2"), "found '2'; expected a number from 0 to 1");
-  EXPECT_EQ(find_mistake("broken: .7", "cracked: .7"),
-            "unknown key 'cracked'; expected seed, along_mm, aside_mm, broken, shared_mm");
-  EXPECT_EQ(find_mistake("edge: 1.0", "edge: wide"), "found 'wide'; expected a number from 0.3 to 3");
-  EXPECT_EQ(find_mistake("[brow.up+]", "[brow.upp+]"), "unknown move 'brow.upp'");
-  EXPECT_EQ(find_mistake("[brow.up+]", "[brow.up]"),
-            "'brow.up' is not a driver; expected area.move+ or area.move-");
-  EXPECT_EQ(find_mistake("    spread:", "    spred:"),
-            "unknown key 'spred'; expected drive, from, to, rest, depth_mm, width_mm, rolls, spread, "
-            "uneven, across_mm, lines");
-  EXPECT_EQ(find_mistake("edge: 1.0", ""), "'edge' is missing");
-  EXPECT_EQ(find_mistake("[p_F1, p_F2,", "[p_F1, p_Q2,"), "the head has no point called 'p_Q2'");
 }
 
 }  // namespace

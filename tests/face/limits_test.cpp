@@ -7,6 +7,7 @@
 
 #include "core/data.hpp"
 #include "frames/figure.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -16,12 +17,11 @@ Figure build(const std::string& age, const std::string& skull, std::map<std::str
   spec.age = {{age, 1.0}};
   spec.skull = {{skull, 1.0}};
   spec.limits = std::move(limits);
-  return build_figure(spec, find_data_folder());
+  return build_figure(shipped().heads, spec);
 }
 
 std::vector<Limit> measure(const Figure& figure) {
-  return measure_limits(figure.head, figure.face, figure.limits,
-                        find_data_folder() / "templates/head/areas.yaml");
+  return measure_limits(figure.head, figure.face, figure.limits);
 }
 
 const Limit& find(const std::vector<Limit>& limits, const std::string& name) {

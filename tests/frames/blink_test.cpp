@@ -3,6 +3,7 @@
 
 #include "core/data.hpp"
 #include "frames/figure.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -14,7 +15,7 @@ Pose shut_lids() {
 }
 
 TEST(blink, takes_the_lashes_along) {
-  const Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  const Figure figure = build_figure(shipped().heads, HeadSpec{});
   DeformBuffers buffers;
   Drawing open, shut;
   deform_figure(figure, Pose{}, TurnKey{}, buffers, open);

@@ -10,12 +10,13 @@
 #include "places.hpp"
 #include "poses.hpp"
 #include "print/solid_tree.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, source_folder());
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
   return figure;
 }
 
@@ -159,7 +160,7 @@ TEST(bust_body, other_heads_at_other_heights_are_closed) {
   HeadSpec square;
   square.skull = {{"square", 1.0}};
   for (const auto& [spec, height_mm] : {std::pair{infant, 40.0}, std::pair{square, 150.0}}) {
-    const Figure figure = build_figure(spec, source_folder());
+    const Figure figure = build_figure(shipped().heads, spec);
     BustSize size;
     size.whole_mm = height_mm;
     size.figure_mm = height_mm * 0.9;

@@ -7,12 +7,13 @@
 
 #include "config/config_fixture.hpp"
 #include "core/data.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
   return figure;
 }
 

@@ -10,6 +10,7 @@
 #include "head/binding.hpp"
 #include "head/cage.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -23,7 +24,7 @@ const std::vector<NamedFigure>& figures() {
   static const std::vector<NamedFigure> list = [] {
     std::vector<NamedFigure> made;
     const auto add = [&](const std::string& name, const HeadSpec& spec) {
-      made.push_back({name, build_figure(spec, source_folder())});
+      made.push_back({name, build_figure(shipped().heads, spec)});
     };
     for (const char* age : {"adult", "infant", "child"}) {
       HeadSpec spec;
@@ -51,7 +52,7 @@ const std::vector<Expression>& expressions() {
 
 double find_scale(const Figure& figure) {
   return figure.head.skin.positions[find_point(figure.head.cage, "M1_6")].x /
-         load_part_numbers().mouth.corner_mm;
+         shipped().stock.head->parts.mouth.corner_mm;
 }
 
 constexpr double kPressed_mm =
@@ -90,7 +91,7 @@ double find_clearance_mm(const Figure& figure, const Pose& pose) {
 }
 
 TEST(mouth_pose, keeps_the_lips_off_the_teeth) {
-  const MouthNumbers numbers = load_part_numbers().mouth;
+  const MouthNumbers numbers = shipped().stock.head->parts.mouth;
   for (const auto& [name, figure] : figures())
     for (const Expression& expression : expressions()) {
       const bool is_asked =

@@ -6,6 +6,7 @@
 #include "head/patterns.hpp"
 #include "head/soundness.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 
@@ -89,7 +90,7 @@ PoseProbe build_pose_probe(const Figure& figure) {
   const NeutralHead& head = figure.head;
   PoseProbe probe;
   probe.figure = &figure;
-  probe.eye = load_part_numbers().eye;
+  probe.eye = shipped().stock.head->parts.eye;
   add_patches(head, probe);
   for (const Triangle& t : find_triangles(head, {"E0_*", "E1_*", "E2_*", "E3_*"}))
     for (const std::uint32_t v : t)

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
+#include "config/part_numbers.hpp"
 #include "frames/figure.hpp"
 #include "head/contact.hpp"
-#include "head/part_numbers.hpp"
 
 namespace mien {
 

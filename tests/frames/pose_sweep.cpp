@@ -11,11 +11,12 @@
 #include "core/parallel.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 
 std::vector<SweepHead> list_sweep_heads() {
-  const HeadShapes shapes = load_head_shapes(find_data_folder() / "templates/head");
+  const HeadShapes shapes = shipped().stock.head->shapes.heads;
   std::vector<SweepHead> heads;
   for (const std::string skull : {"average", "square", "round", "narrow"})
     for (const std::string& age : kAges) {
@@ -84,7 +85,7 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
   std::vector<Findings> findings(size.within + size.exaggerated);
   std::array<SweepTable, 2> tables;
   for (const std::size_t head : heads) {
-    const Figure figure = build_figure(all[head].spec, find_data_folder());
+    const Figure figure = build_figure(shipped().heads, all[head].spec);
     const PoseProbe probe = build_pose_probe(figure);
     const auto pose_of = [&](std::size_t i) {
       return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within),

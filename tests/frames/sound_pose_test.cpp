@@ -7,6 +7,7 @@
 
 #include "core/data.hpp"
 #include "frames/pose_sweep.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -41,7 +42,7 @@ TEST(sound_pose, holds_every_check_on_every_head) {
 
 // The measures themselves: what is moved out of its place is found there.
 TEST(sound_pose, sees_teeth_that_are_moved_through_the_lips) {
-  Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  Figure figure = build_figure(shipped().heads, HeadSpec{});
   for (Part& part : figure.model.parts)
     if (part.name == "teeth_lower")
       for (glm::vec3& p : part.rest.positions) p.z += 14;

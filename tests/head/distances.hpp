@@ -9,19 +9,18 @@
 #include "core/data.hpp"
 #include "frames/figure.hpp"
 #include "head/landmarks.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 
 using Places = std::map<std::string, glm::dvec3>;
 
 inline Places measure(const HeadSpec& spec) {
-  const auto data = find_data_folder();
-  const Figure figure = build_figure(spec, data);
+  const Figure figure = build_figure(shipped().heads, spec);
   DeformBuffers buffers;
   Drawing drawing;
   deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
-  return measure_landmarks(figure.head, find_landmarks(figure.head, data / "templates/head/landmarks.yaml"),
-                           figure.model, drawing);
+  return measure_landmarks(figure.head, find_landmarks(figure.head), figure.model, drawing);
 }
 
 inline double between(const Places& p, const std::string& a, const std::string& b) {

@@ -17,17 +17,16 @@
 #include "head/lids.hpp"
 #include "head/skin_tint.hpp"
 #include "head/strands.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
-
-std::filesystem::path file() { return find_data_folder() / "templates/head/hair.yaml"; }
 
 NeutralHead build(const char* age, const char* skull = "average") {
   HeadSpec spec;
   spec.age = {{age, 1.0}};
   spec.skull = {{skull, 1.0}};
-  return build_neutral_head(spec, find_data_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 const NeutralHead& adult() {
@@ -76,8 +75,8 @@ std::vector<std::array<float, 3>> list_places(const Mesh& mesh, float hand) {
 
 TEST(hair, words_are_those_of_the_file_and_none) {
   Names cuts{"none"}, beards{"none"};
-  for (const auto& [name, cut] : load_hair_cuts(file())) cuts.push_back(name);
-  for (const auto& [name, beard] : load_beards(file()).beards) beards.push_back(name);
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) cuts.push_back(name);
+  for (const auto& [name, beard] : shipped().stock.head->hair.beards.beards) beards.push_back(name);
   EXPECT_EQ(sort(kHairs), sort(cuts));
   EXPECT_EQ(sort(kBeards), sort(beards));
   EXPECT_GE(cuts.size(), 7u);  // six cuts, and none
@@ -106,7 +105,7 @@ TEST(hair, is_none_unless_asked_for) {
 TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
   for (const char* age : {"infant", "child", "adult"}) {
     const NeutralHead head = build(age, age == std::string_view("child") ? "square" : "average");
-    for (const auto& [name, cut] : load_hair_cuts(file())) {
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
       const std::string what = std::string(age) + " " + name;
       const std::vector<HeadPart> parts = build_hair(head, name, Look{});
       ASSERT_FALSE(parts.empty()) << what;
@@ -122,7 +121,7 @@ TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
 }
 
 TEST(hair, keeps_within_its_share_of_a_frame) {
-  for (const auto& [name, cut] : load_hair_cuts(file())) {
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
     std::size_t count = 0;
     for (const HeadPart& part : build_hair(adult(), name, Look{})) count += part.part.rest.positions.size();
     EXPECT_LT(count, 45000u) << name;
@@ -131,7 +130,7 @@ TEST(hair, keeps_within_its_share_of_a_frame) {
 
 TEST(hair, mirrors_itself_to_the_bit_where_it_is_not_parted) {
   int mirrored = 0;
-  for (const auto& [name, cut] : load_hair_cuts(file()))
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts)
     for (const HeadPart& part : build_hair(adult(), name, Look{})) {
       const bool is_mass = part.part.name == "hair_mass";
       const bool is_coil = cut.bun_radius_mm > 0 && part.part.name == "hair";  // a coil turns one way
@@ -148,7 +147,7 @@ TEST(hair, never_falls_over_the_face) {
     const NeutralHead head = build(age);
     const glm::vec3 brow = find_named_point(head, "E5_4"), corner = find_named_point(head, "E1_8");
     const glm::vec3 chin = find_named_point(head, "m12_D1");
-    for (const auto& [name, cut] : load_hair_cuts(file()))
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts)
       for (const HeadPart& part : build_hair(head, name, Look{})) {
         int count = 0;
         for (const glm::vec3& p : part.part.rest.positions)
@@ -159,7 +158,7 @@ TEST(hair, never_falls_over_the_face) {
 }
 
 TEST(hair, ends_near_the_border_that_its_cut_names) {
-  const HairScene scene = build_hair_scene(adult(), load_hair_cut("bob"));
+  const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at("bob"));
   const std::vector<HeadPart> parts = build_hair(adult(), "bob", Look{});
   const double chin = find_named_point(adult(), "m12_D1").y;
   float low = 1000;
@@ -171,7 +170,7 @@ TEST(hair, ends_near_the_border_that_its_cut_names) {
 
 TEST(hair, roots_lie_within_the_hairline_as_many_before_as_behind) {
   for (const char* name : {"crop", "bun"}) {
-    const HairScene scene = build_hair_scene(adult(), load_hair_cut(name));
+    const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at(name));
     const std::vector<HairPlace> roots = spread_roots(scene, 1000, 0, false);
     ASSERT_EQ(roots.size(), 1000u);
     int left = 0;
@@ -188,8 +187,8 @@ TEST(hair, moves_little_when_age_moves_little) {
   young.age = {{"child", 0.5}, {"adult", 0.5}};
   HeadSpec older;
   older.age = {{"child", 0.47}, {"adult", 0.53}};
-  const NeutralHead a = build_neutral_head(young, find_data_folder());
-  const NeutralHead b = build_neutral_head(older, find_data_folder());
+  const NeutralHead a = build_neutral_head(shipped().heads, young);
+  const NeutralHead b = build_neutral_head(shipped().heads, older);
   for (const char* name : {"crop", "long", "ponytail"}) {
     const std::vector<HeadPart> one = build_hair(a, name, Look{}), two = build_hair(b, name, Look{});
     const Mesh &first = find_part(one, "hair_mass")->part.rest,
@@ -209,7 +208,7 @@ TEST(hair, rides_on_the_skin) {
     HeadSpec spec;
     spec.hair = cut;
     spec.look.beard = "short";
-    const Figure figure = build_figure(spec, find_data_folder());
+    const Figure figure = build_figure(shipped().heads, spec);
     Pose pose;
     for (const char* side : {"left", "right"})
       pose.values[*find_move("brow", std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
@@ -248,14 +247,14 @@ TEST(hair, paints_the_scalp_and_not_the_face) {
 }
 
 TEST(brows, are_painted_where_their_hairs_are) {
-  const std::vector<float> covers = paint_brows(adult(), load_part_numbers().brow);
+  const std::vector<float> covers = paint_brows(adult(), shipped().stock.head->parts.brow);
   EXPECT_GT(covers[find_point(adult().cage, "E5_4")], 0.3f);
   for (const char* name : {"p_g", "E5_12", "p_F2", "p_tip"})
     EXPECT_EQ(covers[find_point(adult().cage, name)], 0) << name;
 }
 
 TEST(beard, grows_on_men_where_beards_grow) {
-  for (const auto& [name, beard] : load_beards(file()).beards) {
+  for (const auto& [name, beard] : shipped().stock.head->hair.beards.beards) {
     Look look;
     look.beard = name;
     EXPECT_TRUE(build_beard(build("infant"), look).empty()) << name;

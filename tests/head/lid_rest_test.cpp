@@ -7,17 +7,18 @@
 #include "head/form.hpp"
 #include "places.hpp"
 #include "random_heads.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const HeadStock& stock() {
-  static const HeadStock made = load_head_stock(source_folder());
+  static const HeadStock made = shipped().heads;
   return made;
 }
 
 IrisCover measure(const Cage& cage, const Eye& eye) {
-  return measure_iris_cover(*stock().surface, cage, load_part_numbers().eye, eye);
+  return measure_iris_cover(*stock().surface, cage, shipped().stock.head->parts.eye, eye);
 }
 
 // Seating a lid on the ball afterwards shifts its edge a little.
@@ -72,7 +73,7 @@ TEST(lid_rest, measures_what_a_lid_leaves_free) {
 }
 
 TEST(lid_rest, brings_a_startled_lid_down_and_leaves_a_resting_one) {
-  const EyeNumbers numbers = load_part_numbers().eye;
+  const EyeNumbers numbers = shipped().stock.head->parts.eye;
   Cage startled = raise_upper_lid(2.5);
   EXPECT_LT(measure(startled, Eye{}).upper_mm, 0) << "white over the iris";
   const Cage before = startled;

@@ -10,6 +10,7 @@
 #include "head/dental_arch.hpp"
 #include "head/head.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -17,7 +18,7 @@ namespace {
 NeutralHead build_aged(const Mix& age) {
   HeadSpec spec;
   spec.age = age;
-  return build_neutral_head(spec, source_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 const std::vector<HeadPart>& mouth_of(const std::string& age) {
@@ -162,7 +163,7 @@ TEST(mouth, is_darker_toward_the_back) {
 }
 
 TEST(mouth, has_a_scalloped_gum) {
-  const MouthNumbers numbers = load_part_numbers().mouth;
+  const MouthNumbers numbers = shipped().stock.head->parts.mouth;
   const Mesh& gum = find_part(mouth_of("adult"), "gum_upper").rest;
   // Between the two first incisors the gum comes down; over the middle of one it does not.
   const auto lowest_at = [&](float x) {

@@ -7,13 +7,14 @@
 
 #include "core/data.hpp"
 #include "core/error.hpp"
+#include "core/monotone.hpp"
 #include "head/cage.hpp"
 #include "head/head.hpp"
-#include "head/monotone.hpp"
 #include "head/patterns.hpp"
 #include "head/shapes.hpp"
 #include "head/solve.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -22,7 +23,7 @@ NeutralHead build(const std::string& age = "adult", const std::string& skull = "
   HeadSpec spec;
   spec.age = {{age, 1.0}};
   spec.skull = {{skull, 1.0}};
-  return build_neutral_head(spec, find_data_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 const NeutralHead& adult() {
@@ -31,7 +32,7 @@ const NeutralHead& adult() {
 }
 
 TEST(cage, mirrors_the_half_with_the_middle_once) {
-  const HalfHead half = load_half_head(find_data_folder() / "templates/head");
+  const HalfHead half = shipped().stock.head->half;
   const Cage cage = build_cage(half);
   EXPECT_EQ(half.points.size(), 887u);
   EXPECT_EQ(cage.points.size(), 1700u);
@@ -46,7 +47,7 @@ TEST(cage, mirrors_the_half_with_the_middle_once) {
 }
 
 TEST(cage, passes_its_skin_points) {
-  const HalfHead half = load_half_head(find_data_folder() / "templates/head");
+  const HalfHead half = shipped().stock.head->half;
   double square_sum = 0, eye_sum = 0;
   int count = 0, eye_count = 0;
   for (std::size_t i = 0; i < half.points.size(); ++i) {
@@ -130,7 +131,7 @@ TEST(head, mixes_ages_without_a_jump) {
   HeadSpec spec;
   const auto at = [&](double share) {
     spec.age = share == 0 ? Mix{{"infant", 1.0}} : Mix{{"adult", share}, {"infant", 1 - share}};
-    return build_neutral_head(spec, find_data_folder()).cage.points;
+    return build_neutral_head(shipped().heads, spec).cage.points;
   };
   const auto a = at(0.25), b = at(0.5), c = at(0.75);
   for (std::size_t i = 0; i < a.size(); ++i) {  // ages mix linearly, but for what is kept clear of each other
@@ -152,9 +153,9 @@ TEST(head, random_heads_are_finite_and_not_folded) {
     const double k = share(random);
     spec.skull = {{"square", k}, {"narrow", 1 - k}};
     spec.character = sign(random);
-    for (const auto& [name, feature] : load_head_shapes(find_data_folder() / "templates/head").features)
+    for (const auto& [name, feature] : shipped().stock.head->shapes.heads.features)
       spec.features[name] = sign(random);
-    const NeutralHead head = build_neutral_head(spec, find_data_folder());
+    const NeutralHead head = build_neutral_head(shipped().heads, spec);
     std::size_t flipped = 0;
     for (std::size_t f = 0; f < head.surface->quads.size(); ++f) {
       const auto [a, b, c, d] = head.surface->quads[f];
@@ -169,8 +170,8 @@ TEST(head, random_heads_are_finite_and_not_folded) {
 }
 
 TEST(shapes, moves_the_guide_line_that_was_asked_for) {
-  const HeadShapes shapes = load_head_shapes(find_data_folder() / "templates/head");
-  const HalfHead half = load_half_head(find_data_folder() / "templates/head");
+  const HeadShapes shapes = shipped().stock.head->shapes.heads;
+  const HalfHead half = shipped().stock.head->half;
   Cage cage = build_cage(half);
   solve_cage(half, cage);
   const auto guides = find_guides(shapes, HeadSpec{}, cage, Eye{});
@@ -181,7 +182,7 @@ TEST(shapes, moves_the_guide_line_that_was_asked_for) {
 
   HeadSpec spec;
   spec.guides = {{"nose_base", 0.30}};
-  const NeutralHead moved = build_neutral_head(spec, find_data_folder());
+  const NeutralHead moved = build_neutral_head(shipped().heads, spec);
   const auto y = [&](const NeutralHead& head) {
     return head.skin.positions[head.cage.index.find("p_cb")->second].y;
   };
@@ -192,7 +193,7 @@ TEST(shapes, refuses_guide_lines_that_cross) {
   HeadSpec spec;
   spec.guides = {{"eye_line", 0.25}};
   try {
-    build_neutral_head(spec, find_data_folder());
+    build_neutral_head(shipped().heads, spec);
     FAIL();
   } catch (const InputError& e) {
     EXPECT_STREQ(

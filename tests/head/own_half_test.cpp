@@ -12,12 +12,13 @@
 #include "core/text.hpp"
 #include "head/surface.hpp"
 #include "scene/wavefront.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const HeadStock& stock() {
-  static const HeadStock stock = load_head_stock(find_data_folder());
+  static const HeadStock stock = shipped().heads;
   return stock;
 }
 
@@ -35,7 +36,7 @@ std::filesystem::path write_half(const std::vector<glm::dvec3>& places, const st
 NeutralHead build(const std::filesystem::path& mesh) {
   HeadSpec spec;
   spec.mesh = FileReference{mesh, {}};
-  return build_neutral_head(spec, find_data_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 std::string find_fault(const std::filesystem::path& mesh) {
@@ -58,7 +59,7 @@ TEST(own_half, shipped_half_is_what_the_program_makes) {
 }
 
 TEST(own_half, the_shipped_half_gives_the_shipped_head_bit_for_bit) {
-  const NeutralHead plain = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead plain = build_neutral_head(shipped().heads, HeadSpec{});
   const NeutralHead head = build(find_data_folder() / "templates/head/half.obj");
   EXPECT_TRUE(head.skin.positions == plain.skin.positions);
   EXPECT_EQ(head.eye.centre, plain.eye.centre);
@@ -76,7 +77,7 @@ TEST(own_half, either_half_gives_the_same_head) {
 }
 
 TEST(own_half, a_dragged_point_moves_the_skin_there_and_hardly_rings) {
-  const NeutralHead plain = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead plain = build_neutral_head(shipped().heads, HeadSpec{});
   for (const char* name : {"q12_C6", "p_tip", "s1_F1", "M6_12"}) {
     auto places = shipped();
     places[point(name)].z += 5;

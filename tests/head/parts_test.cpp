@@ -9,12 +9,13 @@
 #include "head/binding.hpp"
 #include "head/head.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const NeutralHead& average_head() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
+  static const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   return head;
 }
 
@@ -22,7 +23,7 @@ const NeutralHead& infant_head() {
   static const NeutralHead head = [] {
     HeadSpec spec;
     spec.age = {{"infant", 1.0}};
-    return build_neutral_head(spec, source_folder());
+    return build_neutral_head(shipped().heads, spec);
   }();
   return head;
 }

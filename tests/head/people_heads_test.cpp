@@ -10,6 +10,7 @@
 #include "head/distances.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -18,9 +19,7 @@ constexpr std::size_t kPeople = 24;
 
 const std::vector<HeadSpec>& specs() {
   static const std::vector<HeadSpec> all = [] {
-    Findings findings;
-    const HeadWords words = load_head_words(find_data_folder(), findings);
-    throw_mistakes(std::move(findings));
+    const HeadWords& words = shipped().stock.head->words;
     std::vector<HeadSpec> drawn(kPeople);
     for (std::size_t i = 0; i < kPeople; ++i) {
       draw_person(words.people, i + 1, drawn[i]);
@@ -32,7 +31,7 @@ const std::vector<HeadSpec>& specs() {
 }
 
 const NeutralHead& adult() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  static const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   return head;
 }
 
@@ -41,9 +40,8 @@ const std::vector<NeutralHead>& people() {
   static const std::vector<NeutralHead> all = [] {
     std::vector<NeutralHead> heads(kPeople);
     specs();
-    for_each_index(kPeople, count_cores(), [&](std::size_t i, int) {
-      heads[i] = build_neutral_head(specs()[i], find_data_folder());
-    });
+    for_each_index(kPeople, count_cores(),
+                   [&](std::size_t i, int) { heads[i] = build_neutral_head(shipped().heads, specs()[i]); });
     return heads;
   }();
   return all;

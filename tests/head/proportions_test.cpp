@@ -13,6 +13,7 @@
 
 #include "core/data.hpp"
 #include "head/distances.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -157,7 +158,7 @@ TEST(proportions, skulls_have_the_silhouettes_of_their_names) {
     const Places p = measure(spec);
     const double breadth = measure_breadth(p);
     return Skull{breadth / head_height(p), breadth / between(p, "g", "op"),
-                 measure_jaw(build_neutral_head(spec, find_data_folder()), p.at("sto").y) / breadth,
+                 measure_jaw(build_neutral_head(shipped().heads, spec), p.at("sto").y) / breadth,
                  between(p, "n", "gn") / across(p, "zy")};
   };
   EXPECT_GT(measure_skull("square").jaw, 0.89);

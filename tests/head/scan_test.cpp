@@ -17,16 +17,14 @@
 #include "head/nearest.hpp"
 #include "head/own_half.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
 
-const HeadStock& stock() {
-  static const HeadStock stock = load_head_stock(find_data_folder());
-  return stock;
-}
+const HeadStock& stock() { return shipped().heads; }
 
 fs::path find_file(const std::string& name) { return fs::path(testing::TempDir()) / "mien_scan" / name; }
 
@@ -48,7 +46,7 @@ std::string build_obj(const NeutralHead& head, double lowest_x) {
 std::string build_landmarks(const NeutralHead& head, const std::vector<const char*>& sides) {
   std::string text = "landmarks:\n";
   for (const char* name : {"n", "prn", "sn", "gn", "en", "ex", "ch", "t"}) {
-    const SkinSpot spot = find_place(head, name, find_data_folder() / "templates/head/landmarks.yaml");
+    const SkinSpot spot = find_place(head, name);
     const glm::vec3 p = head.skin.positions[spot.vertices.front()] / 1000.0f;
     if (std::abs(p.x) < 1e-5f) {
       text += fmt::format("  {}: [{}, {}, {}]\n", name, p.x, p.y, p.z);
@@ -63,14 +61,14 @@ std::string build_landmarks(const NeutralHead& head, const std::vector<const cha
 NeutralHead build(const fs::path& file, bool is_half) {
   HeadSpec spec;
   (is_half ? spec.mesh : spec.scan) = FileReference{file, {}};
-  return build_neutral_head(spec, find_data_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 NeutralHead build_sitter() {
   HeadSpec spec;
   spec.character = -0.7;
   spec.features = {{"nose_length", 0.5}};
-  return build_neutral_head(spec, find_data_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 std::string find_fault(const std::string& landmarks, const std::string& mesh = "") {
@@ -96,7 +94,7 @@ TEST(scan, keeps_the_mouth_inside_a_lower_lip_that_falls_back) {
   constexpr float kBack_mm = 9;
   HeadSpec spec;
   spec.age = {{"infant", 1.0}};
-  NeutralHead sitter = build_neutral_head(spec, find_data_folder());
+  NeutralHead sitter = build_neutral_head(shipped().heads, spec);
   const auto find = [&](const char* name) { return sitter.skin.positions[find_point(sitter.cage, name)]; };
   const glm::vec3 meeting = find("M1_12"), border = find("M3_12"), chin = find("M6_12"),
                   corner = find("M1_6");
@@ -129,7 +127,7 @@ TEST(scan, wraps_a_file_into_a_head_that_can_shut_its_eyes) {
     EXPECT_LT(glm::distance(p, find_nearest_place(skin, p).point), 0.5) << stock().adult.names[v];
     EXPECT_LT(glm::distance(p, sitter.skin.positions[v]), 2) << stock().adult.names[v];  // slid on the skin
   }
-  const Face face = build_face(head, find_data_folder() / "templates/head/areas.yaml");
+  const Face face = build_face(head);
   Pose shut;
   for (const Side side : {Side::left, Side::right}) shut.values[*find_move("lid", side, "upper")] = -1;
   std::vector<glm::dvec3> points;

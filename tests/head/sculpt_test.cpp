@@ -9,6 +9,7 @@
 #include "core/data.hpp"
 #include "head/landmarks.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -20,7 +21,7 @@ glm::dvec3 find_at(const NeutralHead& head, const SkinSpot& place) {
   return sum;
 }
 
-NeutralHead build(const HeadSpec& spec) { return build_neutral_head(spec, find_data_folder()); }
+NeutralHead build(const HeadSpec& spec) { return build_neutral_head(shipped().heads, spec); }
 
 const NeutralHead& adult() {
   static const NeutralHead head = build(HeadSpec{});
@@ -28,16 +29,14 @@ const NeutralHead& adult() {
 }
 
 TEST(sculpt, every_place_goes_where_it_was_told) {
-  Findings findings;
-  const HeadWords words = load_head_words(find_data_folder(), findings);
-  ASSERT_TRUE(findings.mistakes.empty());
+  const HeadWords& words = shipped().stock.head->words;
   EXPECT_GT(words.middle.size() + words.sided.size(), 50u);
   std::mt19937 random(2);
   std::uniform_real_distribution<double> move(-4, 4), radius(10, 60);
   const auto check = [&](const std::string& name, bool is_middle) {
     HeadSpec spec;
     spec.sculpt = {{name, {is_middle ? 0 : move(random), move(random), move(random)}, radius(random)}};
-    const SkinSpot place = find_place(adult(), name, find_data_folder() / "templates/head/landmarks.yaml");
+    const SkinSpot place = find_place(adult(), name);
     const glm::dvec3 moved = find_at(build(spec), place) - find_at(adult(), place);
     // Lids are lifted off the ball if they were pushed into it.
     const bool is_lid =

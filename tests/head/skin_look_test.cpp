@@ -9,12 +9,13 @@
 #include "head/skin_masks.hpp"
 #include "head/surface.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const NeutralHead& average_head() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
+  static const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   return head;
 }
 
@@ -80,7 +81,7 @@ TEST(skin_look, wears_and_grows_uneven_with_age_and_pales_the_lips) {
   HeadSpec spec;
   const auto build = [&](const Mix& age) {
     spec.age = age;
-    return build_neutral_head(spec, source_folder());
+    return build_neutral_head(shipped().heads, spec);
   };
   const Part adult = build_skin_part(average_head(), Look{});
   const NeutralHead half_head = build({{"adult", 0.5}, {"old", 0.5}}), old_head = build({{"old", 1.0}});
@@ -121,7 +122,7 @@ TEST(skin_look, keeps_each_pore_at_its_place_of_the_skin_whatever_the_head) {
   const Part grown = build_skin_part(average_head(), Look{});
   HeadSpec young;
   young.age = {{"child", 0.5}, {"infant", 0.5}};
-  const Part skin = build_skin_part(build_neutral_head(young, source_folder()), Look{});
+  const Part skin = build_skin_part(build_neutral_head(shipped().heads, young), Look{});
   EXPECT_EQ(skin.grain, grown.grain);
   EXPECT_NE(skin.rest.positions, grown.rest.positions);
 }

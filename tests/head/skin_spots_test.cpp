@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -12,14 +13,14 @@ namespace {
 constexpr std::size_t kSpotVertices = 19;  // its middle and two rings of nine
 
 const NeutralHead& adult() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, source_folder());
+  static const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   return head;
 }
 
 NeutralHead build_infant() {
   HeadSpec spec;
   spec.age = {{"infant", 1.0}};
-  return build_neutral_head(spec, source_folder());
+  return build_neutral_head(shipped().heads, spec);
 }
 
 HeadPart build(const NeutralHead& head, double freckles, double age_spots) {

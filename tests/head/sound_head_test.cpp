@@ -15,6 +15,7 @@
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -22,12 +23,12 @@ namespace {
 constexpr unsigned kHeads = 200;
 
 const NeutralHead& adult() {
-  static const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  static const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   return head;
 }
 
 HeadSpec spec_of(unsigned seed) {
-  static const HeadShapes shapes = load_head_shapes(find_data_folder() / "templates/head");
+  static const HeadShapes shapes = shipped().stock.head->shapes.heads;
   return seed == 0 ? HeadSpec{} : build_random_spec(seed, shapes);
 }
 
@@ -38,7 +39,7 @@ const std::vector<Soundness>& heads() {
     adult();
     spec_of(0);
     for_each_index(sounds.size(), count_cores(), [&](std::size_t seed, int) {
-      const NeutralHead head = build_neutral_head(spec_of(static_cast<unsigned>(seed)), find_data_folder());
+      const NeutralHead head = build_neutral_head(shipped().heads, spec_of(static_cast<unsigned>(seed)));
       sounds[seed] = measure_soundness(head, adult());
     });
     return sounds;
@@ -134,8 +135,7 @@ TEST(sound_head, grows_up_and_old_without_a_pop) {
   constexpr int kSteps = 60;
   std::vector<NeutralHead> ages(kSteps + 1);
   for_each_index(ages.size(), count_cores(), [&](std::size_t i, int) {
-    ages[i] =
-        build_neutral_head(spec_of_age(kWholeLife * static_cast<double>(i) / kSteps), find_data_folder());
+    ages[i] = build_neutral_head(shipped().heads, spec_of_age(kWholeLife * static_cast<double>(i) / kSteps));
   });
   const std::size_t count = adult().skin.positions.size();
   double worst = 0;
@@ -171,7 +171,7 @@ TEST(sound_head, keeps_its_parts_while_it_grows) {
   std::vector<std::map<std::string, std::size_t>> counts(11);
   for_each_index(counts.size(), count_cores(), [&](std::size_t i, int) {
     counts[i] =
-        count_parts(build_figure(spec_of_age(kWholeLife * static_cast<double>(i) / 10), find_data_folder()));
+        count_parts(build_figure(shipped().heads, spec_of_age(kWholeLife * static_cast<double>(i) / 10)));
   });
   for (const auto& count : counts) EXPECT_EQ(count, counts.back());
 }

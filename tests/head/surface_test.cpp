@@ -8,12 +8,13 @@
 #include "config/head_spec.hpp"
 #include "core/data.hpp"
 #include "head/head.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 TEST(surface, selected_vertices_are_placed_as_on_the_whole_surface) {
-  const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   const Surface& whole = *head.surface;
   std::vector<Float4> points;
   pack_points(head.cage.points, points);
@@ -42,7 +43,7 @@ TEST(surface, selected_vertices_are_placed_as_on_the_whole_surface) {
 }
 
 TEST(surface, nothing_selected_is_nothing) {
-  const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   const std::vector<bool> none(head.surface->vertex_count(), false);
   const Surface selected = select_vertices(*head.surface, none, none);
   EXPECT_TRUE(selected.weight.empty());

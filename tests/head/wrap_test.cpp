@@ -16,12 +16,13 @@
 #include "head/nearest.hpp"
 #include "head/scan_ear.hpp"
 #include "head/surface.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const HeadStock& stock() {
-  static const HeadStock stock = load_head_stock(find_data_folder());
+  static const HeadStock stock = shipped().heads;
   return stock;
 }
 
@@ -118,7 +119,7 @@ Scan build_scan(const NeutralHead& head, const ScanMaking& making) {
   std::normal_distribution<double> noise(0, making.noise_mm > 0 ? making.noise_mm : 1);
   const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
   for (const char* name : {"n", "prn", "sn", "gn", "en", "ex", "ch", "t"}) {
-    const SkinSpot spot = find_place(adult, name, find_data_folder() / "templates/head/landmarks.yaml");
+    const SkinSpot spot = find_place(adult, name);
     LinearRow place = find_mean_row(*stock().surface, spot.vertices, spot.shares);
     const bool is_middle = std::abs(sample_row(place, stock().adult.points).x) < 0.01;
     for (int side = 0; side < (is_middle ? 1 : 2); ++side) {
@@ -270,7 +271,7 @@ std::vector<Sitter> list_sitters() {
 
 TEST(wrap, comes_back_with_the_shape_that_was_scanned) {
   for (const Sitter& sitter : list_sitters()) {
-    const NeutralHead head = build_neutral_head(sitter.spec, find_data_folder());
+    const NeutralHead head = build_neutral_head(shipped().heads, sitter.spec);
     const Outcome outcome = wrap(head, sitter.making);
     const bool is_rough = sitter.making.rough_mm > 0, is_off = sitter.making.noise_mm > 0;
     for (const Miss& miss : {outcome.out, outcome.back}) {
@@ -318,7 +319,7 @@ double find_mean_miss(const Similarity& similarity, const std::vector<glm::dvec3
 TEST(wrap, ears_take_place_size_and_angle_of_the_scans_and_keep_their_own_form) {
   HeadSpec spec;
   spec.features = {{"ear_size", -1}, {"ear_angle", 1}};
-  const NeutralHead head = build_neutral_head(spec, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, spec);
   const auto ear = list_ear();
   const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
   const std::vector<glm::dvec3> theirs = pick(head.skin.positions, ear),
@@ -341,7 +342,7 @@ TEST(wrap, ears_take_place_size_and_angle_of_the_scans_and_keep_their_own_form) 
 TEST(wrap, keeps_our_own_ears_where_a_scan_has_none_and_says_so) {
   ScanMaking making;
   making.has_ears = false;
-  const NeutralHead head = build_neutral_head(list_sitters()[1].spec, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, list_sitters()[1].spec);
   const Scan scan = build_scan(head, making);
   EXPECT_EQ(list_kept_parts(stock(), scan), std::vector<std::string>{"ears"});
   const NeutralHead wrapped = build_bare_head(stock(), wrap_head(stock(), scan).points);
@@ -359,7 +360,7 @@ TEST(wrap, nostrils_keep_their_form) {
   const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
   const auto own = pick(adult.skin.positions, rim);
   for (const Sitter& sitter : list_sitters()) {
-    const NeutralHead head = build_neutral_head(sitter.spec, find_data_folder());
+    const NeutralHead head = build_neutral_head(shipped().heads, sitter.spec);
     const NeutralHead wrapped =
         build_bare_head(stock(), wrap_head(stock(), build_scan(head, sitter.making)).points);
     const auto ours = pick(wrapped.skin.positions, rim);
@@ -368,7 +369,7 @@ TEST(wrap, nostrils_keep_their_form) {
 }
 
 TEST(wrap, is_the_same_every_time_and_its_own_mirror_image) {
-  const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   const Scan scan = build_scan(head, {1, 1000, false, -140, 3});
   const HeadForm once = wrap_head(stock(), scan), again = wrap_head(stock(), scan);
   EXPECT_TRUE(once.points == again.points);
@@ -388,7 +389,7 @@ std::string find_fault(const Scan& scan) {
 }
 
 TEST(wrap, a_face_alone_or_wound_inward_will_do) {
-  const NeutralHead head = build_neutral_head(list_sitters()[1].spec, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, list_sitters()[1].spec);
   Scan scan = build_scan(head, {});
   const HeadForm whole = wrap_head(stock(), scan);
   for (std::size_t i = 0; i + 2 < scan.mesh.corners.size(); i += 3)
@@ -420,7 +421,7 @@ TEST(wrap, a_face_alone_or_wound_inward_will_do) {
 }
 
 TEST(wrap, one_side_is_enough) {
-  const NeutralHead head = build_neutral_head(list_sitters()[2].spec, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, list_sitters()[2].spec);
   ScanMaking left;
   left.least_x_mm = -8;
   const Outcome outcome = wrap(head, left);
@@ -429,7 +430,7 @@ TEST(wrap, one_side_is_enough) {
 }
 
 TEST(wrap, refuses_landmarks_that_are_no_heads) {
-  const NeutralHead head = build_neutral_head(HeadSpec{}, find_data_folder());
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   const Scan good = build_scan(head, {});
   Scan scan = good;
   for (ScanMark& mark : scan.marks)

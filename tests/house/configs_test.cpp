@@ -8,6 +8,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -20,7 +21,7 @@ TEST(house, every_example_loads) {
     if (entry.path().extension() != ".yaml") continue;
     ++count;
     EXPECT_NO_THROW({
-      const Spec spec = load_spec(entry.path(), kRoot);
+      const Spec spec = load_spec(entry.path(), *shipped().stock.language);
       EXPECT_GE(count_frames(spec.clip), 1);
     }) << entry.path();
   }
@@ -40,7 +41,7 @@ TEST(house, every_example_of_the_readme_loads) {
     const std::filesystem::path file = folder / ("example" + std::to_string(++count) + ".yaml");
     write_file(file, (*found)[1].str());
     try {
-      load_spec(file, kRoot);
+      load_spec(file, *shipped().stock.language);
     } catch (const InputError& e) {
       for (const Diagnostic& diagnostic : e.diagnostics) ADD_FAILURE() << format_diagnostic(diagnostic);
     }

@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "places.hpp"
 #include "print/shapes.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -126,7 +127,10 @@ TEST(base, openscad_makes_the_same_rings) {
   const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
   const std::filesystem::path scad = std::filesystem::path(source_folder()) / "templates/openscad/base.scad";
   const std::string functions = fill_template(
-      read_file(scad), {{"letters", build_openscad_letters(load_letters(source_folder()))}}, "base");
+      read_file(scad),
+      {{"letters", build_openscad_letters(
+                       build_letters(find_template(shipped().stock.templates, "openscad/letters.csv")))}},
+      "base");
   std::string points;
   for (const glm::vec3& p : foot)
     points +=

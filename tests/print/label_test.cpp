@@ -12,12 +12,14 @@
 #include "print/base.hpp"
 #include "print/shapes.hpp"
 #include "scene/stl.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const Letters& letters() {
-  static const Letters loaded = load_letters(source_folder());
+  static const Letters loaded =
+      build_letters(find_template(shipped().stock.templates, "openscad/letters.csv"));
   return loaded;
 }
 

@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 
 #include "core/error.hpp"
-#include "places.hpp"
 #include "scene/openscad_check.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const std::filesystem::path kTemplates = std::filesystem::path(source_folder()) / "templates";
+const Templates& kTemplates = shipped_stock().templates;
 
 // A four-sided tower, open below, with grids that are not looked at.
 PosableBust build_small_bust() {

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -53,7 +53,7 @@ TEST(plate, is_a_scene_of_its_words_and_rules) {
   plate.words = {{"{{width}} \"A\"", 10, 20.5, 12, 0.5, 100, 0.5, false}, {"日", 0, 0}};
   plate.rules = {{1, 2, 300, 1.25, 1}};
   plate.lines = {{1, 2, 3, 4.5, 2, 0.5}, {5, 6, 7, 8, 1, 1, true}};
-  const std::string scene = build_plate_scene(plate, std::string(source_folder()) + "/templates");
+  const std::string scene = build_plate_scene(plate, shipped_stock().templates);
   EXPECT_THAT(scene, HasSubstr("#declare Page_width = 320;\n#declare Page_height = 200;"));
   EXPECT_THAT(scene, HasSubstr("plate_words(2, \"{{width}} \\\"A\\\"\", 10, 20.5, 12, 0.5, 100, 0.5)\n"));
   EXPECT_THAT(scene, HasSubstr("plate_rule(1, 2, 300, 1.25, 1)\n"));

@@ -12,14 +12,14 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 using testing::HasSubstr;
 
-const std::filesystem::path kTemplates = std::filesystem::path(source_folder()) / "templates";
+const Templates& kTemplates = shipped_stock().templates;
 
 // Corners 0 1 2 3 of a square that looks along +z, one shade different.
 Part build_square(const std::string& name, bool is_rigid) {

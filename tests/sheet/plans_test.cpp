@@ -10,6 +10,7 @@
 #include "core/error.hpp"
 #include "head/shapes.hpp"
 #include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
@@ -37,7 +38,7 @@ using Captions = std::vector<std::string>;
 TEST(sheet_plans, have_blocks_of_one_length_and_heads_in_order) {
   for (const char* kind : {"views", "details", "ages", "skulls", "features", "expressions", "libraries",
                            "people", "heads", "areas", "limits"}) {
-    const SheetPlan plan = build_sheet_plan(kind, build_subject(), kData);
+    const SheetPlan plan = build_sheet_plan(kind, build_subject(), *shipped_stock().head);
     ASSERT_FALSE(plan.blocks.empty()) << kind;
     EXPECT_FALSE(plan.subject.empty());
     EXPECT_GE(plan.across, 1u);
@@ -55,7 +56,7 @@ TEST(sheet_plans, have_blocks_of_one_length_and_heads_in_order) {
 }
 
 TEST(sheet_plans, show_a_head_from_four_sides_without_and_with_its_lines) {
-  const SheetPlan plan = build_sheet_plan("views", build_subject(), kData);
+  const SheetPlan plan = build_sheet_plan("views", build_subject(), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 2u);
   for (const SheetBlock& block : plan.blocks)
     EXPECT_EQ(list_captions(block), (Captions{"front", "three-quarter", "side", "back"}));
@@ -70,7 +71,7 @@ TEST(sheet_plans, show_every_age_to_the_adults_scale_and_to_its_own) {
   Spec spec;
   spec.head.skull = {{"wide", 1.0}};
   spec.head.guides = {{"eye_line", 0.49}};
-  const SheetPlan plan = build_sheet_plan("ages", build_subject(spec), kData);
+  const SheetPlan plan = build_sheet_plan("ages", build_subject(spec), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 2u);
   for (const SheetBlock& block : plan.blocks)
     EXPECT_EQ(list_captions(block), (Captions{"infant", "child", "teenager", "young adult", "adult", "old"}));
@@ -88,15 +89,15 @@ TEST(sheet_plans, show_every_age_to_the_adults_scale_and_to_its_own) {
 TEST(sheet_plans, show_every_skull_of_the_files_age) {
   Spec spec;
   spec.head.age = {{"child", 1.0}};
-  const SheetPlan plan = build_sheet_plan("skulls", build_subject(spec), kData);
+  const SheetPlan plan = build_sheet_plan("skulls", build_subject(spec), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 2u);
   EXPECT_EQ(list_captions(plan.blocks[1]), kSkulls);
   for (const SheetCell& cell : plan.blocks[1].cells) EXPECT_EQ(plan.heads[cell.head].age, spec.head.age);
 }
 
 TEST(sheet_plans, show_every_feature_at_its_ends_and_at_rest) {
-  const SheetPlan plan = build_sheet_plan("features", build_subject(), kData);
-  const auto features = load_features(kData / "templates/head");
+  const SheetPlan plan = build_sheet_plan("features", build_subject(), *shipped_stock().head);
+  const auto features = shipped().stock.head->shapes.features;
   ASSERT_EQ(plan.blocks.size(), features.size());
   EXPECT_EQ(plan.heads.size(), 1 + 2 * features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {
@@ -114,7 +115,7 @@ TEST(sheet_plans, show_twelve_people_by_their_seeds) {
   subject.spec.head.age = {{"child", 1.0}};
   subject.spec.head.hair = "bob";
   subject.spec.head.said = {"age", "hair"};
-  const SheetPlan plan = build_sheet_plan("people", subject, kData);
+  const SheetPlan plan = build_sheet_plan("people", subject, *shipped_stock().head);
   ASSERT_EQ(plan.heads.size(), 12u);
   EXPECT_EQ(list_captions(plan.blocks.front()).front(), "5");
   EXPECT_EQ(list_captions(plan.blocks.front()).back(), "16");
@@ -124,11 +125,12 @@ TEST(sheet_plans, show_twelve_people_by_their_seeds) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(plan.heads[i].features, plan.heads[j].features);
   }
   subject.seed = 1'000'000'000;
-  EXPECT_EQ(list_captions(build_sheet_plan("people", subject, kData).blocks.front()).back(), "1000000000");
+  EXPECT_EQ(list_captions(build_sheet_plan("people", subject, *shipped_stock().head).blocks.front()).back(),
+            "1000000000");
 }
 
 TEST(sheet_plans, show_details_around_landmarks) {
-  const SheetPlan plan = build_sheet_plan("details", build_subject(), kData);
+  const SheetPlan plan = build_sheet_plan("details", build_subject(), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 4u);
   EXPECT_EQ(plan.blocks[0].heading, "Eye");
   EXPECT_EQ(plan.blocks[3].heading, "Ear");
@@ -139,7 +141,7 @@ TEST(sheet_plans, show_details_around_landmarks) {
 TEST(sheet_plans, show_all_of_a_library_neutral_first_and_the_areas_of_those_that_move) {
   SheetSubject subject = build_subject();
   subject.spec.library = "tezuka";
-  const SheetPlan plan = build_sheet_plan("expressions", subject, kData);
+  const SheetPlan plan = build_sheet_plan("expressions", subject, *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 2u);
   EXPECT_EQ(plan.blocks[0].heading, "Library tezuka");
   EXPECT_EQ(plan.blocks[0].note, subject.sources.at("tezuka"));
@@ -154,7 +156,7 @@ TEST(sheet_plans, show_a_files_own_expressions_before_its_librarys) {
   Spec spec;
   spec.library = "emfacs";
   spec.expressions = {{"sly", "", {}}};
-  const SheetPlan plan = build_sheet_plan("expressions", build_subject(spec), kData);
+  const SheetPlan plan = build_sheet_plan("expressions", build_subject(spec), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 3u);
   EXPECT_EQ(list_captions(plan.blocks[0]), Captions{"sly"});
   EXPECT_EQ(plan.blocks[1].heading, "Library emfacs");
@@ -164,7 +166,8 @@ TEST(sheet_plans, show_a_files_own_expressions_before_its_librarys) {
 TEST(sheet_plans, draw_the_thesiss_table_from_the_library) {
   SheetSubject subject = build_subject();
   subject.spec.library = "tezuka";
-  const SheetTable table = build_sheet_plan("expressions", subject, kData).blocks.back().table;
+  const SheetTable table =
+      build_sheet_plan("expressions", subject, *shipped_stock().head).blocks.back().table;
   const std::map<std::string, std::set<std::string>> used{
       {"smile", {"right lids", "left lids", "lips", "mouth corners"}},
       {"laugh", {"right lids", "left lids", "lips", "mouth corners"}},
@@ -200,7 +203,8 @@ TEST(sheet_plans, draw_arrows_the_way_that_areas_move) {
   set("chin", Side::none, "down", 1);
   set("corner", Side::left, "up", -0.5);
   spec.expressions = {odd};
-  const SheetTable table = build_sheet_plan("expressions", build_subject(spec), kData).blocks.back().table;
+  const SheetTable table =
+      build_sheet_plan("expressions", build_subject(spec), *shipped_stock().head).blocks.back().table;
   const auto& row = table.rows.at(1);
   const auto find_way = [&](std::size_t column) {
     const PlateLine& stroke = row.at(column).strokes.at(0);
@@ -221,7 +225,7 @@ TEST(sheet_plans, draw_arrows_the_way_that_areas_move) {
 }
 
 TEST(sheet_plans, set_the_libraries_feelings_one_below_the_other) {
-  const SheetPlan plan = build_sheet_plan("libraries", build_subject(), kData);
+  const SheetPlan plan = build_sheet_plan("libraries", build_subject(), *shipped_stock().head);
   ASSERT_EQ(plan.blocks.size(), 3u);
   EXPECT_EQ(list_captions(plan.blocks[0]),
             (Captions{"smile", "sadness", "surprise", "fear", "anger", "doubt left"}));
@@ -233,7 +237,7 @@ TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
   Spec spec;
   spec.head.features = {{"nose_length", 1}};
   const SheetSubject subject = build_subject(spec);
-  const SheetPlan plan = build_sheet_plan("heads", subject, kData);
+  const SheetPlan plan = build_sheet_plan("heads", subject, *shipped_stock().head);
   EXPECT_EQ(plan.heads.size(), 24u);
   EXPECT_NE(plan.blocks[0].note.find("mien/smile"), std::string::npos);
   std::set<std::pair<Mix, Mix>> heads;
@@ -247,7 +251,7 @@ TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
 }
 
 TEST(sheet_plans, show_each_move_of_each_area_to_its_ends) {
-  const SheetPlan plan = build_sheet_plan("areas", build_subject(), kData);
+  const SheetPlan plan = build_sheet_plan("areas", build_subject(), *shipped_stock().head);
   EXPECT_EQ(plan.blocks.size(), 14u);
   for (const SheetBlock& block : plan.blocks) {
     EXPECT_EQ(list_captions(block), block.skipped ? (Captions{"0", "+1"}) : (Captions{"-1", "0", "+1"}))
@@ -262,7 +266,7 @@ TEST(sheet_plans, show_each_move_of_each_area_to_its_ends) {
 }
 
 TEST(sheet_plans, tell_every_limit_once) {
-  const SheetPlan plan = build_sheet_plan("limits", build_subject(), kData);
+  const SheetPlan plan = build_sheet_plan("limits", build_subject(), *shipped_stock().head);
   std::multiset<std::string> told, known;
   for (const SheetBlock& block : plan.blocks)
     for (std::size_t row = 1; row < block.table.rows.size(); ++row)

@@ -7,12 +7,10 @@
 #include "config/load_spec.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
-#include "places.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
-
-const std::filesystem::path kData = source_folder();
 
 std::string write_sly() {
   const std::filesystem::path file = std::filesystem::path(testing::TempDir()) / "mien_sly.yaml";
@@ -24,9 +22,10 @@ std::string write_sly() {
 
 SheetSubject load(const std::string& kind, const std::string& word, const std::string& express = "") {
   Options options;
+  options.kind = kind;
   options.file = word;
   if (!express.empty()) options.express = express;
-  return load_sheet_subject(kind, options, kData);
+  return load_sheet_subject(options, shipped_stock());
 }
 
 std::string find_mistake(const std::string& kind, const std::string& word, const std::string& express = "") {
@@ -80,8 +79,9 @@ TEST(sheet_subject, names_what_was_meant) {
 
 TEST(sheet_subject, of_people_needs_no_word) {
   Options options;
+  options.kind = "people";
   options.seed = 13;
-  const SheetSubject subject = load_sheet_subject("people", options, kData);
+  const SheetSubject subject = load_sheet_subject(options, shipped_stock());
   EXPECT_EQ(subject.seed, 13);
   EXPECT_EQ(subject.spec.name, "people");
   EXPECT_EQ(subject.spec.head.age, (Mix{{"adult", 1.0}}));

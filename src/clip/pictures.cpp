@@ -1,0 +1,79 @@
+#include "clip/pictures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
+#include "render/video.hpp"
+#include "scene/povray.hpp"
+#include "timeline/drawings.hpp"
+
+namespace mien {
+
+namespace fs = std::filesystem;
+
+RenderSettings list_settings(const RenderSpec& render, std::vector<fs::path> libraries, int jobs) {
+  RenderSettings settings;
+  settings.width_px = render.width_px;
+  settings.height_px = render.height_px;
+  settings.povray_options = list_quality_options(render.quality);
+  settings.libraries = std::move(libraries);
+  settings.jobs = jobs;
+  return settings;
+}
+
+void render_pictures(const Clip& clip, const std::vector<std::string>& keys, int jobs,
+                     const FrameDone& done) {
+  const FramePlan& plan = clip.plan;
+  std::vector<FrameJob> frames;
+  for (std::size_t i = 0; i < plan.drawings.size(); ++i)
+    frames.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]),
+                      clip.files.picture(plan.drawings[i]), keys[i]});
+  render_frames(frames, list_settings(clip.spec.render, {clip.files.scenes()}, jobs), done);
+  for (std::size_t i = 0; i < plan.frames.size(); ++i)
+    if (plan.frames[i] != plan.drawn_as[i])
+      write_file(clip.files.picture(plan.frames[i]), read_file(clip.files.picture(plan.drawn_as[i])));
+}
+
+std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys) {
+  const Spec& spec = clip.spec;
+  nlohmann::ordered_json manifest;
+  manifest["mien"] = MIEN_VERSION;
+  manifest["name"] = clip.files.name;
+  manifest["title"] = spec.title;
+  manifest["fps"] = spec.clip.fps;
+  manifest["frames"] = clip.frame_count;
+  manifest["width"] = spec.render.width_px;
+  manifest["height"] = spec.render.height_px;
+  nlohmann::ordered_json& drawings = manifest["drawings"];
+  drawings = nlohmann::ordered_json::array();
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    drawings.push_back({{"frame", clip.plan.drawings[i]},
+                        {"picture", "frames/" + name_frame(clip.plan.drawings[i]) + ".png"},
+                        {"key", keys[i]}});
+  return manifest.dump(1) + "\n";
+}
+
+fs::path find_video_path(const Clip& clip) {
+  const std::vector<int>& frames = clip.plan.frames;
+  const bool is_whole = static_cast<int>(frames.size()) == clip.frame_count;
+  return clip.files.folder /
+         (is_whole ? clip.files.name + ".mp4"
+                   : fmt::format("{}_{}-{}.mp4", clip.files.name, frames.front(), frames.back()));
+}
+
+void write_clip_video(const Clip& clip) {
+  std::vector<fs::path> pictures;
+  for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
+  write_video(pictures, clip.spec.clip.fps, find_video_path(clip));
+}
+
+void write_poster(const Clip& clip, const fs::path& path) {
+  const int poster =
+      std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
+  write_file(path, read_file(clip.files.picture(poster)));
+}
+
+}  // namespace mien

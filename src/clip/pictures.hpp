@@ -1,0 +1,31 @@
+// From a clip's scenes to its pictures, its video and what is said of them.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "clip/clip.hpp"
+#include "render/driver.hpp"
+
+namespace mien {
+
+// How POV-Ray is to render pictures of this size and quality; `libraries` are where it finds what scenes
+// include.
+RenderSettings list_settings(const RenderSpec& render, std::vector<std::filesystem::path> libraries,
+                             int jobs);
+
+// Renders the drawings, whose keys write_scenes gave, and gives every frame asked for its picture.
+void render_pictures(const Clip& clip, const std::vector<std::string>& keys, int jobs, const FrameDone& done);
+
+// What was made, for other programs: the text of manifest.json.
+std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys);
+
+// The files that end a clip: NAME.mp4, of all frames, or NAME_A-B.mp4 of those asked for.
+std::filesystem::path find_video_path(const Clip& clip);
+
+// Joins the frames asked for into find_video_path, and copies the one nearest to the poster's.
+void write_clip_video(const Clip& clip);
+void write_poster(const Clip& clip, const std::filesystem::path& path);
+
+}  // namespace mien

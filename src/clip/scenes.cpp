@@ -1,0 +1,166 @@
+#include "clip/scenes.hpp"
+
+#include <fmt/format.h>
+
+#include "core/parallel.hpp"
+#include "core/shared_cache.hpp"
+#include "core/text.hpp"
+#include "frames/place.hpp"
+#include "render/process.hpp"
+#include "timeline/parts.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string build_parts(const std::vector<FigurePointer>& figures, const Templates& templates) {
+  std::string parts;
+  for (const FigurePointer& figure : figures)
+    if (figure) parts += build_povray_parts(figure->model, templates);
+  return parts;
+}
+
+// What the pixels of every frame depend on besides its own scene.
+std::string hash_settings(const std::string& include, const RenderSpec& render) {
+  std::string text = fmt::format("{} {}x{}", MIEN_VERSION, render.width_px, render.height_px);
+  for (const std::string& option : list_quality_options(render.quality)) text += " " + option;
+  return hash_hex(text + "\n" + include);
+}
+
+struct SceneBuffers {
+  DeformBuffers deform;
+  Drawing drawing;
+  std::string text;
+};
+
+// Everybody at a time; with `pose` doing that instead.
+void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose,
+                   SceneBuffers& buffers) {
+  for (std::size_t i = 0; i < heads.figures.size(); ++i) {
+    Moment moment{};
+    if (pose)
+      moment.pose = *pose;
+    else
+      moment = sample_performance(heads.performances[i], time_s);
+    deform_figure(*heads.figures[i], moment.pose, moment.turn, buffers.deform, buffers.drawing);
+    place_drawing(heads.places[i], buffers.drawing);
+    append_povray_figure(buffers.text, heads.figures[i]->model, buffers.drawing);
+  }
+}
+
+// What of templates/povray the clip's keys name.
+StageSets list_sets(const ClipSpec& clip) {
+  StageSets sets;
+  for (const LightKey& key : clip.light) sets.lights.insert(key.set);
+  for (const BackgroundKey& key : clip.background)
+    if (!key.colour) sets.backgrounds.insert(key.name);
+  return sets;
+}
+
+FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
+                       const StageMoment& stage) {
+  return {{}, stage.lights, stage.backgrounds, find_view(cast.framing, camera, stage, clip.spec.render)};
+}
+
+// The heads of one group of drawings, and the file of those parts that are not in head.inc.
+struct WrittenHeads {
+  Heads heads;
+  std::string include;  // "h0007.inc"; empty if there are no such parts
+  std::string key;      // a hash of it
+};
+
+WrittenHeads write_heads(const Clip& clip, const Cast& cast, int first_frame, const Resources& resources) {
+  WrittenHeads written;
+  const double time_s = find_drawing_time_s(clip.spec.clip, first_frame - 1);
+  written.heads = build_heads(clip, cast, time_s, resources.heads);
+  const std::string parts = build_parts(written.heads.changing, resources.stock.templates);
+  if (parts.empty()) return written;
+  written.include = name_heads(first_frame);
+  written.key = hash_hex(parts);
+  write_file(clip.files.scenes() / written.include, parts);
+  return written;
+}
+
+// The text of one drawing's scene, into the buffers.
+void build_scene(const Clip& clip, const Cast& cast, const WrittenHeads& written, double time_s,
+                 SceneBuffers& buffers) {
+  FrameStart start = build_start(clip, cast, sample_performance(clip.performance, time_s).camera,
+                                 sample_stage(clip.spec.clip, time_s));
+  if (!written.include.empty()) start.includes = {written.include};
+  buffers.text.clear();
+  append_povray_start(buffers.text, start);
+  append_actors(written.heads, time_s, {}, buffers);
+}
+
+void write_held_frames(const Clip& clip) {
+  for (std::size_t i = 0; i < clip.plan.frames.size(); ++i) {
+    const int frame = clip.plan.frames[i], drawn_as = clip.plan.drawn_as[i];
+    if (frame == drawn_as) continue;
+    write_file(clip.files.scene(frame), fmt::format("// holds the drawing of frame {}\n#include \"{}.pov\"\n",
+                                                    drawn_as, name_frame(drawn_as)));
+  }
+}
+
+// The files that all frames share; returns the key of what they say.
+std::string write_shared_files(const Clip& clip, const Cast& cast, const Templates& templates) {
+  const RenderSpec& render = clip.spec.render;
+  for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale);
+  fs::create_directories(clip.files.folder / "frames");  // POV-Ray alone would not
+  const std::string include =
+      build_povray_stage(build_parts(cast.figures, templates), render, templates, list_sets(clip.spec.clip));
+  write_file(clip.files.scenes() / "head.inc", include);
+  write_file(clip.files.scenes() / "loop.pov", build_povray_loop());
+  write_file(clip.files.scenes() / (clip.files.name + ".ini"),
+             build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder,
+                              {clip.plan.frames.front(), clip.plan.frames.back()}));
+  return hash_settings(include, render);
+}
+
+}  // namespace
+
+std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                      int jobs, const SceneWritten& written) {
+  const std::string settings_key = write_shared_files(clip, cast, resources.stock.templates);
+  const std::vector<int>& drawings = clip.plan.drawings;
+  const DrawingGroups groups = group_drawings(clip);
+  SharedCache<WrittenHeads> cache(static_cast<std::size_t>(jobs) + 1);
+  std::vector<std::string> keys(drawings.size());
+  std::vector<SceneBuffers> buffers(static_cast<std::size_t>(jobs));
+  for_each_index(drawings.size(), jobs, [&](std::size_t turn, int worker) {
+    throw_if_interrupted();
+    const std::size_t drawing = groups.order[turn], group = groups.group[drawing];
+    const auto heads = share_thing<WrittenHeads>(
+        cache, group, [&] { return write_heads(clip, cast, drawings[groups.first[group]], resources); });
+    SceneBuffers& mine = buffers[static_cast<std::size_t>(worker)];
+    build_scene(clip, cast, *heads, find_drawing_time_s(clip.spec.clip, drawings[drawing] - 1), mine);
+    write_file(clip.files.scene(drawings[drawing]), mine.text);
+    keys[drawing] = hash_hex(settings_key + heads->key + mine.text);
+    written(drawings[drawing]);
+  });
+  write_held_frames(clip);
+  return keys;
+}
+
+StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
+                             const Resources& resources) {
+  const Templates& templates = resources.stock.templates;
+  const Heads heads = build_heads(clip, cast, still.time_s, resources.heads);
+  StillScene scene;
+  scene.include =
+      build_povray_stage(build_parts(cast.figures, templates) + build_parts(heads.changing, templates),
+                         clip.spec.render, templates, list_sets(clip.spec.clip));
+  SceneBuffers buffers;
+  append_povray_start(buffers.text, build_start(clip, cast, still.camera, still.stage));
+  append_actors(heads, still.time_s, still.pose, buffers);
+  scene.text = std::move(buffers.text);
+  for (const Performance& performance : heads.performances) {
+    if (still.pose) break;
+    const std::vector<Held> held = list_held_at(performance, still.time_s);
+    scene.held.insert(scene.held.end(), held.begin(), held.end());
+  }
+  return scene;
+}
+
+}  // namespace mien

@@ -1,0 +1,40 @@
+// From a planned clip to its scenes: heads posed, placed and written.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "clip/cast.hpp"
+
+namespace mien {
+
+// Told the frame of each scene as it is written; from any thread.
+using SceneWritten = std::function<void(int frame)>;
+
+// Writes head.inc with all parts that never change, a file of parts for each head of those who change, a
+// scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns for each
+// drawing of the plan the key of its picture: a hash of all that its pixels depend on. However long the clip,
+// few heads are in memory at once.
+std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                      int jobs, const SceneWritten& written);
+
+// One picture: the heads of a time, what they do, and the camera.
+struct Still {
+  double time_s = 0;
+  std::optional<Pose> pose;  // instead of what they do then
+  CameraKey camera;
+  StageMoment stage;
+};
+
+// Its scene as one text, which includes a head.inc with the other text, and what limits hold back in it: not
+// of `pose`.
+struct StillScene {
+  std::string text, include;
+  std::vector<Held> held;
+};
+StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,
+                             const Resources& resources);
+
+}  // namespace mien

@@ -1,0 +1,46 @@
+// The options as a table: what the parser accepts and what the help says is the same.
+#pragma once
+
+#include <array>
+#include <string_view>
+
+namespace mien {
+
+struct OptionInfo {
+  std::string_view name;   // long name without dashes
+  char letter;             // of its short form; 0: none
+  std::string_view value;  // what follows it; empty: a flag
+  std::string_view meaning;
+};
+
+inline constexpr std::array kOptions{
+    OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, 500ms or 36f"},
+    OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
+    OptionInfo{"actor", 0, "NAME", "this one of the file's actors"},
+    OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
+    OptionInfo{"height", 0, "LENGTH", "height of the bust, over the file's: 80mm, 6cm"},
+    OptionInfo{"stl", 0, "", "write the STL, which is the default"},
+    OptionInfo{"no-stl", 0, "", "leave the STL out"},
+    OptionInfo{"3mf", 0, "", "also a 3MF with units, title and colours"},
+    OptionInfo{"preview", 0, "", "also a picture of the bust in plaster"},
+    OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
+    OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
+    OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
+    OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
+    OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},
+    OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
+    OptionInfo{"output", 'o', "PATH", "where to write: a folder, or the one file a command makes"},
+    OptionInfo{"frames", 0, "A-B", "only these frames, counted from 1"},
+    OptionInfo{"size", 0, "WxH", "picture size in pixels, over the file's"},
+    OptionInfo{"quality", 0, "WORD", "draft, good or best, over the file's"},
+    OptionInfo{"jobs", 0, "N", "processes at once (default: as many as cores)"},
+    OptionInfo{"quiet", 0, "", "say nothing but errors"},
+    OptionInfo{"json", 0, "", "say everything as one JSON object a line"},
+    OptionInfo{"help", 'h', "", "this text"},
+};
+
+// Options that every command with a FILE takes, and those that every command takes.
+inline constexpr std::string_view kFileOptions = "output frames size quality jobs";
+inline constexpr std::string_view kAllOptions = "quiet json help";
+
+}  // namespace mien

@@ -1,0 +1,151 @@
+// `mien check`: what a right file holds, how it moves, and what will not read well.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "clip/cast.hpp"
+#include "commands/report.hpp"
+#include "commands/table.hpp"
+#include "core/data.hpp"
+#include "head/wrap.hpp"
+#include "render/terminal.hpp"
+#include "timeline/advice.hpp"
+#include "timeline/chart.hpp"
+#include "timeline/drawings.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr int kPlainWidth = 80;    // columns, of a pipe or a file
+constexpr int kWidestChart = 200;  // wider, the rows are hard to follow
+
+MoveReach find_reach(const Figure& figure) {
+  MoveReach reach;
+  for (const Limit& limit : measure_limits(figure.head, figure.face, figure.limits))
+    (limit.name->sign > 0 ? reach.plus_mm : reach.minus_mm)[limit.name->move] = limit.mm;
+  return reach;
+}
+
+std::string format_json(const Diagnostic& advice) {
+  return nlohmann::ordered_json{{"kind", "warning"},
+                                {"file", advice.place.file},
+                                {"line", advice.place.line},
+                                {"column", advice.place.column},
+                                {"message", advice.message}}
+      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+// A line each: "file:line:col: warning: ..." or JSON.
+void report_advice(const Options& options, const Performance& performance, const Rehearsal& rehearsal,
+                   const Figure& figure) {
+  for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, find_reach(figure)))
+    fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
+}
+
+// What scans do not show, a line each; of mixed heads, of each.
+void report_kept(const Options& options, const HeadSpec& head, const HeadStock& stock) {
+  for (const HeadShare& share : head.mix) report_kept(options, share.head, stock);
+  if (!head.scan) return;
+  const auto& [path, place] = *head.scan;
+  for (const std::string& part : list_kept_parts(stock, load_scan_files(stock, path, false))) {
+    const std::string text =
+        fmt::format("scan '{}' has no {}: kept from the shipped head", path.filename().string(), part);
+    if (options.is_json)
+      fmt::print("{}\n", nlohmann::ordered_json{{"kind", "note"},
+                                                {"file", place.file},
+                                                {"line", place.line},
+                                                {"column", place.column},
+                                                {"kept", part},
+                                                {"message", text}}
+                             .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    else
+      fmt::print("{}:{}:{}: note: {}\n", place.file, place.line, place.column, text);
+  }
+}
+
+bool has_scan(const HeadSpec& head) {
+  return head.scan ||
+         std::ranges::any_of(head.mix, [](const HeadShare& share) { return has_scan(share.head); });
+}
+
+// As wide as the terminal and in its letters; plain ASCII in 80 columns into a pipe or a file, since nobody
+// knows what will read it and the same clip shall be the same text.
+void report_chart(const ClipSpec& clip, const Rehearsal& rehearsal) {
+  ChartStyle style{kPlainWidth, true};
+  if (is_terminal(stdout)) style = {find_terminal_width(stdout, kWidestChart), !has_utf8()};
+  fmt::print("\n{}", build_chart(clip, rehearsal.shown, style));
+}
+
+// As plan_clip finds them.
+std::vector<int> find_clip_drawings(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
+  std::vector<std::vector<std::string>> keys;
+  for (const Rehearsal& rehearsal : rehearsals) keys.push_back(rehearsal.drawings);
+  if (!clip.spec.actors.empty()) keys.push_back(list_drawing_keys(clip.performance));
+  return find_drawings(clip.spec.clip, keys);
+}
+
+// What the file holds, in one line.
+void report_summary(const Options& options, const Clip& clip) {
+  const RenderSpec& render = clip.spec.render;
+  if (!options.is_json) {
+    fmt::print("{}: good; {} frames at {} a second, {} drawings, {}x{}, {} bust{}\n", options.file.string(),
+               clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size(), render.width_px,
+               render.height_px, clip.spec.busts.size(), clip.spec.busts.size() == 1 ? "" : "s");
+    return;
+  }
+  nlohmann::json summary{
+      {"file", options.file.string()},  {"frames", clip.frame_count}, {"drawings", clip.plan.drawings.size()},
+      {"fps", clip.spec.clip.fps},      {"width", render.width_px},   {"height", render.height_px},
+      {"busts", clip.spec.busts.size()}};
+  for (const ActorSpec& actor : clip.spec.actors) summary["actors"].push_back(actor.name);
+  fmt::print("{}\n", summary.dump());
+}
+
+void run_check(const Options& options) {
+  const Resources resources = load_resources(find_data_folder());
+  const HeadStock& stock = resources.heads;
+  Clip clip = open_clip(options, *resources.stock.language);
+  clip.frame_count = count_frames(clip.spec.clip);
+  // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
+  // built.
+  const Cast cast = build_cast(clip, stock);
+  std::vector<FigurePointer> figures = cast.figures;
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    if (!figures[i]) figures[i] = std::make_shared<const Figure>(build_figure(stock, clip.actors[i].head));
+  const std::vector<Performance> performances = list_performances(clip, cast, stock);
+  std::vector<Rehearsal> rehearsals;
+  for (const Performance& performance : performances) rehearsals.push_back(rehearse(performance));
+  clip.plan = plan_frames(find_clip_drawings(clip, rehearsals), options.frames);
+  report_held(options, list_held(clip.spec, rehearsals));
+  if (options.is_quiet) return;
+  for (const Actor& actor : clip.actors)
+    if (has_scan(actor.head)) report_kept(options, actor.head, stock);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    report_advice(options, performances[i], rehearsals[i], *figures[i]);
+  report_summary(options, clip);
+  if (options.is_json) return;
+  for (std::size_t i = 0; i < performances.size(); ++i) {
+    if (!clip.actors[i].name.empty()) fmt::print("\n{}:", clip.actors[i].name);
+    report_chart(performances[i].clip, rehearsals[i]);
+  }
+}
+
+}  // namespace
+
+const CommandInfo command_check{
+    "check",
+    "The file",
+    "FILE",
+    "every mistake in the file; writes nothing",
+    "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"
+    "faces never drawn in full) and draws the clip as a chart: areas by time, as wide as the\n"
+    "terminal, in plain ASCII into a pipe or a file. Writes nothing.",
+    "",
+    "mien check configs/hello.yaml",
+    run_check};
+
+}  // namespace mien

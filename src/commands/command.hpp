@@ -1,0 +1,25 @@
+// What a command is: its words for the help, the options it takes, and what it does.
+#pragma once
+
+#include <string_view>
+
+#include "options.hpp"
+
+namespace mien {
+
+struct CommandInfo {
+  std::string_view name;
+  std::string_view group;     // under which the help lists it: "Pictures"
+  std::string_view argument;  // the words it needs: "FILE", "KIND FILE"; empty: none
+  std::string_view summary;
+  std::string_view details;   // the first paragraph of its own help
+  std::string_view options;   // long names with spaces between, beyond the common ones
+  std::string_view examples;  // lines; without the indent
+  // Does it. What a user should read (paths, lists, findings) goes to standard output; progress goes to
+  // standard error. Throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted
+  // (exit 130).
+  void (*run)(const Options& options);
+  std::string_view kind_without_file = {};  // the KIND that needs no FILE
+};
+
+}  // namespace mien

@@ -1,0 +1,223 @@
+// `mien list KIND`: the words of the language, from the same tables that the reader uses.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "commands/table.hpp"
+#include "config/findings.hpp"
+#include "config/words.hpp"
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "frames/figure.hpp"
+#include "frames/resources.hpp"
+#include "head/landmarks.hpp"
+
+namespace mien {
+
+namespace {
+
+using Rows = std::vector<std::pair<std::string, std::string>>;  // word, meaning
+
+Rows list_names(const Names& names) {
+  Rows rows;
+  for (const std::string& name : names) rows.emplace_back(name, "");
+  return rows;
+}
+
+// None, then the cuts of templates/head/hair.yaml, then its beards.
+Rows list_hair(const Stock& stock) {
+  const HairData& hair = stock.head->hair;
+  Rows rows{{"none", "a bald head: the default"}};
+  for (const std::string& name : kHairs)
+    if (const auto cut = hair.cuts.find(name); cut != hair.cuts.end())
+      rows.emplace_back(name, cut->second.meaning);
+  for (const std::string& name : kBeards)
+    if (const auto beard = hair.beards.beards.find(name); beard != hair.beards.beards.end())
+      rows.emplace_back("beard: " + name, beard->second.meaning);
+  return rows;
+}
+
+// The skins by name, the colours of hair, then the dials.
+Rows list_looks(const Stock& stock) {
+  const HeadWords& words = stock.head->words;
+  Rows rows;
+  for (const LookWord& look : words.look_words)
+    rows.emplace_back(look.name, fmt::format("{}  {}", look.value, look.meaning));
+  for (const LookWord& colour : words.hair_colour_words)
+    rows.emplace_back("hair: " + colour.name, fmt::format("{}  {}", colour.value, colour.meaning));
+  for (const LookWord& dial : words.dial_words)
+    rows.emplace_back(dial.name, fmt::format("0 to 1   {}", dial.meaning));
+  return rows;
+}
+
+// Where each line lies in the charts of the ages.
+Rows list_guides(const Stock& stock) {
+  Rows rows;
+  for (const Names* names : {&kGuides, &kEarGuides})
+    for (const std::string& line : *names) {
+      std::string meaning;
+      for (const std::string& age : kAges)
+        meaning += fmt::format("{}{} {:.3f}", meaning.empty() ? "" : ", ", age,
+                               stock.head->shapes.heads.charts.at(age).lines.at(line));
+      rows.emplace_back(line, meaning);
+    }
+  return rows;
+}
+
+Rows list_areas(const Stock&) {
+  Rows rows;
+  for (const MoveInfo& move : kMoves) {
+    std::string key(move.area);
+    if (move.side != Side::none) key += move.side == Side::left ? ".left" : ".right";
+    rows.emplace_back(fmt::format("{}: {{{}: {}..{}}}", key, move.move, move.low, move.high), move.meaning);
+  }
+  return rows;
+}
+
+Rows list_expressions(const Stock& stock) {
+  Rows rows;
+  for (const Expression& expression : stock.language->libraries.expressions) {
+    std::string areas;
+    for (std::size_t i = 0; i < kMoveCount; ++i) {
+      const std::string area(kMoves[i].area);
+      if (expression.pose.values[i] != 0 && areas.find(area) == areas.npos)
+        areas += (areas.empty() ? "" : ", ") + area;
+    }
+    rows.emplace_back(expression.library + "/" + expression.name, areas);
+  }
+  return rows;
+}
+
+Rows list_landmarks(const Stock& stock) {
+  const Figure figure = build_figure(build_head_stock(stock.head), HeadSpec{});
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
+  const auto landmarks = find_landmarks(figure.head);
+  const LandmarkData& data = stock.head->landmarks;
+  const std::vector<std::string>& needed = data.needed;
+  Rows rows;
+  for (const auto& [name, at] : measure_landmarks(figure.head, landmarks, figure.model, drawing)) {
+    const bool is_sided = name.ends_with("_l") || name.ends_with("_r");
+    const std::string bare = name.substr(0, name.size() - (is_sided ? 2 : 0));
+    const bool is_needed = std::find(needed.begin(), needed.end(), bare) != needed.end();
+    rows.emplace_back(name, fmt::format("{:7.1f} {:7.1f} {:7.1f} mm on the adult{}", at.x, at.y, at.z,
+                                        is_needed ? "; a scan needs it" : ""));
+  }
+  for (const auto& [word, meaning] : data.everyday_middle)
+    rows.emplace_back(word, fmt::format("for sculpting: {}", meaning));
+  for (const auto& [word, meaning] : data.everyday_sided)
+    rows.emplace_back(word, fmt::format("for sculpting: {}, both sides", meaning));
+  return rows;
+}
+
+// Each limit by its thesis's name, in face units (the same on every head), and as millimetres on the adult.
+Rows list_limits_of_adult(const Stock& stock) {
+  const Figure figure = build_figure(build_head_stock(stock.head), HeadSpec{});
+  Rows rows;
+  for (const Limit& limit : measure_limits(figure.head, figure.face, figure.limits))
+    rows.emplace_back(limit.name->name, fmt::format("{:<27} {:6.3g} {:<14} {:5.1f} mm on the adult",
+                                                    limit.name->thesis.empty() ? "-" : limit.name->thesis,
+                                                    limit.value, limit.unit, limit.mm));
+  return rows;
+}
+
+Rows list_features(const Stock& stock) {
+  Rows rows;
+  for (const FeatureInfo& feature : stock.head->shapes.features)
+    rows.emplace_back(feature.name, "-1..1  " + feature.meaning);
+  return rows;
+}
+
+// What `random` draws: each dial with its standard deviation and what it goes together with.
+Rows list_people(const Stock& stock) {
+  const People& people = stock.head->words.people;
+  std::map<std::string, std::string> meanings{
+      {"character", fmt::format("{:.2f} +-{:.2f} from 0 on either side", people.character_middle,
+                                people.character_spread)},
+      {"tone", "of the skin, + darker"}};
+  for (const SkullWay& way : people.skulls)
+    meanings[way.name] = fmt::format("+-{:.2f}  of the skull, + {}, - {}", way.spread, way.more, way.less);
+  for (const auto& [feature, spread] : people.features) meanings[feature] = fmt::format("+-{:.2f}", spread);
+  Rows rows;
+  for (std::size_t i = 0; i < people.dials.size(); ++i) {
+    std::string others;
+    for (std::size_t j = 0; j < people.dials.size(); ++j)
+      if (i != j && people.together[i][j] != 0)
+        others += fmt::format("{}{} {:+.2f}", others.empty() ? "; goes with " : ", ", people.dials[j],
+                              people.together[i][j]);
+    rows.emplace_back(people.dials[i], meanings[people.dials[i]] + others);
+  }
+  return rows;
+}
+
+Rows list_qualities(const Stock&) {
+  return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
+          {"good", "about 3 s: the default"},
+          {"best", "about 10 s: for the last run"}};
+}
+
+struct Kind {
+  std::string_view name;
+  Rows (*list)(const Stock& stock);
+};
+
+constexpr std::array kKinds{
+    Kind{"ages", [](const Stock&) { return list_names(kAges); }},
+    Kind{"skulls", [](const Stock&) { return list_names(kSkulls); }},
+    Kind{"guides", list_guides},
+    Kind{"features", list_features},
+    Kind{"people", list_people},
+    Kind{"hair", list_hair},
+    Kind{"looks", list_looks},
+    Kind{"areas", list_areas},
+    Kind{"limits", list_limits_of_adult},
+    Kind{"expressions", list_expressions},
+    Kind{"landmarks", list_landmarks},
+    Kind{"qualities", list_qualities},
+};
+
+Rows list_rows(const std::string& kind) {
+  Names names;
+  for (const Kind& known : kKinds) {
+    if (known.name == kind) return known.list(load_stock(find_data_folder()));
+    names.emplace_back(known.name);
+  }
+  const std::string near = find_nearest(kind, names);
+  throw InputError(near.empty()
+                       ? fmt::format("unknown kind '{}'; expected one of: {}", kind, join_names(names))
+                       : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
+}
+
+void run_list(const Options& options) {
+  const Rows rows = list_rows(options.kind);
+  if (options.is_json) {
+    for (const auto& [word, meaning] : rows)
+      fmt::print("{}\n", nlohmann::ordered_json{{"name", word}, {"meaning", meaning}}.dump());
+    return;
+  }
+  std::size_t width = 0;
+  for (const auto& [word, meaning] : rows) width = std::max(width, word.size());
+  for (const auto& [word, meaning] : rows)
+    fmt::print("{}\n", meaning.empty() ? word : fmt::format("{:<{}}  {}", word, width, meaning));
+}
+
+}  // namespace
+
+const CommandInfo command_list{
+    "list",
+    "The file",
+    "KIND",
+    "the words of the language",
+    "Lists one kind of word: ages, skulls, guides, features, hair, looks, areas, limits, expressions,\n"
+    "landmarks or qualities; people tells how far random heads differ and what of them goes together.",
+    "",
+    "mien list expressions\nmien list areas --json",
+    run_list};
+
+}  // namespace mien

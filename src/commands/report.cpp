@@ -1,0 +1,78 @@
+#include "commands/report.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "config/areas.hpp"
+
+namespace mien {
+
+namespace {
+
+std::string name_side(const HeldNote& note) {
+  const MoveInfo& info = kMoves[note.held.move];
+  if (info.side == Side::none) return "none";
+  if (note.name.starts_with(fmt::format("{}s.", info.area))) return "both";
+  return info.side == Side::left ? "left" : "right";
+}
+
+}  // namespace
+
+void report_result(const Options& options, const std::string& kind, const std::filesystem::path& path) {
+  if (options.is_json)
+    fmt::print("{}\n", nlohmann::json{{kind, path.string()}}.dump());
+  else if (!options.is_quiet)
+    fmt::print("{:<7} {}\n", kind, path.string());
+}
+
+void report_held(const Options& options, std::vector<Held> ledger) {
+  if (options.is_quiet) return;
+  sort_ledger(ledger);
+  for (const HeldNote& note : build_notes(ledger))
+    fmt::print("{}\n", options.is_json ? format_json(note) : format_note(note));
+}
+
+void report_clip_held(const Options& options, const Clip& clip, const Cast& cast, const HeadStock& stock) {
+  if (options.is_quiet) return;
+  std::vector<Rehearsal> rehearsals;
+  for (const Performance& performance : list_performances(clip, cast, stock))
+    rehearsals.push_back(rehearse(performance));
+  report_held(options, list_held(clip.spec, rehearsals));
+}
+
+std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {
+  std::vector<Held> ledger = list_held(spec);
+  for (const Rehearsal& rehearsal : rehearsals)
+    ledger.insert(ledger.end(), rehearsal.held.begin(), rehearsal.held.end());
+  return ledger;
+}
+
+std::string format_json(const HeldNote& note) {
+  const Held& held = note.held;
+  return nlohmann::ordered_json{{"kind", "note"},
+                                {"file", held.place.file},
+                                {"line", held.place.line},
+                                {"column", held.place.column},
+                                {"area", kMoves[held.move].area},
+                                {"side", name_side(note)},
+                                {"move", kMoves[held.move].move},
+                                {"asked", round_to(held.asked, 6)},
+                                {"held", round_to(held.held, 6)},
+                                {"by", held.by},
+                                {"message", note.text}}
+      .dump();
+}
+
+double round_to(double value, int decimals) {
+  const double scale = std::pow(10.0, decimals);
+  return std::round(value * scale) / scale + 0.0;
+}
+
+Progress start_progress(const Options& options, const char* label, std::size_t total) {
+  return Progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), label,
+                  static_cast<int>(total));
+}
+
+}  // namespace mien

@@ -1,0 +1,29 @@
+// `mien schema`.
+#include <fmt/format.h>
+
+#include "commands/table.hpp"
+#include "config/stock.hpp"
+#include "core/data.hpp"
+
+namespace mien {
+
+namespace {
+
+void run_schema(const Options& options) {
+  static_cast<void>(options);  // none says anything to it
+  fmt::print("{}", find_template(load_stock(find_data_folder()).templates, "mien.schema.json").text);
+}
+
+}  // namespace
+
+const CommandInfo command_schema{
+    "schema",
+    "The file",
+    "",
+    "the JSON Schema of the file, for editors",
+    "Prints the JSON Schema of the YAML file. Editors complete and check with it.",
+    "",
+    "mien schema > mien.schema.json",
+    run_schema};
+
+}  // namespace mien

@@ -1,0 +1,51 @@
+// `mien sheet`.
+#include <fmt/format.h>
+
+#include "commands/report.hpp"
+#include "commands/table.hpp"
+#include "core/data.hpp"
+#include "sheet/clip_sheets.hpp"
+#include "sheet/sheet.hpp"
+
+namespace mien {
+
+namespace {
+
+void run_sheet(const Options& options) {
+  if (options.express && options.kind != "heads")
+    throw InputError(fmt::format(
+        "--express says nothing to 'mien sheet {}'; expected it with 'mien sheet heads'", options.kind));
+  if (options.seed && options.kind != command_sheet.kind_without_file)
+    throw InputError(fmt::format("--seed says nothing to 'mien sheet {}'; expected it with 'mien sheet {}'",
+                                 options.kind, command_sheet.kind_without_file));
+  if (!is_clip_sheet(options.kind)) check_sheet_kind(options.kind);
+  const Resources resources = load_resources(find_data_folder());
+  report_result(
+      options, "sheet",
+      is_clip_sheet(options.kind) ? write_clip_sheet(options, resources) : write_sheet(options, resources));
+}
+
+}  // namespace
+
+const CommandInfo command_sheet{
+    "sheet",
+    "Pictures",
+    "KIND FILE",
+    "many heads on one page, to compare them",
+    "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
+    "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, features (each at -1, 0\n"
+    "and 1), areas (each move with its arrows), limits (of each area, drawn on the face), expressions,\n"
+    "libraries (what each means by six feelings), heads (one expression at five ages of four skulls) or\n"
+    "people (twelve random heads, each with the seed that makes it; FILE, which may be left out, says\n"
+    "what they have in common). FILE may be a library's name after expressions and an expression's after "
+    "heads, for a FILE of\n"
+    "which --express names another than its poster's. --size is the size of one picture. Two kinds put\n"
+    "the clip itself on paper: strip (drawings and the curves of each area, as SVG) and exposure (each\n"
+    "frame's drawing and what changed, as CSV).",
+    "actor express seed",
+    "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
+    "mien sheet expressions tezuka\nmien sheet heads smile\nmien sheet people --seed 13",
+    run_sheet,
+    "people"};
+
+}  // namespace mien

@@ -1,0 +1,73 @@
+// `mien still`.
+#include "clip/pictures.hpp"
+#include "clip/scenes.hpp"
+#include "commands/report.hpp"
+#include "commands/table.hpp"
+#include "core/data.hpp"
+#include "core/text.hpp"
+#include "render/process.hpp"
+#include "render/work_folder.hpp"
+
+namespace mien {
+
+namespace {
+
+// The moment that is asked for, and who is in it: with --actor or --express one alone, in the middle. What
+// limits hold back of an expression is added to `held`.
+Still stage_still(const Options& options, Clip& clip, std::vector<Held>& held) {
+  Still still{find_time_s(clip, options), {}, {}, {}};
+  still.camera = sample_performance(clip.performance, still.time_s).camera;
+  still.stage = sample_stage(clip.spec.clip, still.time_s);
+  if (options.actor || options.express) {
+    Actor actor = find_actor(clip, options);
+    if (options.express) {
+      actor.performance.clip.head.clear();
+      still.camera = {};
+      still.stage = {};
+    }
+    actor.place = {};
+    still.stage.aims.clear();
+    clip.actors = {std::move(actor)};
+  }
+  if (options.camera_angle_deg) still.camera.angle_deg = *options.camera_angle_deg;
+  if (options.express) {
+    const Expression expression = take_expression(clip.spec, *options.express);
+    still.pose = expression.pose;
+    held = expression.held;
+  }
+  return still;
+}
+
+void run_still(const Options& options) {
+  const Resources resources = load_resources(find_data_folder());
+  Clip clip = open_clip(options, *resources.stock.language);
+  std::vector<Held> held;
+  const Still still = stage_still(options, clip, held);
+  require_programs({{"povray", "povray"}});
+  const Cast cast = build_cast(clip, resources.heads);
+  const std::filesystem::path picture =
+      options.output.value_or(std::filesystem::path("out") / clip.spec.name / "still.png");
+  const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
+  const StillScene scene = build_still_scene(clip, cast, still, resources);
+  held.insert(held.end(), scene.held.begin(), scene.held.end());
+  report_held(options, std::move(held));
+  write_file(work.path / "still.pov", scene.text);
+  write_file(work.path / "head.inc", scene.include);
+  render_frames({{1, work.path / "still.pov", picture, ""}}, list_settings(clip.spec.render, {work.path}, 1),
+                [](int, bool) {});
+  report_result(options, "picture", picture);
+}
+
+}  // namespace
+
+const CommandInfo command_still{"still",
+                                "Pictures",
+                                "FILE",
+                                "one picture, of a time or of an expression",
+                                "Renders one picture: the clip at a time, or the head with one expression.",
+                                "at express actor angle",
+                                "mien still configs/hello.yaml --at 1.2s -o face.png\n"
+                                "mien still configs/hello.yaml --express surprise --angle 30 -o face.png",
+                                run_still};
+
+}  // namespace mien

@@ -1,0 +1,39 @@
+// What the command line asked. Empty means "as the file says".
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "config/spec.hpp"
+
+namespace mien {
+
+struct Options {
+  std::string kind;            // the word before the file: what `list` lists, which sheet
+  std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
+  std::optional<std::filesystem::path>
+      output;  // -o: a folder for render, frames and bust; a file for still and mesh
+  std::optional<std::pair<int, int>> frames;   // --frames A-B: first and last frame, counted from 1
+  std::optional<std::pair<int, int>> size_px;  // --size WxH
+  std::optional<Quality> quality;              // --quality
+  int jobs = 0;                                // --jobs: processes or threads at once; 0: as many as cores
+  bool is_quiet = false;                       // --quiet: errors only
+  bool is_json = false;                        // --json: one JSON object a line instead of words
+  std::optional<double> at_s;                  // --at, for still, mesh, bust and explain
+  std::optional<double> at_frames;             // --at in frames of the clip, as in 36f; then at_s is empty
+  std::optional<std::string> express;          // --express NAME, for still, mesh and bust
+  std::optional<std::string> actor;            // --actor NAME, for still, mesh, bust and explain
+  std::optional<std::string> area;             // --area brow.left, for explain
+  std::optional<double> camera_angle_deg;      // --angle, for still
+  std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
+  std::optional<double> height_mm;                                  // --height, for bust
+  bool has_stl = true;                                              // --no-stl, for bust
+  bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
+  bool is_half = false;                                             // --half, for mesh
+  std::optional<int> seed;         // --seed, of the first head, for sheet people
+  std::optional<int> random_head;  // --random-head SEED, for new
+};
+
+}  // namespace mien
