@@ -1,4 +1,4 @@
-#include "bust/build_bust.hpp"
+#include "busts.hpp"
 
 #include <fmt/format.h>
 #include <sys/resource.h>

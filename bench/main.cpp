@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "bust/build_bust.hpp"
+#include "busts.hpp"
 #include "clip/view.hpp"
 #include "config/load_spec.hpp"
 #include "core/data.hpp"

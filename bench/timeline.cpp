@@ -36,7 +36,7 @@ double time_s(const std::function<void()>& work) {
 std::string build_hour() {
   constexpr std::array<std::string_view, 8> kFaces{"smile", "surprise", "anger",   "sadness",
                                                    "doubt", "fear",     "neutral", "contempt"};
-  constexpr std::array<std::string_view, 5> kLooks{"camera", "left", "right", "up",
+  constexpr std::array<std::string_view, 5> kGazes{"camera", "left", "right", "up",
                                                    "{side: 12deg, up: 3deg}"};
   std::mt19937_64 random(1990);
   const auto pick = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
@@ -67,7 +67,7 @@ std::string build_hour() {
   }
   text += "  gaze:\n    wander: 0.3\n    keys:\n";
   for (int i = 0; i < 1200; ++i)
-    text += fmt::format("      - {{at: {}s, look: {}}}\n", 3 * i, kLooks[pick(kLooks.size())]);
+    text += fmt::format("      - {{at: {}s, look: {}}}\n", 3 * i, kGazes[pick(kGazes.size())]);
   return text;
 }
 

@@ -40,7 +40,7 @@ glm::mat3 find_rotation(const std::array<std::uint32_t, 25>& patch, const Positi
   return rotation;
 }
 
-void measure_turned(const PoseProbe& probe, const Positions& now, Findings& found) {
+void measure_turned(const PoseProbe& probe, const Positions& now, PoseFindings& found) {
   constexpr float kPlain = 0.4f;  // cosine: a patch that turned by less as a whole needs no closer look
   const Positions& rest = probe.figure->head.skin.positions;
   for (std::size_t i = 0; i < probe.patches.size(); ++i) {
@@ -85,7 +85,7 @@ double find_distance_mm(const glm::dvec3& p, const std::vector<glm::dvec3>& line
 }
 
 void measure_eye(const PoseProbe& probe, const Pose& pose, const Positions& now, bool is_right,
-                 Findings& found) {
+                 PoseFindings& found) {
   const NeutralHead& head = probe.figure->head;
   const auto vertex = [&](std::uint32_t v) { return is_right ? head.surface->mirror[v] : v; };
   const auto at = [&](std::uint32_t v) { return to_left(now[vertex(v)], is_right); };
@@ -158,7 +158,7 @@ double mix_axis(const Positions& p, const Triangle& t, const glm::dvec3& weights
   return weights.x * p[t[0]][axis] + weights.y * p[t[1]][axis] + weights.z * p[t[2]][axis];
 }
 
-void measure_lips(const PoseProbe& probe, const Positions& now, Findings& found) {
+void measure_lips(const PoseProbe& probe, const Positions& now, PoseFindings& found) {
   for (const bool is_upper : {true, false}) {
     const Strips other = build_strips(now, probe.lips[is_upper ? 1 : 0]);
     for (const Triangle& t : probe.lips[is_upper ? 0 : 1]) {
@@ -172,7 +172,7 @@ void measure_lips(const PoseProbe& probe, const Positions& now, Findings& found)
   }
 }
 
-void measure_bites(const PoseProbe& probe, const Drawing& drawing, Findings& found) {
+void measure_bites(const PoseProbe& probe, const Drawing& drawing, PoseFindings& found) {
   const Positions& now = drawing.parts.front().positions;
   const Strips outside = build_strips(now, probe.outside);
   for (std::size_t kind = 0; kind < probe.bites.size(); ++kind)
@@ -196,7 +196,7 @@ void measure_bites(const PoseProbe& probe, const Drawing& drawing, Findings& fou
     }
 }
 
-void measure_hairs(const PoseProbe& probe, const Drawing& drawing, Findings& found) {
+void measure_hairs(const PoseProbe& probe, const Drawing& drawing, PoseFindings& found) {
   const PartShape& skin = drawing.parts.front();
   for (const HairProbe& probed : probe.hairs) {
     const SkinFrame frame = find_skin_frame(
@@ -207,7 +207,7 @@ void measure_hairs(const PoseProbe& probe, const Drawing& drawing, Findings& fou
   }
 }
 
-void count_broken(const Drawing& drawing, Findings& found) {
+void count_broken(const Drawing& drawing, PoseFindings& found) {
   for (const PartShape& shape : drawing.parts)
     for (std::uint32_t v = 0; v < shape.positions.size(); ++v) {
       const glm::vec3 sum = shape.positions[v] + shape.normals[v];
@@ -217,8 +217,9 @@ void count_broken(const Drawing& drawing, Findings& found) {
 
 }  // namespace
 
-Findings measure_pose(const PoseProbe& probe, const Pose& pose, DeformBuffers& buffers, Drawing& drawing) {
-  Findings found;
+PoseFindings measure_pose(const PoseProbe& probe, const Pose& pose, DeformBuffers& buffers,
+                          Drawing& drawing) {
+  PoseFindings found;
   deform_figure(*probe.figure, pose, TurnKey{}, buffers, drawing);
   const Positions& now = drawing.parts.front().positions;
   count_broken(drawing, found);

@@ -38,7 +38,7 @@ struct Finding {
   double value = 0;
   std::uint32_t vertex = 0;  // of the skin, near the place
 };
-using Findings = std::array<Finding, kPoseCheckCount>;
+using PoseFindings = std::array<Finding, kPoseCheckCount>;
 
 // A rim of a left lid as the skin has it: its vertices in the order of their columns.
 struct LidLine {
@@ -69,6 +69,6 @@ struct PoseProbe {
 PoseProbe build_pose_probe(const Figure& figure);
 
 // The worst of each check in one pose.
-Findings measure_pose(const PoseProbe& probe, const Pose& pose, DeformBuffers& buffers, Drawing& drawing);
+PoseFindings measure_pose(const PoseProbe& probe, const Pose& pose, DeformBuffers& buffers, Drawing& drawing);
 
 }  // namespace mien

@@ -63,7 +63,7 @@ std::string describe_pose(const Pose& pose) {
 
 namespace {
 
-void keep_worst(SweepTable& table, const Findings& findings, std::size_t head, unsigned seed,
+void keep_worst(SweepTable& table, const PoseFindings& findings, std::size_t head, unsigned seed,
                 const NeutralHead& neutral) {
   for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
     const Finding& finding = findings[check];
@@ -82,7 +82,7 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
   const auto jobs = static_cast<std::size_t>(count_cores());
   std::vector<DeformBuffers> buffers(jobs);
   std::vector<Drawing> drawings(jobs);
-  std::vector<Findings> findings(size.within + size.exaggerated);
+  std::vector<PoseFindings> findings(size.within + size.exaggerated);
   std::array<SweepTable, 2> tables;
   for (const std::size_t head : heads) {
     const Figure figure = build_figure(shipped().heads, all[head].spec);

@@ -48,7 +48,7 @@ TEST(sound_pose, sees_teeth_that_are_moved_through_the_lips) {
       for (glm::vec3& p : part.rest.positions) p.z += 14;
   DeformBuffers buffers;
   Drawing drawing;
-  const Findings found = measure_pose(build_pose_probe(figure), Pose{}, buffers, drawing);
+  const PoseFindings found = measure_pose(build_pose_probe(figure), Pose{}, buffers, drawing);
   for (std::size_t check = 0; check < kPoseCheckCount; ++check)
     if (std::string(kPoseChecks[check].name) == "lower teeth through") {
       EXPECT_GT(found[check].value, 1);

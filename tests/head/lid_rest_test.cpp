@@ -49,7 +49,7 @@ TEST(lid_rest, hides_the_top_of_the_iris_at_every_age_and_on_every_skull) {
 
 TEST(lid_rest, hides_the_top_of_the_iris_on_random_heads) {
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    const HeadSpec spec = build_random_spec(seed, stock().shapes);
+    const HeadSpec spec = build_random_spec(seed, stock().data->shapes.heads);
     expect_rest(spec, describe_spec(spec));
   }
 }

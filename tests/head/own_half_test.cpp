@@ -22,7 +22,7 @@ const HeadStock& stock() {
   return stock;
 }
 
-std::vector<glm::dvec3> shipped() { return find_half_places(stock(), stock().adult.points); }
+std::vector<glm::dvec3> half_places() { return find_half_places(stock(), stock().adult.points); }
 
 std::filesystem::path write_half(const std::vector<glm::dvec3>& places, const std::string& name = "half.obj",
                                  const std::vector<Quad>& quads = find_half_quads(stock())) {
@@ -54,7 +54,7 @@ std::uint32_t point(const char* name) { return find_point(stock().adult, name); 
 
 TEST(own_half, shipped_half_is_what_the_program_makes) {
   const std::string file = read_file(find_data_folder() / "templates/head/half.obj");
-  const std::string made = read_file(write_half(shipped()));
+  const std::string made = read_file(write_half(half_places()));
   EXPECT_EQ(file.substr(file.find("o half")), made) << "./run half writes it again";
 }
 
@@ -67,7 +67,7 @@ TEST(own_half, the_shipped_half_gives_the_shipped_head_bit_for_bit) {
 }
 
 TEST(own_half, either_half_gives_the_same_head) {
-  auto places = shipped();
+  auto places = half_places();
   places[point("q12_C6")].z += 3;
   const NeutralHead left = build(write_half(places));
   for (glm::dvec3& p : places) p.x = -p.x;
@@ -79,7 +79,7 @@ TEST(own_half, either_half_gives_the_same_head) {
 TEST(own_half, a_dragged_point_moves_the_skin_there_and_hardly_rings) {
   const NeutralHead plain = build_neutral_head(shipped().heads, HeadSpec{});
   for (const char* name : {"q12_C6", "p_tip", "s1_F1", "M6_12"}) {
-    auto places = shipped();
+    auto places = half_places();
     places[point(name)].z += 5;
     const NeutralHead head = build(write_half(places));
     const auto move = [&](std::size_t v) { return head.skin.positions[v].z - plain.skin.positions[v].z; };
@@ -103,7 +103,7 @@ TEST(own_half, another_head_comes_back_as_it_was) {
 }
 
 TEST(own_half, the_eyeball_follows_its_lids) {
-  auto places = shipped();
+  auto places = half_places();
   for (std::size_t i = 0; i < places.size(); ++i)
     if (has_prefix(stock().adult.names[i], "E0_") || has_prefix(stock().adult.names[i], "E1_") ||
         has_prefix(stock().adult.names[i], "E2_") || has_prefix(stock().adult.names[i], "EB_"))
@@ -123,15 +123,15 @@ TEST(own_half, tells_a_mesh_of_other_points_what_it_needs) {
   auto quads = find_half_quads(stock());
   quads.pop_back();
   EXPECT_EQ(
-      find_fault(write_half(shipped(), "other.obj", quads)),
+      find_fault(write_half(half_places(), "other.obj", quads)),
       fmt::format(
           "other.obj: error: {} points and {} faces are not those of the shipped half ({} and {}); "
           "expected templates/head/half.obj with its points moved, or landmarks in 'other.yaml' beside it",
-          shipped().size(), quads.size(), shipped().size(), quads.size() + 1));
+          half_places().size(), quads.size(), half_places().size(), quads.size() + 1));
 }
 
 TEST(own_half, tells_what_is_no_half) {
-  auto places = shipped();
+  auto places = half_places();
   const std::size_t cheek = point("q12_C6"), middle = point("p_tip");
   places[cheek].x = -30;
   EXPECT_EQ(find_fault(write_half(places)),
@@ -139,7 +139,7 @@ TEST(own_half, tells_what_is_no_half) {
                 "half.obj:{}: error: not a half: point {} is at x = -30, others are at x = {:.4g}; expected "
                 "all on one side of x = 0, to 0.05 mm",
                 cheek + 2, cheek + 1, std::ranges::max(places, {}, &glm::dvec3::x).x));
-  places = shipped();
+  places = half_places();
   places[middle].x = 0.3;
   EXPECT_EQ(
       find_fault(write_half(places)),

@@ -121,8 +121,8 @@ TEST(scan, wraps_a_file_into_a_head_that_can_shut_its_eyes) {
   write_file(find_file("face.yaml"), "unit: m\n" + build_landmarks(sitter, {"_l", "_r"}));
   const NeutralHead head = build(find_file("face.obj"), false);
   const SkinPatch skin = build_skin_patch(sitter.skin, {glm::vec3(-1e9F), glm::vec3(1e9F)});
-  for (std::size_t v = 0; v < stock().half.points.size(); ++v) {
-    if (stock().half.points[v].is_hard) continue;
+  for (std::size_t v = 0; v < stock().data->half.points.size(); ++v) {
+    if (stock().data->half.points[v].is_hard) continue;
     const glm::vec3 p = head.skin.positions[v];
     EXPECT_LT(glm::distance(p, find_nearest_place(skin, p).point), 0.5) << stock().adult.names[v];
     EXPECT_LT(glm::distance(p, sitter.skin.positions[v]), 2) << stock().adult.names[v];  // slid on the skin

@@ -294,7 +294,7 @@ TEST(wrap, comes_back_with_the_shape_that_was_scanned) {
 // The skin's vertices of the left ear: its rim and what lies around it.
 std::vector<std::size_t> list_ear() {
   std::vector<std::size_t> ear;
-  for (std::size_t v = 0; v < stock().half.points.size(); ++v) {
+  for (std::size_t v = 0; v < stock().data->half.points.size(); ++v) {
     const int ring = find_ear_ring(stock().adult.names[v]);
     if (ring >= 3 && ring <= 7) ear.push_back(v);
   }
@@ -353,7 +353,7 @@ TEST(wrap, keeps_our_own_ears_where_a_scan_has_none_and_says_so) {
 
 TEST(wrap, nostrils_keep_their_form) {
   std::vector<std::size_t> rim;
-  for (std::size_t v = 0; v < stock().half.points.size(); ++v)
+  for (std::size_t v = 0; v < stock().data->half.points.size(); ++v)
     if (has_prefix(stock().adult.names[v], "na_") || has_prefix(stock().adult.names[v], "nr_"))
       rim.push_back(v);
   ASSERT_FALSE(rim.empty());

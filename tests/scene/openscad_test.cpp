@@ -14,8 +14,6 @@ namespace {
 using testing::HasSubstr;
 using testing::Not;
 
-const Templates& kTemplates = shipped_stock().templates;
-
 // A four-sided tower, open below, with grids that are not looked at.
 PosableBust build_small_bust() {
   PosableBust bust;
@@ -48,7 +46,7 @@ std::string find_line(const std::string& text, const std::string& begin) {
 }
 
 TEST(openscad, writes_vertices_with_what_moves_them_and_turned_faces) {
-  const std::string source = build_openscad_bust(build_small_bust(), kTemplates);
+  const std::string source = build_openscad_bust(build_small_bust(), shipped_stock().templates);
   EXPECT_THAT(source, HasSubstr("[[-1,-1,0]], [[1,-1,0]], [[1,1,0]], [[-1,1,0]], [[0,0,3],[0],[[0,0,0.5]]]"));
   EXPECT_THAT(source, HasSubstr("triangles = [\n  [0,4,1], [1,4,2], [2,4,3], [3,4,0]]"));
   EXPECT_EQ(find_line(source, "chin_down ="), "chin_down = 0; // [-1:0.05:1]");
@@ -58,15 +56,16 @@ TEST(openscad, writes_vertices_with_what_moves_them_and_turned_faces) {
 TEST(openscad, text_of_authors_is_never_code) {
   PosableBust bust = build_small_bust();
   bust.title = "x\ncube(99);\r*/ cube(98); /* [Tab] */ {{modules}} \\ \"é";
-  const std::string source = build_openscad_bust(bust, kTemplates);
+  const std::string source = build_openscad_bust(bust, shipped_stock().templates);
   EXPECT_EQ(source.substr(0, source.find('\n')), "// x cube(99);    cube(98);    [Tab]      modules     \"é");
   EXPECT_THAT(source, Not(HasSubstr("cube(9)")));
   EXPECT_EQ(find_line(source, "expression ="), "expression = \"smile\"; // [smile, my_own__cube_9_]");
   bust.title.assign(10000, 'a');
-  EXPECT_EQ(build_openscad_bust(bust, kTemplates).find('\n'), 3U + 120);
+  EXPECT_EQ(build_openscad_bust(bust, shipped_stock().templates).find('\n'), 3U + 120);
   bust.title.assign(119, 'a');  // the cut falls into a letter of two bytes
   bust.title += "é";
-  EXPECT_EQ(build_openscad_bust(bust, kTemplates).substr(0, 123), "// " + std::string(119, 'a') + "\n");
+  EXPECT_EQ(build_openscad_bust(bust, shipped_stock().templates).substr(0, 123),
+            "// " + std::string(119, 'a') + "\n");
 }
 
 TEST(openscad, every_expression_has_a_name_of_its_own) {
@@ -74,17 +73,17 @@ TEST(openscad, every_expression_has_a_name_of_its_own) {
   bust.expressions = {
       {"1.2s", {0, 0, 0}, 1, 0, {}}, {"1;2s", {0, 0, 0}, 2, 0, {}}, {"", {0, 0, 0}, 1, 0, {}}};
   bust.expression = "1;2s";
-  const std::string source = build_openscad_bust(bust, kTemplates);
+  const std::string source = build_openscad_bust(bust, shipped_stock().templates);
   EXPECT_EQ(find_line(source, "expression ="), "expression = \"1_2s_2\"; // [1_2s, 1_2s_2, own]");
   bust.expression = "unknown";
-  EXPECT_THROW(build_openscad_bust(bust, kTemplates), RunError);
+  EXPECT_THROW(build_openscad_bust(bust, shipped_stock().templates), RunError);
 }
 
 TEST(openscad, refuses_an_open_bust) {
   PosableBust bust = build_small_bust();
   bust.triangles.pop_back();
   try {
-    build_openscad_bust(bust, kTemplates);
+    build_openscad_bust(bust, shipped_stock().templates);
     FAIL();
   } catch (const RunError& e) {
     EXPECT_STREQ(e.what(), "the bust is not closed: 3 open edges");
@@ -93,13 +92,13 @@ TEST(openscad, refuses_an_open_bust) {
 
 TEST(openscad, hollow_is_always_offered) {
   PosableBust bust = build_small_bust();
-  EXPECT_EQ(find_line(build_openscad_bust(bust, kTemplates), "hollow ="), "hollow = false;");
+  EXPECT_EQ(find_line(build_openscad_bust(bust, shipped_stock().templates), "hollow ="), "hollow = false;");
   bust.cavity.directions = {{1, 0}, {0, -1}};
   bust.cavity.heights_mm = {0, 1.5};
   bust.cavity.middles_mm = {0, 0.25};
   bust.cavity.walls = {{2, 1.4, {1, 0.5, 0.125, 0}}};
   bust.is_hollow = true;
-  const std::string source = build_openscad_bust(bust, kTemplates);
+  const std::string source = build_openscad_bust(bust, shipped_stock().templates);
   EXPECT_EQ(find_line(source, "hollow ="), "hollow = true;");
   EXPECT_EQ(find_line(source, "wall_mm ="), "wall_mm = 2; // [0.8:0.1:10]");
   EXPECT_EQ(find_line(source, "drain_mm ="), "drain_mm = 4; // [0:0.5:12]");

@@ -19,8 +19,6 @@ namespace {
 
 using testing::HasSubstr;
 
-const Templates& kTemplates = shipped_stock().templates;
-
 // Corners 0 1 2 3 of a square that looks along +z, one shade different.
 Part build_square(const std::string& name, bool is_rigid) {
   Part part;
@@ -68,7 +66,7 @@ std::vector<double> read_numbers(const std::string& text, const std::string& sta
 
 std::string find_error(const Model& model, const RenderSpec& render = {}) {
   try {
-    build_povray_include(model, render, kTemplates);
+    build_povray_include(model, render, shipped_stock().templates);
   } catch (const RunError& e) {
     return e.what();
   }
@@ -108,7 +106,7 @@ TEST(povray, turns_a_rigid_part_as_its_vertices_would_be_turned) {
   const std::vector<double> m = read_numbers(format_frame(model, drawing), "matrix <", '>');
   ASSERT_EQ(m.size(), 12u);
 
-  const std::vector<double> rest = read_numbers(build_povray_include(model, {}, kTemplates),
+  const std::vector<double> rest = read_numbers(build_povray_include(model, {}, shipped_stock().templates),
                                                 "part_eye_left = mesh2 {\nvertex_vectors {", '}');
   ASSERT_EQ(rest.size(), 13u);
   for (std::size_t i = 0; i < 4; ++i) {
@@ -121,7 +119,8 @@ TEST(povray, turns_a_rigid_part_as_its_vertices_would_be_turned) {
 }
 
 TEST(povray, writes_faces_and_shades_once_in_the_include) {
-  const std::string include = build_povray_include({{build_square("card", false)}}, {}, kTemplates);
+  const std::string include =
+      build_povray_include({{build_square("card", false)}}, {}, shipped_stock().templates);
   EXPECT_THAT(include,
               HasSubstr("#macro surface_of_card()\ntexture_list { 2,\n"
                         "plain_texture(srgb <0.8,0.6,0.5>, 0),\nplain_texture(srgb <0.5,0.2,0.2>, 1) }\n"
@@ -130,14 +129,14 @@ TEST(povray, writes_faces_and_shades_once_in_the_include) {
   Part plain = build_square("card", false);
   plain.shade.clear();
   EXPECT_THAT(
-      build_povray_include({{plain}}, {}, kTemplates),
+      build_povray_include({{plain}}, {}, shipped_stock().templates),
       HasSubstr("\nface_indices { 2,\n<0,1,2>,\n<0,2,3> }\nplain_texture(srgb <0.8,0.6,0.5>, 0)\n#end\n"));
 }
 
 TEST(povray, writes_the_grain_as_texture_coordinates) {
   Part part = build_square("card", false);
   part.grain = {{-40, -40}, {40.5f, -40}, {40, 40}, {-40, 40.25f}};
-  EXPECT_THAT(build_povray_include({{part}}, {}, kTemplates),
+  EXPECT_THAT(build_povray_include({{part}}, {}, shipped_stock().templates),
               HasSubstr("uv_vectors { 4,\n<-40,-40>,\n<40.5,-40>,\n<40,40>,\n<-40,40.25> }\ntexture_list {"));
   part.grain.pop_back();
   EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one place on its grain a vertex");
@@ -146,7 +145,7 @@ TEST(povray, writes_the_grain_as_texture_coordinates) {
 TEST(povray, tells_a_material_how_worn_its_part_is_and_no_other) {
   Part fresh = build_square("fresh", false), worn = build_square("worn", false);
   worn.wear = 0.25;
-  const std::string text = build_povray_parts({{worn, fresh}}, kTemplates);
+  const std::string text = build_povray_parts({{worn, fresh}}, shipped_stock().templates);
   const std::size_t begins = text.find("#declare Wear = 0.25;"), ends = text.find("#declare Wear = 0;");
   EXPECT_LT(begins, text.find("texture_list"));
   EXPECT_LT(begins, ends);
@@ -203,10 +202,10 @@ TEST(povray, refuses_a_drawing_that_does_not_fit) {
 TEST(povray, writes_the_same_text_under_any_locale) {
   const Model model{{build_square("card", false), build_square("eye_left", true)}};
   const std::string frame = format_frame(model, draw_at_rest(model));
-  const std::string include = build_povray_include(model, {}, kTemplates);
+  const std::string include = build_povray_include(model, {}, shipped_stock().templates);
   std::setlocale(LC_ALL, "de_DE.UTF-8");
   EXPECT_EQ(format_frame(model, draw_at_rest(model)), frame);
-  EXPECT_EQ(build_povray_include(model, {}, kTemplates), include);
+  EXPECT_EQ(build_povray_include(model, {}, shipped_stock().templates), include);
   std::setlocale(LC_ALL, "C");
 }
 
@@ -238,7 +237,7 @@ TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
   render.width_px = 32;
   render.height_px = 40;
   render.quality = Quality::draft;
-  write_file(clip / "scenes/head.inc", build_povray_include(model, render, kTemplates));
+  write_file(clip / "scenes/head.inc", build_povray_include(model, render, shipped_stock().templates));
   write_file(clip / "scenes/loop.pov", build_povray_loop());
   write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 2, "out/two_cards", {1, 2}));
   write_file(clip / "scenes/f0001.pov", format_frame(model, draw_at_rest(model)));
