@@ -4,6 +4,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "core/error.hpp"
+#include "core/yaml_file.hpp"
 
 namespace mien {
 
@@ -118,12 +119,6 @@ FaceData load_root(const YAML::Node& root) {
 
 }  // namespace
 
-FaceData load_face_data(const std::filesystem::path& file) {
-  try {
-    return load_root(YAML::LoadFile(file.string()));
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
-  }
-}
+FaceData load_face_data(const std::filesystem::path& file) { return read_yaml_file(file, load_root); }
 
 }  // namespace mien

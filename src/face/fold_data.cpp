@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "core/yaml_file.hpp"
 
 namespace mien {
 
@@ -136,12 +137,6 @@ FoldData load_root(const YAML::Node& root) {
 
 }  // namespace
 
-FoldData load_fold_data(const std::filesystem::path& file) {
-  try {
-    return load_root(YAML::LoadFile(file.string()));
-  } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
-  }
-}
+FoldData load_fold_data(const std::filesystem::path& file) { return read_yaml_file(file, load_root); }
 
 }  // namespace mien

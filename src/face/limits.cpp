@@ -7,6 +7,7 @@
 
 #include "core/conventions.hpp"
 #include "core/error.hpp"
+#include "core/yaml_file.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -117,7 +118,7 @@ std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, con
   try {
     return measure_all(head, face, shares, YAML::LoadFile(file.string())["limits"]);
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
 }
 

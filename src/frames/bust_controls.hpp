@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/print.hpp"
+#include "config/posable_bust.hpp"
 #include "frames/bust_body.hpp"
 
 namespace mien {

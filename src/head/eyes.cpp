@@ -6,6 +6,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "core/smooth.hpp"
 #include "head/binding.hpp"
 #include "head/eye_rim.hpp"
 #include "head/head.hpp"

@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/yaml_file.hpp"
 #include "head/cage.hpp"
 #include "head/guides.hpp"
 #include "head/patterns.hpp"
@@ -104,7 +105,7 @@ std::vector<Landmark> find_landmarks(const NeutralHead& head, const std::filesys
     }
     return landmarks;
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
 }
 
@@ -125,7 +126,7 @@ SkinSpot find_place(const NeutralHead& head, const std::string& name, const std:
       }
     throw RunError(fmt::format("{}: no place called '{}'", file.string(), name));
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
 }
 
@@ -133,7 +134,7 @@ std::vector<std::string> find_needed_landmarks(const std::filesystem::path& file
   try {
     return YAML::LoadFile(file.string())["needed"].as<std::vector<std::string>>();
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
 }
 

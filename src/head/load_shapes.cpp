@@ -5,6 +5,7 @@
 
 #include "core/error.hpp"
 #include "core/table.hpp"
+#include "core/yaml_file.hpp"
 #include "head/shapes.hpp"
 
 namespace mien {
@@ -108,7 +109,7 @@ HeadShapes load_head_shapes(const std::filesystem::path& folder) {
     }
     return shapes;
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
 }
 
@@ -134,7 +135,7 @@ std::vector<FeatureInfo> load_features(const std::filesystem::path& folder) {
       features.push_back(std::move(feature));
     }
   } catch (const YAML::Exception& e) {
-    throw RunError(fmt::format("{}:{}: {}", file.string(), e.mark.line + 1, e.msg));
+    throw build_yaml_error(file, e);
   }
   return features;
 }

@@ -7,6 +7,7 @@
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/yaml_file.hpp"
 
 namespace mien {
 
@@ -171,12 +172,7 @@ MouthNumbers read_mouth(const Table& table) {
 }  // namespace
 
 PartNumbers load_part_numbers(const std::filesystem::path& file) {
-  YAML::Node root;
-  try {
-    root = YAML::Load(read_file(file));
-  } catch (const YAML::Exception& problem) {
-    throw RunError(file.string() + ": " + problem.what());
-  }
+  const YAML::Node root = load_yaml_file(file);
   if (!root.IsMap()) throw RunError(file.string() + ": a table is missing here");
   const auto table = [&](const char* key) {
     const YAML::Node child = root[key];

@@ -1,7 +1,8 @@
 // How far the hollow in a print may reach: the same in every pose, inside the thinnest of all.
 #pragma once
 
-#include "core/print.hpp"
+#include "core/cavity.hpp"
+#include "core/mesh.hpp"
 
 namespace mien {
 

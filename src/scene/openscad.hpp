@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/print.hpp"
+#include "config/posable_bust.hpp"
 
 namespace mien {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/print.hpp"
+#include "config/posable_bust.hpp"
 #include "core/text.hpp"
 
 namespace mien {
