@@ -7,7 +7,7 @@
 #include "config/findings.hpp"
 #include "config/load_spec.hpp"
 #include "config/words.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "render/driver.hpp"
 #include "render/process.hpp"

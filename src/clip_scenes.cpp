@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/shelf.hpp"
 #include "core/text.hpp"
 #include "frames/place.hpp"

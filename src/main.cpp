@@ -13,6 +13,7 @@
 
 #include "command_line/arguments.hpp"
 #include "core/error.hpp"
+#include "core/pool.hpp"
 #include "pipeline.hpp"
 #include "render/process.hpp"
 
@@ -104,7 +105,9 @@ int main(int argc, char** argv) {
   };
   try {
     install_signal_handlers();
-    const int status = run_command(read_arguments(argc, argv));
+    const Request request = read_arguments(argc, argv);
+    set_job_count(request.options.jobs);
+    const int status = run_command(request);
     flush_output();
     return status;
   } catch (const InputError& e) {

@@ -12,7 +12,7 @@
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "render/driver.hpp"
 #include "render/process.hpp"

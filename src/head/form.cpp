@@ -3,7 +3,7 @@
 #include <array>
 #include <functional>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/contact.hpp"
 #include "head/nostrils.hpp"
 #include "head/own_half.hpp"
@@ -60,7 +60,7 @@ HeadStock load_head_stock(const std::filesystem::path& data_folder) {
         stock.surface = std::make_shared<const Surface>(build_surface(unsolved));
         stock.shapes = load_head_shapes(stock.folder);
       }};
-  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
   settle_contacts(stock, Eye{}, stock.adult);
   return stock;
 }

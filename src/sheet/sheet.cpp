@@ -10,7 +10,7 @@
 #include "clip.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "pipeline.hpp"
 #include "render/driver.hpp"

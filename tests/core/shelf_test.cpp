@@ -5,7 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 namespace {
@@ -13,6 +13,7 @@ namespace {
 TEST(shelf, makes_each_thing_once_for_all_threads) {
   constexpr int kJobs = 8;
   constexpr std::size_t kTakers = 20;
+  set_job_count(kJobs);
   std::array<std::atomic<int>, 30> made{};
   Shelf<int> shelf(made.size());  // room for all: a thread that sleeps long finds its thing still there
   for_each_index(made.size() * kTakers, kJobs, [&](std::size_t i, int) {
@@ -24,6 +25,7 @@ TEST(shelf, makes_each_thing_once_for_all_threads) {
     EXPECT_EQ(*thing, static_cast<int>(index) + 100);
   });
   for (const std::atomic<int>& count : made) EXPECT_EQ(count, 1);
+  set_job_count(0);
 }
 
 TEST(shelf, keeps_few_and_lets_the_lowest_go) {
