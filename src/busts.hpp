@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "config/posable_bust.hpp"
 #include "config/spec.hpp"
+#include "core/print.hpp"
 #include "frames/bust_controls.hpp"
 #include "frames/figure.hpp"
 #include "print/glyphs.hpp"

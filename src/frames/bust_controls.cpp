@@ -110,7 +110,7 @@ double find_reach(const Figure& figure, std::size_t move, double value) {
 
 void add_moves(Work& work, double tolerance_mm) {
   std::array<std::vector<Sample>, kMoveCount> samples;
-  for_each_index(kMoveCount, count_workers(),
+  for_each_index(kMoveCount, count_cores(),
                  [&](std::size_t m, int) { samples[m] = sample_values(work, m, tolerance_mm); });
   for (std::size_t m = 0; m < kMoveCount; ++m) {
     BustMove& move = work.controls.moves.emplace_back();
@@ -136,7 +136,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
   std::vector<BustState> states(expressions.size());
   std::vector<BustExpression> added(expressions.size());
   std::vector<Shape> shapes(expressions.size());
-  for_each_index(expressions.size(), count_workers(), [&](std::size_t i, int) {
+  for_each_index(expressions.size(), count_cores(), [&](std::size_t i, int) {
     const Pose& pose = expressions[i].pose;
     BustExpression& expression = added[i];
     expression.name = expressions[i].name;

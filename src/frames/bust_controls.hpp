@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "config/posable_bust.hpp"
+#include "core/print.hpp"
 #include "frames/bust_body.hpp"
 
 namespace mien {

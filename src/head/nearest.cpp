@@ -1,12 +1,11 @@
 // A bounding volume hierarchy of four children a node (Wald, Benthin and Boulos, "Getting rid of packets",
-// 2008), split at the median.
+// 2008), split at the median; the nearest point of a triangle after Ericson, "Real-Time
+// Collision Detection" (2005), 5.1.5.
 #include "head/nearest.hpp"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-
-#include "core/nearest_point.hpp"
 
 namespace mien {
 
@@ -131,6 +130,31 @@ std::uint32_t build_node(Builder& builder, std::uint32_t first, std::uint32_t co
     node.children[i] = child;
   }
   return index;
+}
+
+// Barycentric coordinates of the place of triangle a b c that is nearest to p.
+glm::dvec3 find_nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                                    const glm::dvec3& c) {
+  const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
+  const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+  const glm::dvec3 bp = p - b;
+  const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
+  const double vc = d1 * d4 - d3 * d2;
+  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+  const glm::dvec3 cp = p - c;
+  const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
+  const double vb = d5 * d2 - d1 * d6;
+  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
+  const double va = d3 * d6 - d5 * d4;
+  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+    return {0, 1 - w, w};
+  }
+  const double sum = va + vb + vc;
+  return {1 - vb / sum - vc / sum, vb / sum, vc / sum};
 }
 
 struct Spot {

@@ -1,8 +1,8 @@
 // The hollow inside a print as rings, and the drain through which it empties.
 #pragma once
 
-#include "core/cavity.hpp"
 #include "core/holes.hpp"
+#include "core/print.hpp"
 
 namespace mien {
 

@@ -1,8 +1,7 @@
 // How far the hollow in a print may reach: the same in every pose, inside the thinnest of all.
 #pragma once
 
-#include "core/cavity.hpp"
-#include "core/mesh.hpp"
+#include "core/print.hpp"
 
 namespace mien {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-#include "config/posable_bust.hpp"
+#include "core/print.hpp"
 
 namespace mien {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "config/posable_bust.hpp"
+#include "core/print.hpp"
 #include "core/text.hpp"
 
 namespace mien {

@@ -1,12 +1,10 @@
-// A bust that is printed and can still be posed: made by frames/, written by scene/, which need not know each
-// other.
+// What is printed and can still be posed: made by frames/, written by scene/, which need not know each other.
 #pragma once
 
 #include <array>
 #include <string>
 #include <vector>
 
-#include "core/cavity.hpp"
 #include "core/holes.hpp"
 #include "core/mesh.hpp"
 
@@ -67,6 +65,21 @@ struct BustMouth {
   glm::vec2 jaw_axis{0};      // (z, forward) of the axis, which is parallel to x
   double jaw_open_rad = 0.5;  // at its limit
   glm::vec2 jaw_forward{0};   // (z, forward) at its limit
+};
+
+// How far a cavity may reach for some thicknesses of its wall, the same in every pose: rows of places, one
+// above the other, in columns around each row's middle.
+struct CavityPlan {
+  struct Wall {
+    double wall_mm = 2;
+    double top_mm = 0;               // the cavity's highest place, above the last middle
+    std::vector<double> reaches_mm;  // from the middle, row after row; a row of zeros holds no cavity
+  };
+
+  std::vector<glm::dvec2> directions;  // of the columns as seen from above, unit, in the foot's order
+  std::vector<double> heights_mm;      // of the rows, rising, from the figure's foot
+  std::vector<double> middles_mm;      // y of the rows' middles; their x is 0
+  std::vector<Wall> walls;             // from the thinnest on
 };
 
 // A bust whose file can pose it. All lengths at the height asked for.
