@@ -18,7 +18,7 @@
 #include "config/load_spec.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "frames/figure.hpp"
 #include "frames/resources.hpp"
@@ -179,7 +179,7 @@ double time_povray(const fs::path& scenes, const RenderSpec& render) {
       "-D",     "-GA", fmt::format("+L{}", scenes.string())};
   for (const std::string& option : list_quality_options(render.quality)) command.push_back(option);
   const double start_s = read_clock_s();
-  for_each_index(24, count_cores(), [&](std::size_t i, int) {
+  for_each_index(24, count_workers(), [&](std::size_t i, int) {
     std::vector<std::string> words = command;
     words[1] = fmt::format("+If{:04}.pov", i + 1);
     words.push_back(fmt::format("+Oalone{:04}.png", i + 1));

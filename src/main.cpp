@@ -13,6 +13,7 @@
 
 #include "command_line/arguments.hpp"
 #include "core/error.hpp"
+#include "core/pool.hpp"
 #include "render/process.hpp"
 
 namespace {
@@ -66,7 +67,9 @@ int main(int argc, char** argv) {
   };
   try {
     install_signal_handlers();
-    const int status = run_request(read_arguments(argc, argv));
+    const Request request = read_arguments(argc, argv);
+    set_job_count(request.options.jobs);
+    const int status = run_request(request);
     flush_output();
     return status;
   } catch (const InputError& e) {

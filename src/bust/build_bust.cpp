@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "print/base.hpp"
 #include "print/cavity.hpp"
 #include "print/cavity_plan.hpp"
@@ -66,7 +66,7 @@ Mesh build_figure_mesh(const BustBody& body, std::vector<glm::vec3> positions, d
 void thicken(const BustCache& cache, BustBody& body) {
   constexpr double kWide = 0.7;  // a mouth so far open has drawn its lips thin
   constexpr float kStill_mm = 0.05f;
-  static const std::size_t kChinDown = find_move("chin", Side::none, "down").value();
+  static const std::size_t kChinDown = find_move(Area::chin, Side::none, "down").value();
   const std::vector<bool> is_fixed = list_fixed(body);
   const std::vector<glm::vec3> rest = place_bust(body, cache.figure, Pose{});
   std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
@@ -86,7 +86,7 @@ void thicken(const BustCache& cache, BustBody& body) {
       if (is_posed[v] && !is_fixed[v]) moves[v] += more[v];
   }
   std::vector<std::vector<glm::vec3>> poses(cache.menu.size());
-  for_each_index(poses.size(), count_cores(),
+  for_each_index(poses.size(), count_workers(),
                  [&](std::size_t i, int) { poses[i] = place_bust(body, cache.figure, cache.menu[i].pose); });
   hold_apart(poses, body.triangles, kLeastFeature_mm, moves);
   body.thicker = std::move(moves);
@@ -303,7 +303,7 @@ MadeBust make_bust(BustCache& cache, const BustSpec& bust) {
         build_outside(entry.body, positions, base, cache.letters, 0, made.mesh);
         if (!bust.is_hollow) made.report = measure_print(made.mesh);
       }};
-  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
   if (bust.is_hollow)
     hollow_out(entry.body, positions, base, cache.letters,
                build_cavity(made.source.cavity, find_hollow(bust, base)), bust.drain_mm, made);

@@ -6,7 +6,7 @@
 #include "config/findings.hpp"
 #include "config/load_spec.hpp"
 #include "config/words.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/head_track.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/shared_cache.hpp"
 #include "core/text.hpp"
 #include "frames/place.hpp"

@@ -156,7 +156,7 @@ EyeRig find_eyes(const Figure& figure, const glm::dmat4& world_from_figure, cons
   rig.left_mm = figure.head.eye.centre;
   rig.pivot_mm = figure.face.turn_pivot;
   const auto find_reach = [&](Side side) {
-    const std::size_t across = *find_move("eye", side, "side"), up = *find_move("eye", side, "up");
+    const std::size_t across = *find_move(Area::eye, side, "side"), up = *find_move(Area::eye, side, "up");
     const Face& face = figure.face;
     return EyeReach{figure.limits.plus[across] * face.eye_side_rad / kRadiansPerDegree,
                     figure.limits.minus[across] * face.eye_side_rad / kRadiansPerDegree,

@@ -74,13 +74,7 @@ Story build_story(const Spec& spec, const Performance& performance, double at_s)
 
 // Where a move is measured, by the names of templates/head/landmarks.yaml.
 std::string find_landmark_of(const MoveInfo& info) {
-  std::string name;
-  if (info.area == "brow") name = "brow_mid";
-  if (info.area == "lid") name = info.move == "upper" ? "lid_upper" : "lid_lower";
-  if (info.area == "eye") name = "pupil";
-  if (info.area == "lips") name = info.move == "lower" ? "li" : "ls";
-  if (info.area == "corner") name = "ch";
-  if (info.area == "chin") name = "pg";
+  const std::string name(info.landmark);
   return info.side == Side::none ? name : name + (info.side == Side::left ? "_l" : "_r");
 }
 
@@ -133,14 +127,12 @@ std::string describe_way(const Row& row) {
 }
 
 std::string describe_limit(const Row& row) {
-  if (row.limit == nullptr) return "where lids meet";
+  if (row.limit == nullptr) {
+    const MoveInfo& info = kMoves[row.move];
+    return std::string((row.value < 0 ? info.minus : info.plus).meets);
+  }
   if (row.limit->axis >= 0) return fmt::format("{:.1f} mm", row.limit->mm);
   return fmt::format("{:.3g} deg, {:.1f} mm", row.limit->value, row.limit->mm);
-}
-
-std::string name_area(const MoveInfo& info) {
-  const char* side = info.side == Side::left ? ".left" : info.side == Side::right ? ".right" : "";
-  return fmt::format("{}{}", info.area, side);
 }
 
 void print_story(const Story& story, const std::vector<Row>& rows) {
@@ -155,14 +147,16 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
   if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
   if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
   if (rows.empty()) return fmt::print("\nnothing moves: every area is at rest\n");
-  fmt::print("\n{:<13}{:<7}{:>6}  {:<17}{:<13}{}\n", "area", "move", "value", "limit", "held", "moved");
+  constexpr std::size_t kAreaWidth = kLongestAreaKey + 1;
+  fmt::print("\n{:<{}}{:<7}{:>6}  {:<17}{:<13}{}\n", "area", kAreaWidth, "move", "value", "limit", "held",
+             "moved");
   std::string area, landmark;
   for (const Row& row : rows) {
     const MoveInfo& info = kMoves[row.move];
-    const std::string name = name_area(info);
+    const std::string name(find_area_key(info));
     const bool is_new = name != area || row.landmark != landmark;
-    fmt::print("{:<13}{:<7}{:>+6.2f}  {:<17}{:<13}{}\n", name == area ? "" : name, info.move, row.value,
-               describe_limit(row), row.held ? fmt::format("asked {:+.3g}", row.held->asked) : "-",
+    fmt::print("{:<{}}{:<7}{:>+6.2f}  {:<17}{:<13}{}\n", name == area ? "" : name, kAreaWidth, info.move,
+               row.value, describe_limit(row), row.held ? fmt::format("asked {:+.3g}", row.held->asked) : "-",
                is_new ? describe_way(row) : "\"");
     area = name;
     landmark = row.landmark;
@@ -174,8 +168,10 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
 
 Json build_json(const Row& row) {
   const MoveInfo& info = kMoves[row.move];
-  Json json{
-      {"kind", "move"}, {"area", name_area(info)}, {"move", info.move}, {"value", round_to(row.value, 6)}};
+  Json json{{"kind", "move"},
+            {"area", find_area_key(info)},
+            {"move", info.move},
+            {"value", round_to(row.value, 6)}};
   if (row.limit != nullptr)
     json["limit"] = {{"name", row.limit->name->name},
                      {"thesis", row.limit->name->thesis},

@@ -72,9 +72,8 @@ Rows list_guides(const Stock& stock) {
 Rows list_areas(const Stock&) {
   Rows rows;
   for (const MoveInfo& move : kMoves) {
-    std::string key(move.area);
-    if (move.side != Side::none) key += move.side == Side::left ? ".left" : ".right";
-    rows.emplace_back(fmt::format("{}: {{{}: {}..{}}}", key, move.move, move.low, move.high), move.meaning);
+    rows.emplace_back(fmt::format("{}: {{{}: {}..{}}}", find_area_key(move), move.move, move.low, move.high),
+                      move.meaning);
   }
   return rows;
 }

@@ -14,7 +14,7 @@ namespace {
 std::string name_side(const HeldNote& note) {
   const MoveInfo& info = kMoves[note.held.move];
   if (info.side == Side::none) return "none";
-  if (note.name.starts_with(fmt::format("{}s.", info.area))) return "both";
+  if (note.name.starts_with(fmt::format("{}.", find_area(info.of).plural))) return "both";
   return info.side == Side::left ? "left" : "right";
 }
 

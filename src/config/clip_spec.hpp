@@ -39,24 +39,31 @@ enum class Between {
 };
 
 // How long after the first of them each sets out, and how much earlier than the last it arrives.
-enum class LeadPart { eyes, lids, brows, lips, corners, chin, head };
-inline constexpr std::size_t kLeadCount = 7;
 struct LeadSpec {
   std::array<double, kLeadCount> after_s{};  // in the order of LeadPart; all 0: together
   bool suits_shapes = false;                 // others lead where a mouth goes to a certain shape (lead.hpp)
 };
 
-// `lead: natural`. Eyes, then lids and brows a frame or two later, then the mouth, then jaw and head, at 24
-// frames a second (face-facts: animators' overlap, 1-2, 2-4 and 3-6 frames).
-inline constexpr LeadSpec kNaturalLead{{0, 0.0625, 0.0625, 0.125, 0.125, 0.1875, 0.1875}, true};
+// An order of the areas, as the table of areas has it.
+constexpr LeadSpec build_lead_spec(double AreaLead::*after_s, bool suits_shapes = false) {
+  LeadSpec spec{{}, suits_shapes};
+  for (const AreaInfo& area : kAreas)
+    spec.after_s[static_cast<std::size_t>(area.lead.part)] = area.lead.*after_s;
+  spec.after_s[static_cast<std::size_t>(kHeadLead.part)] = kHeadLead.*after_s;
+  return spec;
+}
 
-// The parts of the face, which come before the head in LeadPart.
-inline constexpr std::size_t kFacePartCount = 6;
+// `lead: natural`.
+inline constexpr LeadSpec kNaturalLead = build_lead_spec(&AreaLead::natural_s, true);
 
 // How long each part of the face takes to come off a key, s, on the way to the next one; it sets out at once
 // and then rests until the next key's time. Below 0: as the clip's lead has it.
 using Release = std::array<double, kFacePartCount>;
-inline constexpr Release kNoRelease{-1, -1, -1, -1, -1, -1};
+inline constexpr Release kNoRelease = [] {
+  Release release{};
+  release.fill(-1);
+  return release;
+}();
 
 // One key of the performance. The pose is what `express`, `strength` and `areas` come to.
 struct PoseKey {

@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -14,8 +15,6 @@ constexpr std::size_t kMaxLineShown = 200;  // bytes; a longer line would hide i
 constexpr std::size_t kMaxWordShown = 40;   // characters
 constexpr std::size_t kMaxNamesShown = 40;
 constexpr std::size_t kMaxCandidates = 1000;  // names compared for a suggestion
-
-bool is_first_of_character(char byte) { return (static_cast<unsigned char>(byte) & 0xC0) != 0x80; }
 
 }  // namespace
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <array>
 #include <tuple>
 
 #include "config/spec.hpp"
@@ -10,28 +9,6 @@
 namespace mien {
 
 namespace {
-
-// A limit that is an end of the body's own, whatever the style.
-struct Stop {
-  std::string_view area, move;
-  double sign;
-  std::string_view reason;
-};
-
-constexpr std::array kStops{
-    Stop{"lid", "upper", -1, "shut is shut"},          Stop{"lips", "press", 1, "the lips have met"},
-    Stop{"eye", "up", 1, "an eye turns no further"},   Stop{"eye", "up", -1, "an eye turns no further"},
-    Stop{"eye", "side", 1, "an eye turns no further"}, Stop{"eye", "side", -1, "an eye turns no further"},
-};
-
-// kStops by move, downward and upward: whoever holds a pose asks for each of its moves.
-constexpr auto kStopReasons = [] {
-  std::array<std::array<std::string_view, 2>, kMoveCount> reasons{};
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    for (const Stop& stop : kStops)
-      if (stop.area == kMoves[i].area && stop.move == kMoves[i].move) reasons[i][stop.sign > 0] = stop.reason;
-  return reasons;
-}();
 
 auto key_of(const Held& held) {
   return std::tie(held.place.file, held.place.line, held.place.column, held.move, held.asked, held.held,
@@ -63,7 +40,9 @@ void append_held(const ClipSpec& clip, std::vector<Held>& ledger) {
 
 bool Held::operator==(const Held& other) const { return key_of(*this) == key_of(other); }
 
-std::string_view find_stop(std::size_t move, double sign) { return kStopReasons[move][sign > 0]; }
+std::string_view find_stop(std::size_t move, double sign) {
+  return sign > 0 ? kMoves[move].plus.stop : kMoves[move].minus.stop;
+}
 
 void sort_ledger(std::vector<Held>& ledger) {
   std::ranges::sort(ledger, [](const Held& a, const Held& b) { return key_of(a) < key_of(b); });
@@ -85,9 +64,8 @@ std::vector<Held> list_held(const Spec& spec) {
 
 std::string name_move(std::size_t move, bool is_both) {
   const MoveInfo& info = kMoves[move];
-  if (info.side == Side::none) return fmt::format("{}.{}", info.area, info.move);
-  if (is_both) return fmt::format("{}s.{}", info.area, info.move);
-  return fmt::format("{}.{}.{}", info.area, info.side == Side::left ? "left" : "right", info.move);
+  const bool is_plural = is_both && info.side != Side::none;
+  return fmt::format("{}.{}", is_plural ? find_area(info.of).plural : find_area_key(info), info.move);
 }
 
 std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/seeded.hpp"
+#include "core/smooth.hpp"
 
 namespace mien {
 
@@ -109,7 +110,7 @@ Look draw_look(const People& people, std::uint64_t seed, double tone) {
 
 std::string draw_cut(const People& people, std::uint64_t seed, double character) {
   std::mt19937_64 random = build_random(seed, use_hair);
-  const double man = glm::smoothstep(-kLeastCharacter, kLeastCharacter, character);
+  const double man = smooth_step(-kLeastCharacter, kLeastCharacter, character);
   std::map<std::string, double> weights;
   for (const std::string& cut : kHairs) {
     const auto known = people.cuts.find(cut);

@@ -14,7 +14,7 @@ namespace mien {
 // Of upper lids. Two poses that both shut one do not shut it twice.
 inline constexpr std::array<bool, kMoveCount> kIsUpperLid = [] {
   std::array<bool, kMoveCount> lids{};
-  for (const Side side : {Side::left, Side::right}) lids[*find_move("lid", side, "upper")] = true;
+  for (std::size_t i = 0; i < kMoveCount; ++i) lids[i] = !kMoves[i].minus.meets.empty();
   return lids;
 }();
 

@@ -9,6 +9,7 @@
 #include <cstring>
 
 #include "config/load_spec.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -31,29 +32,6 @@ int read_bounded(const std::filesystem::path& file, std::string& bytes) {
   ::close(descriptor);
   bytes.resize(size);
   return error;
-}
-
-// One character of UTF-8: its code point and its length in bytes; length 0 if it is malformed.
-struct Character {
-  std::uint32_t code = 0;
-  std::size_t length = 0;
-};
-
-Character find_character(std::string_view text, std::size_t at) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[at + i]); };
-  const unsigned char first = byte(0);
-  if (first < 0x80) return {first, 1};
-  const std::size_t length = first >= 0xF0 ? 4 : first >= 0xE0 ? 3 : 2;
-  if (first < 0xC2 || first > 0xF4 || at + length > text.size()) return {};
-  std::uint32_t code = first & (0x7Fu >> length);
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return {};
-    code = code << 6 | (byte(i) & 0x3Fu);
-  }
-  const bool is_overlong = (length == 3 && code < 0x800) || (length == 4 && code < 0x10000);
-  const bool is_surrogate = code >= 0xD800 && code <= 0xDFFF;
-  if (is_overlong || is_surrogate || code > 0x10FFFF) return {};
-  return {code, length};
 }
 
 bool is_control(std::uint32_t code) {
@@ -150,9 +128,7 @@ std::string_view find_line(const SourceText& source, int line) {
 Place find_place(const SourceText& source, Spot spot) {
   const std::string_view line = find_line(source, spot.line);
   const std::string_view before = line.substr(0, static_cast<std::size_t>(std::max(0, spot.byte)));
-  const auto is_first = [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; };
-  return {source.file, spot.line,
-          1 + static_cast<int>(std::count_if(before.begin(), before.end(), is_first))};
+  return {source.file, spot.line, 1 + static_cast<int>(count_characters(before))};
 }
 
 void add_mistake(Findings& findings, const SourceText& source, Spot spot, std::string message) {

@@ -4,9 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "config/areas.hpp"
+
 namespace mien {
 
 using Names = std::vector<std::string>;
+
+// The keys of the first `count` parts of LeadPart.
+inline Names list_part_keys(std::size_t count) {
+  Names keys;
+  for (std::size_t part = 0; part < count; ++part) keys.emplace_back(find_part_key(part));
+  return keys;
+}
 
 inline constexpr int kLanguageVersion = 1;  // `mien: 1`
 
@@ -56,9 +65,8 @@ inline const Names kPoseKeyKeys{"at",   "express", "strength", "exaggerate", "ar
 inline const Names kCameraKeys{"at", "angle", "height", "distance", "look_at", "lens", "ease", "between"};
 inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between", "name"};
 inline const Names kDrawKeys{"at", "on"};
-inline const Names kLeadKeys{"eyes", "lids", "brows", "lips", "corners", "chin", "head"};  // as LeadPart
-inline const Names kReleaseKeys{"eyes", "lids",    "brows",
-                                "lips", "corners", "chin"};  // of the face, as LeadPart
+inline const Names kLeadKeys = list_part_keys(kLeadCount);         // as LeadPart
+inline const Names kReleaseKeys = list_part_keys(kFacePartCount);  // of the face, as LeadPart
 inline const Names kCueKeys{"from", "to",      "express",  "play",       "with",  "repeat", "attack",
                             "hold", "release", "strength", "exaggerate", "areas", "rule",   "name"};
 inline const Names kLawKeys{"area", "move", "value", "from", "to", "range", "attack", "release", "rule"};

@@ -7,35 +7,12 @@
 #include <queue>
 #include <utility>
 
-#include "core/parallel.hpp"
+#include "core/collapse.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 
 namespace {
-
-// The sum of squared distances of a point from planes, weighted by their area: p'Ap - 2b'p + c.
-struct Quadric {
-  double xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;
-  glm::dvec3 b{0};
-  double c = 0;
-
-  void add_plane(const glm::dvec3& n, double offset, double weight) {
-    xx += weight * n.x * n.x, xy += weight * n.x * n.y, xz += weight * n.x * n.z;
-    yy += weight * n.y * n.y, yz += weight * n.y * n.z, zz += weight * n.z * n.z;
-    b += weight * offset * n;
-    c += weight * offset * offset;
-  }
-  void add(const Quadric& q) {
-    xx += q.xx, xy += q.xy, xz += q.xz, yy += q.yy, yz += q.yz, zz += q.zz;
-    b += q.b;
-    c += q.c;
-  }
-  double measure(const glm::dvec3& p) const {
-    const double square = xx * p.x * p.x + yy * p.y * p.y + zz * p.z * p.z +
-                          2 * (xy * p.x * p.y + xz * p.x * p.z + yz * p.y * p.z);
-    return std::max(0.0, square - 2 * glm::dot(b, p) + c);
-  }
-};
 
 // `drop` moves onto `keep`; worth its cost while `drop` has this version and `keep` is there.
 struct Removal {
@@ -96,32 +73,15 @@ struct Thinner {
   std::size_t pose_count = 0;
   std::vector<glm::vec3> places;  // of a vertex in all poses, one vertex after the other
   std::vector<Quadric> quadrics;  // the same
-  std::vector<Triangle> triangles;
+  CollapseNet net;
   std::vector<bool> is_locked;
-  std::vector<bool> is_alive;                      // a triangle
-  std::vector<std::vector<std::uint32_t>> around;  // the living triangles of a vertex
   std::vector<std::uint32_t> version;
   std::vector<bool> is_refused;  // a removal of the vertex was: it may be possible later
   RemovalQueue queue;
-  std::size_t alive = 0;
   std::array<std::vector<std::uint32_t>, 2> rings;  // of one call
 
   const glm::vec3& place(std::uint32_t v, std::size_t pose) const { return places[v * pose_count + pose]; }
 };
-
-glm::vec3 find_area_vector(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
-  return glm::cross(b - a, c - a);
-}
-
-// Into `found`, in ascending order.
-void list_neighbours(const Thinner& s, std::uint32_t v, std::vector<std::uint32_t>& found) {
-  found.clear();
-  for (const std::uint32_t t : s.around[v])
-    for (const std::uint32_t w : s.triangles[t])
-      if (w != v) found.push_back(w);
-  std::sort(found.begin(), found.end());
-  found.erase(std::unique(found.begin(), found.end()), found.end());
-}
 
 Removal find_removal(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   constexpr double kShort = 1e-9;  // of the squared length: among equals the shortest edge goes first
@@ -135,10 +95,9 @@ Removal find_removal(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
 
 // Whether the triangles of `drop` keep their side and a sound shape in every pose once it lies on `keep`.
 bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  constexpr float kTurn = 0.5f;      // cosine of the most that a triangle may turn
-  constexpr float kSlender = 0.06f;  // twice the area over the longest side squared; needles print as lines
-  for (const std::uint32_t t : s.around[drop]) {
-    const Triangle& corners = s.triangles[t];
+  constexpr float kSlender = 0.06f;
+  for (const std::uint32_t t : s.net.around[drop]) {
+    const Triangle& corners = s.net.triangles[t];
     if (std::find(corners.begin(), corners.end(), keep) != corners.end()) continue;
     for (std::size_t p = 0; p < s.pose_count; ++p) {
       std::array<glm::vec3, 3> now, then;
@@ -146,46 +105,18 @@ bool keeps_shape(const Thinner& s, std::uint32_t drop, std::uint32_t keep) {
         now[i] = s.place(corners[i], p);
         then[i] = corners[i] == drop ? s.place(keep, p) : now[i];
       }
-      const glm::vec3 before = find_area_vector(now[0], now[1], now[2]);
-      const glm::vec3 after = find_area_vector(then[0], then[1], then[2]);
-      const float area = glm::length(after);
-      if (area == 0 || glm::dot(before, after) < kTurn * glm::length(before) * area) return false;
-      if (p > 0) continue;  // a stretched pose may stretch triangles
-      float longest = 0;
-      for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(then[i], then[(i + 1) % 3]));
-      if (area < kSlender * longest * longest) return false;
+      if (!keeps_triangle(now, then, p == 0 ? kSlender : 0))
+        return false;  // a stretched pose may stretch triangles
     }
   }
   return true;
-}
-
-// Two ends of an edge may become one only if exactly two vertices neighbour both (the link condition).
-bool keeps_surface(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
-  auto &a = s.rings[0], &b = s.rings[1];
-  list_neighbours(s, drop, a);
-  list_neighbours(s, keep, b);
-  if (!std::binary_search(a.begin(), a.end(), keep) || a.size() + b.size() <= 7) return false;
-  return std::count_if(a.begin(), a.end(),
-                       [&](std::uint32_t v) { return std::binary_search(b.begin(), b.end(), v); }) == 2;
 }
 
 // `s.rings` are those of `drop` and of `keep` before.
 void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
   for (std::size_t p = 0; p < s.pose_count; ++p)
     s.quadrics[keep * s.pose_count + p].add(s.quadrics[drop * s.pose_count + p]);
-  for (const std::uint32_t t : s.around[drop]) {
-    Triangle& corners = s.triangles[t];
-    if (std::find(corners.begin(), corners.end(), keep) != corners.end()) {
-      s.is_alive[t] = false;
-      --s.alive;
-      for (const std::uint32_t v : corners)
-        if (v != drop) std::erase(s.around[v], t);
-      continue;
-    }
-    std::replace(corners.begin(), corners.end(), drop, keep);
-    s.around[keep].push_back(t);
-  }
-  s.around[drop].clear();
+  join_vertices(s.net, drop, keep);
   ++s.version[keep];
   ++s.version[drop];
   const auto push_with = [&](std::uint32_t v, bool is_new) {
@@ -200,27 +131,13 @@ void remove(Thinner& s, std::uint32_t drop, std::uint32_t keep) {
     if (v != keep && !std::binary_search(kept.begin(), kept.end(), v)) push_with(v, true);
 }
 
-void lock_open_edges(Thinner& s) {
-  const auto has_edge = [&](std::uint32_t t, std::uint32_t from, std::uint32_t to) {
-    const Triangle& c = s.triangles[t];
-    return (c[0] == from && c[1] == to) || (c[1] == from && c[2] == to) || (c[2] == from && c[0] == to);
-  };
-  for (const Triangle& t : s.triangles)
-    for (int i = 0; i < 3; ++i) {
-      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
-      if (std::none_of(s.around[a].begin(), s.around[a].end(),
-                       [&](std::uint32_t other) { return has_edge(other, b, a); }))
-        s.is_locked[a] = s.is_locked[b] = true;
-    }
-}
-
 // The planes of all triangles around a vertex.
 void add_planes(Thinner& s, std::uint32_t v) {
-  for (const std::uint32_t index : s.around[v])
+  for (const std::uint32_t index : s.net.around[v])
     for (std::size_t p = 0; p < s.pose_count; ++p) {
-      const Triangle& t = s.triangles[index];
+      const Triangle& t = s.net.triangles[index];
       const glm::dvec3 a(s.place(t[0], p)), b(s.place(t[1], p)), c(s.place(t[2], p));
-      const glm::dvec3 area = glm::cross(b - a, c - a);
+      const glm::dvec3 area = find_area_vector(a, b, c);
       const double length = glm::length(area);
       if (length == 0) continue;
       s.quadrics[v * s.pose_count + p].add_plane(area / length, glm::dot(area / length, a), length);
@@ -232,16 +149,12 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   const std::size_t count = poses.front().size();
   Thinner s;
   s.pose_count = poses.size();
-  s.triangles = std::move(triangles);
-  s.is_locked = is_locked;
-  s.alive = s.triangles.size();
-  s.is_alive.assign(s.alive, true);
-  s.around.resize(count);
+  s.is_locked = find_open_vertices(triangles, count);
+  for (std::size_t v = 0; v < count; ++v)
+    if (is_locked[v]) s.is_locked[v] = true;
+  s.net = build_collapse_net(std::move(triangles), count);
   s.version.resize(count);
   s.is_refused.resize(count);
-  for (std::uint32_t t = 0; t < s.triangles.size(); ++t)
-    for (const std::uint32_t v : s.triangles[t]) s.around[v].push_back(t);
-  lock_open_edges(s);
   s.places.reserve(count * s.pose_count);
   for (std::size_t v = 0; v < count; ++v)
     for (const std::vector<glm::vec3>& pose : poses) s.places.push_back(pose[v]);
@@ -249,7 +162,7 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   s.quadrics.resize(count * s.pose_count);
   std::vector<std::vector<Removal>> chunks((count + kChunk - 1) / kChunk);
   const auto for_each_chunk = [&](const auto& work) {
-    for_each_index(chunks.size(), count_cores(), [&](std::size_t chunk, int) {
+    for_each_index(chunks.size(), count_workers(), [&](std::size_t chunk, int) {
       const auto first = static_cast<std::uint32_t>(chunk * kChunk);
       work(chunk, first, static_cast<std::uint32_t>(std::min(first + kChunk, count)));
     });
@@ -261,7 +174,7 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
     std::vector<std::uint32_t> ring;
     for (std::uint32_t v = first; v < end; ++v) {
       if (s.is_locked[v]) continue;
-      list_neighbours(s, v, ring);
+      list_neighbours(s.net, v, ring);
       for (const std::uint32_t w : ring) chunks[chunk].push_back(find_removal(s, v, w));
     }
   });
@@ -280,20 +193,20 @@ std::vector<Triangle> thin_posed(const std::vector<std::vector<glm::vec3>>& pose
   if (poses.empty() || triangles.size() <= most) return triangles;
   Thinner s = build_thinner(poses, std::move(triangles), is_locked);
   const auto is_stale = [&](const Removal& r) {
-    return s.version[r.drop] != r.drop_version || s.around[r.keep].empty();
+    return s.version[r.drop] != r.drop_version || s.net.around[r.keep].empty();
   };
-  while (s.alive > most) {
+  while (s.net.alive > most) {
     const std::optional<Removal> next = s.queue.pop(is_stale);
     if (!next) break;
     if (is_stale(*next)) continue;
-    if (keeps_surface(s, next->drop, next->keep) && keeps_shape(s, next->drop, next->keep))
+    if (keeps_surface(s.net, next->drop, next->keep, s.rings) && keeps_shape(s, next->drop, next->keep))
       remove(s, next->drop, next->keep);
     else
       s.is_refused[next->drop] = true;
   }
   std::vector<Triangle> kept;
-  for (std::size_t t = 0; t < s.triangles.size(); ++t)
-    if (s.is_alive[t]) kept.push_back(s.triangles[t]);
+  for (std::size_t t = 0; t < s.net.triangles.size(); ++t)
+    if (s.net.is_alive[t]) kept.push_back(s.net.triangles[t]);
   return kept;
 }
 

@@ -8,7 +8,8 @@
 #include "config/area_data.hpp"
 #include "core/conventions.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
+#include "core/smooth.hpp"
 #include "face/face.hpp"
 #include "head/cage.hpp"
 #include "head/patterns.hpp"
@@ -68,10 +69,8 @@ bool is_sided_area(const std::string& area) {
 void fade_far_side(const Cage& cage, Field& field) {
   constexpr double kFrom_mm = 12,
                    kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
-  for (std::size_t i = 0; i < field.size(); ++i) {
-    const double t = glm::clamp((-cage.points[i].x - kFrom_mm) / (kTo_mm - kFrom_mm), 0.0, 1.0);
-    field[i] *= 1 - t * t * (3 - 2 * t);
-  }
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field[i] *= 1 - smooth_step(kFrom_mm, kTo_mm, -cage.points[i].x);
 }
 
 DrivenField build_sided_field(const Cage& cage, std::vector<SignedMove> left, std::vector<SignedMove> right,
@@ -129,8 +128,8 @@ std::vector<DrivenField> build_fields(const Cage& cage, const AreaData& data, co
   });
 
   std::vector<DrivenField> fields(works.size());
-  std::vector<std::optional<FieldSolver>> solvers(static_cast<std::size_t>(count_cores()));
-  for_each_index(works.size(), count_cores(), [&](std::size_t i, int worker) {
+  std::vector<std::optional<FieldSolver>> solvers(static_cast<std::size_t>(count_workers()));
+  for_each_index(works.size(), count_workers(), [&](std::size_t i, int worker) {
     std::optional<FieldSolver>& solver = solvers[static_cast<std::size_t>(worker)];
     if (!solver) solver = build_field_solver(cage);
     fields[i] = works[i](*solver);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "head/cage.hpp"
 #include "head/tubes.hpp"
 
@@ -170,7 +171,7 @@ std::array<double, 2> find_heights_mm(const std::vector<Track>& tracks, const Fo
   for (const Track& track : tracks) {
     if (track.set != &set || !is_inside(track.box, place)) continue;
     const Beside beside = find_beside(track, place);
-    const double apart = smooth_step(0, track.uneven->shared_mm, place.x);
+    const double apart = smooth_step(0, track.uneven->shared_mm, static_cast<double>(place.x));
     for (const std::uint32_t side : {0U, 1U}) heights_mm[side] += find_height_mm(track, beside, side, apart);
   }
   return heights_mm;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/smooth.hpp"
 #include "face/fold_tracks.hpp"
 #include "head/tubes.hpp"
 
@@ -156,8 +157,7 @@ double find_fold_amount(const FoldField& field, const Pose& pose, Side side) {
     for (const Driver& driver : drive.drivers) product *= read_driver(driver, pose, side);
     sum += product;
   }
-  const double t = std::clamp((sum - field.from) / (field.to - field.from), 0.0, 1.0);
-  return std::lerp(field.rest, 1.0, t * t * (3 - 2 * t));
+  return std::lerp(field.rest, 1.0, smooth_step(field.from, field.to, sum));
 }
 
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,

@@ -4,6 +4,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/conventions.hpp"
+#include "core/smooth.hpp"
 #include "face/face.hpp"
 
 namespace mien {
@@ -102,7 +103,7 @@ constexpr double kSlit = 0.7;
 // between.
 double find_seal(double gap) {
   const double t = std::clamp(2 * gap - 1, 0.0, 1.0);
-  return 1 - t * t * (3 - 2 * t);
+  return 1 - smooth_share(t);
 }
 
 // How much further apart than at rest the lips are, by whichever measure says least: their control points,

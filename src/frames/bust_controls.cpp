@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 
@@ -110,7 +110,7 @@ double find_reach(const Figure& figure, std::size_t move, double value) {
 
 void add_moves(Work& work, double tolerance_mm) {
   std::array<std::vector<Sample>, kMoveCount> samples;
-  for_each_index(kMoveCount, count_cores(),
+  for_each_index(kMoveCount, count_workers(),
                  [&](std::size_t m, int) { samples[m] = sample_values(work, m, tolerance_mm); });
   for (std::size_t m = 0; m < kMoveCount; ++m) {
     BustMove& move = work.controls.moves.emplace_back();
@@ -136,7 +136,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
   std::vector<BustState> states(expressions.size());
   std::vector<BustExpression> added(expressions.size());
   std::vector<Shape> shapes(expressions.size());
-  for_each_index(expressions.size(), count_cores(), [&](std::size_t i, int) {
+  for_each_index(expressions.size(), count_workers(), [&](std::size_t i, int) {
     const Pose& pose = expressions[i].pose;
     BustExpression& expression = added[i];
     expression.name = expressions[i].name;
@@ -146,7 +146,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
     shapes[i] = place_bust(work.body, work.figure, pose);
     states[i] = find_state(work, sum, shapes[i], slight_mm);
     const Pose held = apply_limits(work.figure.limits, pose);
-    const std::size_t chin = find_move("chin", Side::none, "down").value();
+    const std::size_t chin = find_move(Area::chin, Side::none, "down").value();
     expression.open = stiffen_pose(work.figure.face, held).values[chin];
     for (const Side side : {Side::left, Side::right})
       expression.gaze_rad[side == Side::left ? 0 : 1] =

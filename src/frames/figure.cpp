@@ -5,7 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/conventions.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
@@ -102,7 +102,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
       [&] { made[3] = build_hairs(figure.head, spec.look); },
       [&] { made[2] = build_mouth(figure.head, spec.look); },
       [&] { made[1] = build_eyes(figure.head, spec.look); }};
-  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "core/text.hpp"
 #include "head/cage.hpp"
 #include "head/lids.hpp"
@@ -119,14 +120,8 @@ void append_beard_hair(HeadPart& part, const NeutralHead& head, const BeardField
   const glm::vec3 side = static_cast<float>(size * beard.radius_mm) * glm::normalize(glm::cross(normal, way));
   const glm::vec3 foot = root - 0.2f * normal;
   Mesh& mesh = part.part.rest;
-  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  for (const glm::vec3& p : {foot - side, foot + side, middle - 0.7f * side, middle + 0.7f * side, tip}) {
-    mesh.positions.push_back(p);
-    mesh.normals.push_back(normal);
-  }
-  mesh.triangles.push_back({first, first + 1, first + 3});
-  mesh.triangles.push_back({first, first + 3, first + 2});
-  mesh.triangles.push_back({first + 2, first + 3, first + 4});
+  const std::uint32_t first =
+      append_blade({foot - side, foot + side, middle - 0.7f * side, middle + 0.7f * side, tip}, normal, mesh);
   part.part.shade.resize(mesh.positions.size(),
                          static_cast<std::uint16_t>(scatter(kSeries, index, kShade) * kHairShades));
   part.bindings.push_back({triangle, at, first, 5});

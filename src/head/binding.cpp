@@ -1,4 +1,3 @@
-// Nearest point of a triangle: Ericson, "Real-Time Collision Detection", 2005, section 5.1.5.
 #include "head/binding.hpp"
 
 #include <algorithm>
@@ -9,34 +8,11 @@
 #include <tuple>
 
 #include "core/error.hpp"
+#include "core/nearest_point.hpp"
 
 namespace mien {
 
 namespace {
-
-// Barycentric coordinates of the point of triangle a b c that is nearest to p.
-glm::vec3 find_nearest_barycentric(const glm::vec3& p, const glm::vec3& a, const glm::vec3& b,
-                                   const glm::vec3& c) {
-  const glm::vec3 ab = b - a, ac = c - a;
-  const float d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
-  if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-  const float d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
-  if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-  const float vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-  const float d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
-  if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-  const float vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-  const float va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-    const float w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0, 1 - w, w};
-  }
-  const float sum = va + vb + vc;
-  if (!(sum > 0)) return {1, 0, 0};  // a triangle without area
-  return {1 - vb / sum - vc / sum, vb / sum, vc / sum};
-}
 
 glm::vec3 blend(const std::vector<glm::vec3>& values, const Triangle& triangle,
                 const glm::vec3& barycentric) {

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/conventions.hpp"
+#include "core/smooth.hpp"
 #include "head/lids.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"

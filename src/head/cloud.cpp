@@ -12,7 +12,7 @@
 #include <numeric>
 #include <queue>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 
@@ -196,7 +196,7 @@ Disc build_disc(const std::vector<glm::dvec3>& points, std::uint32_t of, const N
 std::vector<Disc> build_discs(const std::vector<glm::dvec3>& points) {
   const PointTree tree = build_point_tree(points);
   std::vector<Disc> discs(points.size());
-  for_each_index((points.size() + kChunk - 1) / kChunk, count_cores(), [&](std::size_t chunk, int) {
+  for_each_index((points.size() + kChunk - 1) / kChunk, count_workers(), [&](std::size_t chunk, int) {
     for (std::size_t i = chunk * kChunk; i < std::min(points.size(), (chunk + 1) * kChunk); ++i) {
       Nearest nearest;
       search_range(tree, 0, points.size(), static_cast<std::uint32_t>(i), nearest);

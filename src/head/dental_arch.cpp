@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {

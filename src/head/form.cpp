@@ -4,7 +4,7 @@
 #include <functional>
 
 #include "config/part_numbers.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/contact.hpp"
 #include "head/nostrils.hpp"
 #include "head/own_half.hpp"
@@ -56,7 +56,7 @@ HeadStock build_head_stock(HeadDataPointer data) {
   const std::array<std::function<void()>, 2> works{
       [&] { solve_cage(stock.data->half, stock.adult); },
       [&] { stock.surface = std::make_shared<const Surface>(build_surface(unsolved)); }};
-  for_each_index(works.size(), count_cores(), [&](std::size_t i, int) { works[i](); });
+  for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
   settle_contacts(stock, Eye{}, stock.adult);
   return stock;
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth.hpp"
 #include "head/binding.hpp"
 #include "head/hair_growth.hpp"
 #include "head/hair_locks.hpp"
@@ -23,7 +24,7 @@ float find_luminance(const glm::vec3& srgb) { return glm::dot(srgb, glm::vec3(0.
 float find_greyness(const glm::vec3& srgb) {
   const float high = std::max({srgb.r, srgb.g, srgb.b}), low = std::min({srgb.r, srgb.g, srgb.b});
   const float chroma = high > 0 ? (high - low) / high : 0;
-  return (1 - glm::smoothstep(0.05f, 0.22f, chroma)) * glm::smoothstep(0.22f, 0.4f, high);
+  return (1 - smooth_step(0.05f, 0.22f, chroma)) * smooth_step(0.22f, 0.4f, high);
 }
 
 std::vector<Shade> make_tones(const glm::vec3& colour) {

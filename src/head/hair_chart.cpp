@@ -7,7 +7,8 @@
 #include <string_view>
 
 #include "core/conventions.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
+#include "core/smooth.hpp"
 #include "head/cage.hpp"
 #include "head/lids.hpp"
 #include "head/surface.hpp"
@@ -145,7 +146,7 @@ void drape(std::vector<double>& values) {
     for (int way = 0; way < kWays; ++way) {
       double sum = 0;
       for (int i = -kSoft; i <= kSoft; ++i) sum += wide[slot(azimuth + i, way)] / (2 * kSoft + 1);
-      const double free = glm::smoothstep(kFalls - 0.5, kFalls + 0.1, place_of(0, way).way);
+      const double free = smooth_step(kFalls - 0.5, kFalls + 0.1, place_of(0, way).way);
       double& value = values[slot(azimuth, way)];
       value = std::max(value, glm::mix(value, sum, free));
     }
@@ -228,7 +229,7 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
   chart.skin_mm.assign(count, 0);
   chart.cover_mm.assign(count, 0);
   chart.seats.resize(count);
-  for_each_index(kAzimuths, count_cores(), [&](std::size_t azimuth, int) {
+  for_each_index(kAzimuths, count_workers(), [&](std::size_t azimuth, int) {
     for (int way = 0; way < kWays; ++way) {
       const HairPlace place = place_of(static_cast<int>(azimuth), way);
       const glm::dvec3 origin = find_hair_point(chart, place, 0), out = find_hair_direction(chart, place);

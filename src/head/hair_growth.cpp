@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/conventions.hpp"
+#include "core/smooth.hpp"
 #include "head/lids.hpp"
 #include "head/tubes.hpp"
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
 #include "head/hair_mass.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"
@@ -225,16 +226,12 @@ void append_down(HeadPart& part, const HairScene& scene) {
     const double stand = down.stand * (0.6 + 0.8 * scatter(kSeries, i, kLean));
     const glm::dvec3 rise = glm::normalize(way + stand * normal);
     const glm::dvec3 side = glm::normalize(glm::cross(normal, way)) * (size * down.radius_mm);
-    const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const glm::dvec3 middle = root + 0.5 * length * rise;
     const glm::dvec3 tip = middle + 0.5 * length * glm::normalize(way + 0.35 * stand * normal);
-    for (const glm::dvec3& p : {root - side, root + side, middle - 0.7 * side, middle + 0.7 * side, tip}) {
-      mesh.positions.emplace_back(p);
-      mesh.normals.emplace_back(normal);
-    }
-    mesh.triangles.push_back({first, first + 1, first + 3});
-    mesh.triangles.push_back({first, first + 3, first + 2});
-    mesh.triangles.push_back({first + 2, first + 3, first + 4});
+    const std::uint32_t first =
+        append_blade({glm::vec3(root - side), glm::vec3(root + side), glm::vec3(middle - 0.7 * side),
+                      glm::vec3(middle + 0.7 * side), glm::vec3(tip)},
+                     glm::vec3(normal), mesh);
     part.part.shade.resize(mesh.positions.size(),
                            static_cast<std::uint16_t>(scatter(kSeries, i, kTone) * kHairShades));
     const HairSeat& seat = find_hair_seat(scene.chart, place);

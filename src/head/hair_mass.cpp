@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
 #include "head/hair_flow.hpp"
 #include "head/hair_locks.hpp"
 #include "head/tubes.hpp"

@@ -1,3 +1,4 @@
+#include "core/smooth.hpp"
 #include "head/lids.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"
@@ -31,6 +32,18 @@ void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint
     first = last;
   }
   part.part.shade.resize(count, shade);
+}
+
+std::uint32_t append_blade(const std::array<glm::vec3, 5>& places, const glm::vec3& normal, Mesh& mesh) {
+  const auto first = static_cast<std::uint32_t>(mesh.positions.size());
+  for (const glm::vec3& p : places) {
+    mesh.positions.push_back(p);
+    mesh.normals.push_back(normal);
+  }
+  mesh.triangles.push_back({first, first + 1, first + 3});
+  mesh.triangles.push_back({first, first + 3, first + 2});
+  mesh.triangles.push_back({first + 2, first + 3, first + 4});
+  return first;
 }
 
 std::vector<HeadPart> build_hairs(const NeutralHead& head, const Look& look) {

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
 #include "head/binding.hpp"
 #include "head/cage.hpp"
 #include "head/dental_arch.hpp"

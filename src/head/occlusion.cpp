@@ -6,7 +6,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 
@@ -94,7 +94,7 @@ std::vector<float> measure_openness(const Mesh& mesh, const std::vector<std::uin
   const Box box = find_bounds(mesh.positions);
   const std::vector<glm::vec3> directions = list_directions();
   std::vector<DepthMap> maps(directions.size());
-  const int jobs = count_cores();
+  const int jobs = count_workers();
   std::vector<std::vector<glm::vec3>> scratch(static_cast<std::size_t>(jobs));
   for_each_index(maps.size(), jobs, [&](std::size_t i, int worker) {
     maps[i].origin = 0.5f * (box.low + box.high);

@@ -9,7 +9,7 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/cage.hpp"
 #include "head/least_squares.hpp"
 #include "head/surface.hpp"
@@ -223,7 +223,7 @@ EarFit find_ear(const HeadStock& stock, const PlacedScan& scan, const std::vecto
       trial.carried.shift = middle - trial.carried.scale * (trial.carried.rotation * own_middle);
       trials.push_back(trial);
     }
-  for_each_index(trials.size(), count_cores(), [&](std::size_t i, int) {
+  for_each_index(trials.size(), count_workers(), [&](std::size_t i, int) {
     for (int round = 0; round <= kRounds; ++round)
       improve(ear, theirs, glm::mix(kFirstReach_mm, kLastReach_mm, static_cast<double>(round) / kRounds),
               trials[i]);

@@ -7,6 +7,7 @@
 
 #include "config/words.hpp"
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "head/cage.hpp"
 #include "head/organs.hpp"
 
@@ -22,10 +23,10 @@ using Shape = HeadForm;  // as it is summed and mixed
 const GuideChart& find_adult_chart(const HeadShapes& shapes) { return shapes.charts.at(kAdult); }
 
 glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {
-  const double t = glm::smoothstep(kFeatures_mm, kSkull_mm, std::abs(p.x));
+  const double t = smooth_step(kFeatures_mm, kSkull_mm, std::abs(p.x));
   const double x = glm::mix(sample_curve(warp.inner, p.y), sample_curve(warp.outer, p.y), t);
   // The two depths meet with no kink at the ear canals.
-  const double front = glm::smoothstep(-10.0, 10.0, p.z);
+  const double front = smooth_step(-10.0, 10.0, p.z);
   const double z = glm::mix(sample_curve(warp.back, p.y), sample_curve(warp.front, p.y), front);
   return {p.x * x, sample_curve(warp.height, p.y, true), p.z * z};
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/smooth.hpp"
 #include "head/adult_places.hpp"
 #include "head/occlusion.hpp"
 #include "head/skin_masks.hpp"
@@ -68,7 +69,7 @@ float find_luminance(const glm::vec3& linear) {
 // Noise from -1 to 1 with lumps of about `lump_mm`: hashed lattice values, smoothly blended.
 float sample_noise(const glm::vec3& p, float lump_mm) {
   const glm::vec3 q = p / lump_mm, cell = glm::floor(q);
-  const glm::vec3 f = q - cell, t = f * f * (3.0f - 2.0f * f);
+  const glm::vec3 f = q - cell, t = smooth_share(f);
   const auto value = [&](int i, int j, int k) {
     auto h = static_cast<std::uint32_t>(static_cast<int>(cell.x) + i) * 73856093u ^
              static_cast<std::uint32_t>(static_cast<int>(cell.y) + j) * 19349663u ^
@@ -182,7 +183,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
                       masks[kMouth][i]);
 
     // No lamp is mirrored in a slit.
-    float gloss = find_gloss(masks, i, light) * glm::smoothstep(0.0f, kOpenEnough, openness[i]);
+    float gloss = find_gloss(masks, i, light) * smooth_step(0.0f, kOpenEnough, openness[i]);
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
     gloss = std::round(gloss * kGlossSteps) / kGlossSteps;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "head/cage.hpp"
 #include "head/surface.hpp"
 
@@ -122,10 +123,7 @@ void add_spots(const NeutralHead& head, SkinMasks& masks) {
 
 // A lip has an edge, a spot has none.
 void sharpen(std::vector<float>& mask, float low, float high) {
-  for (float& value : mask) {
-    const float t = std::clamp((value - low) / (high - low), 0.0f, 1.0f);
-    value = t * t * (3 - 2 * t);
-  }
+  for (float& value : mask) value = smooth_step(low, high, value);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "core/smooth.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/lids.hpp"

@@ -2,6 +2,7 @@
 // its root.
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,10 @@ std::vector<Shade> make_hair_palette(const glm::vec3& colour, float spread, floa
 // vertices to each place, what is left to the last one. A hair that stands has one place, its root; one that
 // lies on the skin has one a ring and bends with it.
 void finish_hair(HeadPart& part, const std::vector<SkinPlace>& places, std::uint16_t shade);
+
+// A flat hair that ends in a point, with one normal: two vertices at its foot, two half way, one at its tip.
+// Returns the first one's index.
+std::uint32_t append_blade(const std::array<glm::vec3, 5>& places, const glm::vec3& normal, Mesh& mesh);
 
 // The left ones; `youth` is 0 for an adult's hair, 1 for an infant's down.
 HeadPart build_brow(const NeutralHead& head, const BrowNumbers& numbers, const Look& look, double youth);

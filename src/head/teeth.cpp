@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/conventions.hpp"
+#include "core/smooth.hpp"
 #include "head/dental_arch.hpp"
 #include "head/tubes.hpp"
 
@@ -142,7 +143,7 @@ std::vector<Shade> make_teeth_palette() {
           const float far = 0.88f * static_cast<float>(depth) / (kDepthShades - 1);
           const float between = 0.09f * static_cast<float>(gap) / (kGapShades - 1);
           const glm::vec3 low = glm::mix(enamel.edge, enamel.body, std::min(1.0f, 4 * up));
-          const glm::vec3 own = glm::mix(low, enamel.neck, glm::smoothstep(0.35f, 1.0f, up));
+          const glm::vec3 own = glm::mix(low, enamel.neck, smooth_step(0.35f, 1.0f, up));
           palette.push_back({glm::mix(glm::mix(own, enamel.neck * 0.8f, between), shade, far), 0.5f});
         }
   return palette;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
 #include "head/dental_arch.hpp"
 #include "head/tubes.hpp"
 

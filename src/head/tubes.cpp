@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/smooth.hpp"
+
 namespace mien {
 
 glm::vec3 sample_curve(const std::vector<glm::vec3>& points, double t, bool is_closed) {
@@ -119,13 +121,8 @@ double sample_noise(std::uint32_t series, double at, int period) {
     const int wrapped = ((static_cast<int>(k) % period) + period) % period;
     return 2 * scatter(series, static_cast<std::uint32_t>(wrapped), 0) - 1;
   };
-  const double ease = share * share * (3 - 2 * share);
+  const double ease = smooth_share(share);
   return value(cell) * (1 - ease) + value(cell + 1) * ease;
-}
-
-double smooth_step(double low, double high, double at) {
-  const double share = std::clamp((at - low) / (high - low), 0.0, 1.0);
-  return share * share * (3 - 2 * share);
 }
 
 }  // namespace mien

@@ -41,7 +41,4 @@ double scatter(std::uint32_t series, std::uint32_t index, std::uint32_t channel)
 // Smooth noise in -1..1 around a circle of `period` cells: `at` counts cells.
 double sample_noise(std::uint32_t series, double at, int period);
 
-// 0 up to `low`, 1 from `high` on, smooth between.
-double smooth_step(double low, double high, double at);
-
 }  // namespace mien

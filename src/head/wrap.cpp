@@ -11,7 +11,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/eye_fit.hpp"
 #include "head/half_system.hpp"
 #include "head/own_half.hpp"
@@ -176,7 +176,7 @@ Matches find_matches(const Problem& problem, const Step& step, bool is_right, co
   std::vector<char> is_found(count, 0);
   Matches matches{{}, std::vector<glm::dvec3>(count), std::vector<glm::dvec3>(count)};
   constexpr std::size_t kChunk = 250;
-  for_each_index((count + kChunk - 1) / kChunk, count_cores(), [&](std::size_t chunk, int) {
+  for_each_index((count + kChunk - 1) / kChunk, count_workers(), [&](std::size_t chunk, int) {
     for (std::size_t i = chunk * kChunk; i < std::min(count, (chunk + 1) * kChunk); ++i) {
       if (!is_asked(problem, step, i)) continue;
       const glm::dvec3 at(skin.positions[problem.vertices[i]]), normal(skin.normals[problem.vertices[i]]);

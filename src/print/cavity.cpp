@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "print/solid_tree.hpp"
 
 namespace mien {
@@ -140,7 +140,7 @@ double measure_wall_mm(const Mesh& body, const Cavity& cavity) {
   append_cavity(wall, cavity, {});
   const SurfaceTree tree = build_solid_tree(body);
   std::vector<double> least(wall.triangles.size(), 1e9);
-  for_each_index(least.size(), count_cores(), [&](std::size_t t, int) {
+  for_each_index(least.size(), count_workers(), [&](std::size_t t, int) {
     const glm::dvec3 a(wall.positions[wall.triangles[t][0]]), b(wall.positions[wall.triangles[t][1]]),
         c(wall.positions[wall.triangles[t][2]]);
     const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "print/solid_tree.hpp"
 
 namespace mien {
@@ -125,7 +125,7 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
   std::vector<char> is_asked(rows * columns, 1);
   for (int round = 0; round < kRounds; ++round) {
     std::vector<double> lacks(rows * columns, 0);  // of the corners of each cell
-    for_each_index(rows - 1, count_cores(), [&](std::size_t k, int) {
+    for_each_index(rows - 1, count_workers(), [&](std::size_t k, int) {
       for (std::size_t j = 0; j < columns; ++j) {
         if (!is_open(k) || !is_open(k + 1) || !is_asked[k * columns + j]) continue;
         const std::size_t next = (j + 1) % columns;
@@ -179,7 +179,7 @@ CavityPlan plan_cavity(const Mesh& surfaces, const CavityRequest& request) {
     walls[w].wall_mm = request.walls_mm[w];
     walls[w].reaches_mm.assign(kRows * columns, 0);
   }
-  for_each_index(kRows, count_cores(), [&](std::size_t k, int) {
+  for_each_index(kRows, count_workers(), [&](std::size_t k, int) {
     const glm::dvec3 middle(0, plan.middles_mm[k], plan.heights_mm[k]);
     const double depth = tracer.find_depth(middle) + kNear_mm;
     for (std::size_t j = 0; j < columns; ++j) {

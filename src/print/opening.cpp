@@ -6,7 +6,7 @@
 #include <optional>
 #include <unordered_map>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 
@@ -84,7 +84,7 @@ std::vector<Sample> list_samples(const Mesh& mesh, const SurfaceTree& tree,
                                  double step_mm) {
   constexpr std::size_t kChunk = 64;
   std::vector<std::vector<Sample>> chunks((triangles.size() + kChunk - 1) / kChunk);
-  for_each_index(chunks.size(), count_cores(), [&](std::size_t chunk, int) {
+  for_each_index(chunks.size(), count_workers(), [&](std::size_t chunk, int) {
     for (std::size_t i = chunk * kChunk; i < std::min(triangles.size(), (chunk + 1) * kChunk); ++i)
       append_samples(mesh, tree, triangles[i], size_mm, step_mm, chunks[chunk]);
   });

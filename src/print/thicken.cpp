@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/crossings.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "print/opening.hpp"
 #include "print/solid_tree.hpp"
 #include "print/thickness.hpp"
@@ -217,12 +217,12 @@ void hold_apart_once(const std::vector<glm::vec3>& positions, const std::vector<
 // nothing to take back are found at once.
 void hold_apart(const std::vector<std::vector<glm::vec3>>& poses, const std::vector<Triangle>& triangles,
                 double least_mm, std::vector<glm::vec3>& moves) {
-  const std::size_t most = 2 * static_cast<std::size_t>(count_cores());  // further on it may be in vain
+  const std::size_t most = 2 * static_cast<std::size_t>(count_workers());  // further on it may be in vain
   std::size_t next = 0;
   while (next < poses.size()) {
     const std::size_t end = std::min(next + most, poses.size());
     std::vector<char> is_bad(end - next, 0);
-    for_each_index(is_bad.size(), count_cores(), [&](std::size_t i, int) {
+    for_each_index(is_bad.size(), count_workers(), [&](std::size_t i, int) {
       const std::vector<glm::vec3>& pose = poses[next + i];
       is_bad[i] = !list_new_crossings(pose, add_moves(pose, moves), triangles).empty();
     });

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "print/solid_tree.hpp"
 
 namespace mien {
@@ -77,7 +77,7 @@ std::vector<ThicknessSample> list_thicknesses(const Mesh& mesh, const SurfaceTre
     });
     owed = 0;
   }
-  for_each_index(places.size(), count_cores(), [&](std::size_t i, int) {
+  for_each_index(places.size(), count_workers(), [&](std::size_t i, int) {
     places[i].sample.thickness_mm =
         measure_thickness_mm(tree, places[i].sample.place, places[i].normal, reach_mm);
   });

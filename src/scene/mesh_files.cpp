@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "scene/title.hpp"
 #include "scene/wavefront.hpp"
 
 namespace mien {
@@ -63,13 +64,6 @@ void check_drawing(const Model& model, const Drawing& drawing) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError(fmt::format("internal: a drawing of {} parts for a model of {}", drawing.parts.size(),
                                model.parts.size()));
-}
-
-std::string clean_title(const std::string& title) {
-  std::string line = title;
-  std::replace_if(
-      line.begin(), line.end(), [](unsigned char c) { return c < ' ' || c == 127 || c == '\\'; }, ' ');
-  return line;
 }
 
 Mesh place_part(const Part& part, const PartShape& shape) {

@@ -29,9 +29,6 @@ std::string build_binary_stl(const Mesh& mesh, const std::string& title);
 // surface's.
 Mesh place_part(const Part& part, const PartShape& shape);
 
-// A title in one line of a header: control characters and backslashes become blanks.
-std::string clean_title(const std::string& title);
-
 // Throws RunError "internal: a drawing of 0 parts for a model of 3".
 void check_drawing(const Model& model, const Drawing& drawing);
 

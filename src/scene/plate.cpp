@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -17,21 +18,6 @@ constexpr int kDecimals = 2;          // of a pixel
 
 // What stands for U+00C0 to U+00FF, letter by letter.
 constexpr std::string_view kLatin = "AAAAAAACEEEEIIIIDNOOOOOxOUUUUYTsaaaaaaaceeeeiiiidnooooo/ouuuuyty";
-
-// The next code point, taken off the front; a byte that is no UTF-8 counts as itself.
-std::uint32_t take_letter(std::string_view& utf8) {
-  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(utf8[i]); };
-  const std::uint32_t first = byte(0);
-  const std::size_t count = first < 0xc0 ? 1 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : 4;
-  if (count == 1 || utf8.size() < count) {
-    utf8.remove_prefix(1);
-    return first;
-  }
-  std::uint32_t letter = first & (0xffU >> (count + 1));
-  for (std::size_t i = 1; i < count; ++i) letter = letter << 6 | (byte(i) & 0x3fU);
-  utf8.remove_prefix(count);
-  return letter;
-}
 
 std::string find_plain(std::uint32_t letter) {
   if (letter >= ' ' && letter < 127) return {static_cast<char>(letter)};
@@ -48,7 +34,12 @@ std::string find_plain(std::uint32_t letter) {
 
 std::string simplify_letters(std::string_view utf8) {
   std::string plain;
-  while (!utf8.empty()) plain += find_plain(take_letter(utf8));
+  for (std::size_t at = 0; at < utf8.size();) {
+    Character letter = find_character(utf8, at);
+    if (letter.length == 0) letter = {static_cast<unsigned char>(utf8[at]), 1};  // as in Latin-1
+    plain += find_plain(letter.code);
+    at += letter.length;
+  }
   return plain;
 }
 

@@ -11,6 +11,7 @@
 #include <cstdint>
 
 #include "core/error.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -35,26 +36,17 @@ struct Handle {
 
 // ASCII as it is, anything else as '?' unless it is sound UTF-8: what XML may hold.
 std::string clean(const std::string& text) {
+  constexpr std::uint32_t kNoCharacters = 0xFFC0, kEndOfThem = 0xFFFF;
   std::string safe;
-  for (std::size_t i = 0; i < text.size(); ++i) {
-    const auto c = static_cast<unsigned char>(text[i]);
-    const int more = c >> 5 == 6 && c >= 0xC2 ? 1 : c >> 4 == 14 ? 2 : c >> 3 == 30 && c <= 0xF4 ? 3 : 0;
-    bool is_sound = c >= 0x80 && more > 0 && i + more < text.size();
-    for (int k = 1; is_sound && k <= more; ++k) is_sound = static_cast<unsigned char>(text[i + k]) >> 6 == 2;
-    if (is_sound && more == 2) {  // no overlong forms, surrogates or non-characters
-      const auto next = static_cast<unsigned char>(text[i + 1]);
-      is_sound = !(c == 0xE0 && next < 0xA0) && !(c == 0xED && next > 0x9F) && !(c == 0xEF && next == 0xBF);
-    }
-    if (is_sound && more == 3) {
-      const auto next = static_cast<unsigned char>(text[i + 1]);
-      is_sound = !(c == 0xF0 && next < 0x90) && !(c == 0xF4 && next > 0x8F);
-    }
-    if (is_sound) {
-      safe += text.substr(i, more + 1);
-      i += more;
-    } else {
-      safe += c < ' ' ? ' ' : c < 127 ? static_cast<char>(c) : '?';
-    }
+  for (std::size_t at = 0; at < text.size();) {
+    const auto [code, length] = find_character(text, at);
+    if (length > 1 && (code < kNoCharacters || code > kEndOfThem))
+      safe += text.substr(at, length);
+    else if (length > 1)
+      safe.append(length, '?');
+    else
+      safe += length == 0 || code >= 127 ? '?' : code < ' ' ? ' ' : text[at];
+    at += std::max<std::size_t>(length, 1);
   }
   return safe;
 }

@@ -4,6 +4,7 @@
 
 #include "core/text.hpp"
 #include "scene/mesh_files.hpp"
+#include "scene/title.hpp"
 
 namespace mien {
 

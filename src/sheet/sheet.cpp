@@ -9,7 +9,7 @@
 
 #include "clip/pictures.hpp"
 #include "core/error.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "render/driver.hpp"
 #include "render/picture.hpp"

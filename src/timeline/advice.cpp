@@ -39,8 +39,6 @@ struct Group {
   std::size_t begin = 0, end = 0;
 };
 
-bool is_quick_by_nature(const MoveInfo& info) { return info.area == "lid" || info.area == "eye"; }
-
 std::vector<Group> list_groups() {
   std::vector<Group> groups;
   for (std::size_t i = 0; i < kMoveCount; ++i) {
@@ -49,7 +47,7 @@ std::vector<Group> list_groups() {
     if (is_new) groups.push_back({i, i});
     groups.back().end = i + 1;
   }
-  std::erase_if(groups, [](const Group& group) { return is_quick_by_nature(kMoves[group.begin]); });
+  std::erase_if(groups, [](const Group& group) { return find_area(kMoves[group.begin].of).is_quick; });
   return groups;
 }
 

@@ -15,7 +15,6 @@ namespace {
 constexpr double kLeastDelay_s = 0.02, kMostDelay_s = 0.06;
 constexpr double kLeftIsStronger = 0.59;
 constexpr double kLeastWeakness = 0.75;  // of the amount: an area that drew less would look even again
-constexpr double kLids = 0.5;  // of the others' weakness: an eye open less than its fellow looks ill
 // The most that a delay may take of the way between two keys: more would make a quick move a jump.
 constexpr double kMostOfWay = 0.3;
 
@@ -44,16 +43,16 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
   Asymmetry asymmetry{{}, std::move(keys_s)};
   if (spec.amount <= 0) return asymmetry;
   std::mt19937_64 random = build_random(spec.seed, 0);
-  for (const std::string_view area : {"brow", "lid", "corner"}) {
-    AreaLean lean{.area = area};
+  for (const AreaInfo& area : kAreas) {
+    if (area.lean.weakness <= 0) continue;
+    AreaLean lean{.area = area.name};
     lean.late = sample_uniform(random) < 0.5 ? Side::left : Side::right;
     lean.delay_s = sample_uniform(random, kLeastDelay_s, kMostDelay_s);
-    // One nucleus drives both eyes' lids: one that opens a frame later winks.
-    if (area == "lid") lean.delay_s = 0;
+    if (!area.lean.is_late) lean.delay_s = 0;
     lean.weak = sample_uniform(random) < kLeftIsStronger ? Side::right : Side::left;
-    lean.weakness = spec.amount * sample_uniform(random, kLeastWeakness, 1) * (area == "lid" ? kLids : 1);
+    lean.weakness = spec.amount * sample_uniform(random, kLeastWeakness, 1) * area.lean.weakness;
     for (std::size_t i = 0; i < kMoveCount; ++i)
-      if (kMoves[i].area == area) lean.moves[kMoves[i].side == Side::left ? 0 : 1].set(i);
+      if (kMoves[i].of == area.area) lean.moves[kMoves[i].side == Side::left ? 0 : 1].set(i);
     asymmetry.areas.push_back(lean);
   }
   return asymmetry;

@@ -116,8 +116,8 @@ double find_blink_closure(const std::vector<Blink>& blinks, double time_s) {
 
 void close_lids(Pose& pose, double closure) {
   constexpr double kShut = -1;
-  constexpr std::size_t kUppers[]{*find_move("lid", Side::left, "upper"),
-                                  *find_move("lid", Side::right, "upper")};
+  constexpr std::size_t kUppers[]{*find_move(Area::lid, Side::left, "upper"),
+                                  *find_move(Area::lid, Side::right, "upper")};
   for (const std::size_t move : kUppers) {
     double& upper = pose.values[move];
     upper = std::min(upper, std::lerp(upper, kShut, closure));

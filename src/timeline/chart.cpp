@@ -13,7 +13,7 @@
 namespace mien {
 namespace {
 
-constexpr int kNameWidth = 12;  // "corner.right", the longest
+constexpr int kNameWidth = kLongestAreaKey;  // wider than "head"
 constexpr int kLeastWidth = 40;
 constexpr std::size_t kLeastName = 3;  // of a key; fewer letters say nothing
 constexpr int kLeastTick = 8;          // columns between two times, so that "12.25s" stands free

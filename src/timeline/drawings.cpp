@@ -5,7 +5,7 @@
 #include <string>
 #include <unordered_map>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "timeline/bytes.hpp"
 #include "timeline/head_track.hpp"
@@ -40,7 +40,7 @@ std::string find_drawing_key(const Performance& performance, double time_s, Mome
 
 std::vector<std::string> list_drawing_keys(const Performance& performance) {
   std::vector<std::string> keys(static_cast<std::size_t>(count_frames(performance.clip)));
-  for_each_index(keys.size(), count_cores(), [&](std::size_t frame, int) {
+  for_each_index(keys.size(), count_workers(), [&](std::size_t frame, int) {
     const double time_s = find_drawing_time_s(performance.clip, static_cast<int>(frame));
     const FaceState asked = sample_layers(*performance.layers, find_ticks(time_s));
     keys[frame] = find_drawing_key(performance, time_s, sample_unlooking(performance, time_s, asked));

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "core/seeded.hpp"
+#include "core/smooth.hpp"
 
 namespace mien {
 namespace {
@@ -24,7 +25,7 @@ constexpr double kBreathNod_deg = 0.35;
 constexpr double kShallow = 0.75;  // the shallowest breath's share of the deepest
 
 using BothSides = std::array<std::size_t, 2>;
-consteval BothSides find_both(std::string_view area, std::string_view move) {
+consteval BothSides find_both(Area area, std::string_view move) {
   return {*find_move(area, Side::left, move), *find_move(area, Side::right, move)};
 }
 
@@ -68,9 +69,8 @@ double sample_sway(const Sway& sway, double time_s) {
 }
 
 double sample_breath(double phase) {
-  const auto smooth = [](double t) { return t * t * (3 - 2 * t); };
-  if (phase < kIn) return smooth(phase / kIn);
-  return smooth(std::max(1 - (phase - kIn) / kOut, 0.0));
+  if (phase < kIn) return smooth_share(phase / kIn);
+  return smooth_share(std::max(1 - (phase - kIn) / kOut, 0.0));
 }
 
 Drift build_drift(const DriftSpec& spec) {
@@ -95,8 +95,8 @@ void add_drift(const Drift& drift, double time_s, Pose& pose, TurnKey& turn) {
   const auto add = [&](const BothSides& moves, double more) {
     for (const std::size_t i : moves) add_within(kMoves[i].low, kMoves[i].high, more, pose.values[i]);
   };
-  constexpr BothSides kUp = find_both("brow", "up"), kTurn = find_both("brow", "turn");
-  constexpr BothSides kCorners = find_both("corner", "up");
+  constexpr BothSides kUp = find_both(Area::brow, "up"), kTurn = find_both(Area::brow, "turn");
+  constexpr BothSides kCorners = find_both(Area::corner, "up");
   add(kUp, swayed(drift.brows_up, kBrowsUp));
   add(kTurn, swayed(drift.brows_turn, kBrowsTurn));
   add(kCorners, swayed(drift.corners_up, kCornersUp));

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/smooth.hpp"
+
 namespace mien {
 
 namespace {
@@ -59,7 +61,7 @@ double ease(const Ease& ease, double fraction) {
     case Easing::out:
       return t * (2 - t);
     case Easing::in_out:
-      return t * t * (3 - 2 * t);
+      return smooth_share(t);
     case Easing::hold:
       return 0;
     case Easing::back:

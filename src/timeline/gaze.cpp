@@ -146,7 +146,7 @@ double add_degrees(double degrees, double plus_deg, double minus_deg, double val
 
 template <Side side>
 void add_aim(const EyeAim& aim, const EyeReach& reach, Pose& pose) {
-  constexpr std::size_t kSide = *find_move("eye", side, "side"), kUp = *find_move("eye", side, "up");
+  constexpr std::size_t kSide = *find_move(Area::eye, side, "side"), kUp = *find_move(Area::eye, side, "up");
   pose.values[kSide] = add_degrees(aim.side_deg, reach.left_deg, reach.right_deg, pose.values[kSide]);
   pose.values[kUp] = add_degrees(aim.up_deg, reach.up_deg, reach.down_deg, pose.values[kUp]);
 }
@@ -158,8 +158,8 @@ void add_aims(const EyesAim& aim, const EyeRig& rig, Pose& pose) {
 }
 
 constexpr std::array<std::size_t, 4> kEyes{
-    *find_move("eye", Side::left, "side"), *find_move("eye", Side::left, "up"),
-    *find_move("eye", Side::right, "side"), *find_move("eye", Side::right, "up")};
+    *find_move(Area::eye, Side::left, "side"), *find_move(Area::eye, Side::left, "up"),
+    *find_move(Area::eye, Side::right, "side"), *find_move(Area::eye, Side::right, "up")};
 
 // As an author would say it.
 std::string describe(const GazeKey& key) {

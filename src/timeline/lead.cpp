@@ -9,36 +9,33 @@ namespace mien {
 
 namespace {
 
-// Seconds as in kNaturalLead: eyes, lids, brows, lips, corners, chin, head. A frame of 24 is 0.042 s.
-constexpr WayKind kRounds{
-    "the corners narrow before the mouth opens", {{0, 0.0625, 0.0625, 0.1667, 0, 0.1667, 0.1875}}, 0.34};
-constexpr WayKind kUnrounds{
-    "the mouth shuts before the corners widen", {{0, 0.0625, 0.0625, 0, 0.1667, 0, 0.1875}}, 0.34};
-// Corners three to four frames after the jaw, brows as many after them.
+constexpr WayKind kRounds{"the corners narrow before the mouth opens", build_lead_spec(&AreaLead::rounds_s),
+                          0.34};
+constexpr WayKind kUnrounds{"the mouth shuts before the corners widen",
+                            build_lead_spec(&AreaLead::unrounds_s), 0.34};
 constexpr WayKind kFalls{"the jaw shuts before the corners fall, the brows come last",
-                         {{0, 0.1458, 0.2917, 0.0417, 0.1458, 0, 0.1875}},
-                         0.4};
+                         build_lead_spec(&AreaLead::falls_s), 0.4};
 
 // What it takes to be of a kind, as shares of the limits. Below them both orders look alike.
 constexpr double kNarrower = 0.25, kRound = -0.15;  // corners go in by so much, and to there
 constexpr double kOpener = 0.1;                     // more of the mouth opens or shuts
 constexpr double kLower = 0.4, kSmiling = 0.3;      // corners fall by so much, from there
 
-constexpr std::size_t find_one(std::string_view area, Side side, std::string_view move) {
+constexpr std::size_t find_one(Area area, Side side, std::string_view move) {
   return *find_move(area, side, move);
 }
 
 double find_corners(const Pose& pose, std::string_view move) {
-  return (pose.values[find_one("corner", Side::left, move)] +
-          pose.values[find_one("corner", Side::right, move)]) /
+  return (pose.values[find_one(Area::corner, Side::left, move)] +
+          pose.values[find_one(Area::corner, Side::right, move)]) /
          2;
 }
 
 // How far a mouth is open, as a share of the jaw's way: lips at their limits open a third as far.
 double find_opening(const Pose& pose) {
-  constexpr std::size_t kDown = find_one("chin", Side::none, "down"),
-                        kUpper = find_one("lips", Side::none, "upper"),
-                        kLowerLip = find_one("lips", Side::none, "lower");
+  constexpr std::size_t kDown = find_one(Area::chin, Side::none, "down"),
+                        kUpper = find_one(Area::lips, Side::none, "upper"),
+                        kLowerLip = find_one(Area::lips, Side::none, "lower");
   constexpr double kLips = 1.0 / 6;  // of each
   return std::max(pose.values[kDown] + kLips * (pose.values[kUpper] - pose.values[kLowerLip]), 0.0);
 }
@@ -77,14 +74,7 @@ std::size_t take_lead(const LeadSpec& asked, const Pose& from, const Pose& to, s
   return at;
 }
 
-LeadPart find_lead_part(std::size_t move) {
-  const std::string_view area = kMoves[move].area;
-  if (area == "eye") return LeadPart::eyes;
-  if (area == "lid") return LeadPart::lids;
-  if (area == "brow") return LeadPart::brows;
-  if (area == "lips") return LeadPart::lips;
-  return area == "corner" ? LeadPart::corners : LeadPart::chin;
-}
+LeadPart find_lead_part(std::size_t move) { return find_area(kMoves[move].of).lead.part; }
 
 double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time, double most_share) {
   const Ticks length = end - begin;

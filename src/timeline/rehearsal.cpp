@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/most_held.hpp"
 
@@ -53,7 +53,7 @@ Rehearsal rehearse(const Performance& performance) {
   rehearsal.drawings.resize(count);
   if (!clip.cues.empty()) rehearsal.keys.resize(count);
   std::array<MostHeld, kStretches> found;
-  for_each_index(kStretches, count_cores(), [&](std::size_t i, int) {
+  for_each_index(kStretches, count_workers(), [&](std::size_t i, int) {
     for (std::size_t frame = count * i / kStretches; frame < count * (i + 1) / kStretches; ++frame) {
       const std::size_t drawn = find_drawn(frame);
       rehearsal.drawn_s[frame] = find_seconds(find_frame_ticks(static_cast<std::int64_t>(drawn), clip.fps));

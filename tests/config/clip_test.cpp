@@ -177,10 +177,10 @@ clip:
   EXPECT_EQ(find_mistakes(folder / "a.yaml"), "");
   const ClipSpec clip = load_spec(folder / "a.yaml", *find_language()).clip;
   ASSERT_EQ(clip.cues.size(), 3u);
-  const std::size_t brow = *find_move("brow", Side::left, "up");
+  const std::size_t brow = *find_move(Area::brow, Side::left, "up");
   EXPECT_EQ(evaluate_pose(*clip.cues[0].what.live, 0.5).pose.values[brow], 0.25);
   EXPECT_EQ(evaluate_pose(*clip.cues[1].what.live, 3.5).pose.values[brow], 0.25) << "it counts from 3 s";
-  EXPECT_EQ(evaluate_pose(*clip.cues[2].what.live, 0).pose.values[*find_move("chin", Side::none, "down")],
+  EXPECT_EQ(evaluate_pose(*clip.cues[2].what.live, 0).pose.values[*find_move(Area::chin, Side::none, "down")],
             0.25);
   // Two files that name the same number are two opinions.
   write_file(folder / "other.yaml", "mien: 1\nclip: {inputs: {size: 1}}\n");

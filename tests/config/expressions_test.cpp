@@ -121,8 +121,8 @@ clip:
 }
 
 TEST(pose_mix, closes_a_lid_once) {
-  const std::size_t upper = *find_move("lid", Side::left, "upper");
-  const std::size_t brow = *find_move("brow", Side::left, "up");
+  const std::size_t upper = *find_move(Area::lid, Side::left, "upper");
+  const std::size_t brow = *find_move(Area::brow, Side::left, "up");
   Pose a, b;
   a.values[upper] = a.values[brow] = -0.6;
   b.values[upper] = b.values[brow] = -0.5;

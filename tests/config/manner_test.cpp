@@ -7,9 +7,9 @@
 namespace mien {
 namespace {
 
-const std::size_t kCornerUp = *find_move("corner", Side::left, "up");
-const std::size_t kBrowUp = *find_move("brow", Side::left, "up");
-const std::size_t kUpperLid = *find_move("lid", Side::left, "upper");
+const std::size_t kCornerUp = *find_move(Area::corner, Side::left, "up");
+const std::size_t kBrowUp = *find_move(Area::brow, Side::left, "up");
+const std::size_t kUpperLid = *find_move(Area::lid, Side::left, "upper");
 
 PoseShare make_share(double weight, std::size_t move, double value, double dominance, double growth = 1) {
   auto manner = std::make_shared<Manner>();

@@ -5,7 +5,7 @@
 #include <atomic>
 #include <stdexcept>
 
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 
 namespace mien {
 namespace {

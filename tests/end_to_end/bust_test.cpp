@@ -300,7 +300,7 @@ TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
   const auto folder = make_folder("bust_hollow");
   const Figure figure = build_figure(shipped().heads, HeadSpec{});
   Pose open;
-  open.values[find_move("chin", Side::none, "down").value()] = 0.8;
+  open.values[find_move(Area::chin, Side::none, "down").value()] = 0.8;
   BustCache cache{figure,
                   {{"neutral", Pose{}}, {"open", open}},
                   "A test",

@@ -98,7 +98,7 @@ TEST(areas, turn_the_margins_of_the_lids_by_their_limits_on_the_skin) {
     for (const auto& [move, point, angle] :
          {std::tuple{"upper", "E1_4", s.face.lids.wide_rad}, {"lower", "E1_12", s.face.lids.raised_rad}}) {
       Pose pose;
-      pose.values[*find_move("lid", Side::left, move)] = 1;
+      pose.values[*find_move(Area::lid, Side::left, move)] = 1;
       const std::uint32_t i = s.head.cage.index.find(point)->second;
       // Turned about the lids' own axis: along it nothing moves.
       const auto height = [&](const std::vector<glm::vec3>& skin) {
@@ -140,7 +140,7 @@ TEST(areas, leave_the_back_of_the_head_and_the_neck_alone) {
 TEST(areas, close_the_characters_own_left_eye_when_told_left) {
   for (const Subject& s : subjects()) {
     Pose wink;
-    wink.values[*find_move("lid", Side::left, "upper")] = -1;
+    wink.values[*find_move(Area::lid, Side::left, "upper")] = -1;
     const std::vector<glm::vec3> skin = draw_skin(s, wink);
     const auto opening = [&](const char* side) {  // x > 0 is the character's left
       const auto at = [&](const char* name) {

@@ -202,7 +202,7 @@ TEST(face, lips_never_cross) {
   const Subject& s = adult();
   for (int round = 0; round < 200; ++round) {
     const Pose pose = build_random_pose(random);
-    const double press = pose.values[*find_move("lips", Side::none, "press")];
+    const double press = pose.values[*find_move(Area::lips, Side::none, "press")];
     pose_cage(s.head, s.face, pose, points);
     for (const LipColumn& column : s.face.lips)
       EXPECT_GT(points[column.upper_contact].y - points[column.lower_contact].y,

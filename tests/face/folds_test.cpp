@@ -173,7 +173,7 @@ TEST(folds, of_another_seed_are_others_and_of_the_same_the_same) {
 
 TEST(folds, one_brow_folds_its_own_side) {
   Pose pose;
-  pose.values[*find_move("brow", Side::left, "up")] = 1;
+  pose.values[*find_move(Area::brow, Side::left, "up")] = 1;
   const PartShape folded = draw_skin(adult(), pose, true), smooth = draw_skin(adult(), pose, false);
   double left_mm = 0, right_mm = 0;
   for (std::size_t v = 0; v < folded.positions.size(); ++v) {

@@ -10,7 +10,7 @@ namespace {
 
 Pose shut_lids() {
   Pose pose;
-  for (const Side side : {Side::left, Side::right}) pose.values[*find_move("lid", side, "upper")] = -1;
+  for (const Side side : {Side::left, Side::right}) pose.values[*find_move(Area::lid, side, "upper")] = -1;
   return pose;
 }
 

@@ -150,7 +150,7 @@ TEST(figure, a_pose_drawn_after_another_is_the_same_drawing) {
   wide.values.fill(0.7);
   deform_figure(adult(), wide, turned(20, 0, 0), buffers, used);
   Pose pose;
-  pose.values[*find_move("chin", Side::none, "down")] = 0.5;
+  pose.values[*find_move(Area::chin, Side::none, "down")] = 0.5;
   deform_figure(adult(), pose, TurnKey{}, buffers, used);
   const Drawing fresh = draw(pose, TurnKey{});
   for (std::size_t i = 0; i < fresh.parts.size(); ++i) {

@@ -98,7 +98,7 @@ void measure_eye(const PoseProbe& probe, const Pose& pose, const Positions& now,
     const glm::dvec3 looked = head.eye.centre + ahead * (p - head.eye.centre);
     raise(found[cornea], -find_standoff_mm(probe.eye, head.eye, looked), vertex(v));
   }
-  const bool is_shut = pose.values[*find_move("lid", side, "upper")] == -1;
+  const bool is_shut = pose.values[*find_move(Area::lid, side, "upper")] == -1;
   for (std::size_t rim = 0; rim < probe.rims.size(); ++rim) {
     std::vector<glm::dvec3> lower;
     for (const std::uint32_t v : probe.rims[rim].lower) lower.push_back(at(v));

@@ -8,7 +8,7 @@
 #include "config/ledger.hpp"
 #include "config/pose_mix.hpp"
 #include "core/data.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
 #include "shipped.hpp"
@@ -45,7 +45,7 @@ Pose build_sweep_pose(unsigned seed, bool is_exaggerated) {
       pose.values[i] = value;
   }
   for (const Side side : {Side::left, Side::right})
-    if (share() < 1.0 / 3) pose.values[*find_move("lid", side, "upper")] = -1;
+    if (share() < 1.0 / 3) pose.values[*find_move(Area::lid, side, "upper")] = -1;
   if (!is_exaggerated) return pose;
   PoseAsk ask;
   ask.pose = pose;
@@ -79,7 +79,7 @@ void keep_worst(SweepTable& table, const PoseFindings& findings, std::size_t hea
 std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsigned first,
                                     const SweepSize& size) {
   const std::vector<SweepHead> all = list_sweep_heads();
-  const auto jobs = static_cast<std::size_t>(count_cores());
+  const auto jobs = static_cast<std::size_t>(count_workers());
   std::vector<DeformBuffers> buffers(jobs);
   std::vector<Drawing> drawings(jobs);
   std::vector<PoseFindings> findings(size.within + size.exaggerated);
@@ -91,7 +91,7 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
       return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within),
                        i >= size.within);
     };
-    for_each_index(findings.size(), count_cores(), [&](std::size_t i, int worker) {
+    for_each_index(findings.size(), count_workers(), [&](std::size_t i, int worker) {
       const auto [seed, is_exaggerated] = pose_of(i);
       findings[i] =
           measure_pose(probe, build_sweep_pose(seed, is_exaggerated), buffers[worker], drawings[worker]);

@@ -211,8 +211,8 @@ TEST(hair, rides_on_the_skin) {
     const Figure figure = build_figure(shipped().heads, spec);
     Pose pose;
     for (const char* side : {"left", "right"})
-      pose.values[*find_move("brow", std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
-    pose.values[*find_move("chin", Side::none, "down")] = 0.6;
+      pose.values[*find_move(Area::brow, std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
+    pose.values[*find_move(Area::chin, Side::none, "down")] = 0.6;
     DeformBuffers buffers;
     Drawing drawing;
     deform_figure(figure, pose, TurnKey{}, buffers, drawing);

@@ -6,7 +6,7 @@
 
 #include "config/head_words.hpp"
 #include "core/data.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "head/distances.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
@@ -40,7 +40,7 @@ const std::vector<NeutralHead>& people() {
   static const std::vector<NeutralHead> all = [] {
     std::vector<NeutralHead> heads(kPeople);
     specs();
-    for_each_index(kPeople, count_cores(),
+    for_each_index(kPeople, count_workers(),
                    [&](std::size_t i, int) { heads[i] = build_neutral_head(shipped().heads, specs()[i]); });
     return heads;
   }();

@@ -129,7 +129,7 @@ TEST(scan, wraps_a_file_into_a_head_that_can_shut_its_eyes) {
   }
   const Face face = build_face(head);
   Pose shut;
-  for (const Side side : {Side::left, Side::right}) shut.values[*find_move("lid", side, "upper")] = -1;
+  for (const Side side : {Side::left, Side::right}) shut.values[*find_move(Area::lid, side, "upper")] = -1;
   std::vector<glm::dvec3> points;
   pose_cage(head, face, shut, points);
   const NeutralHead asleep = build_bare_head(stock(), points);

@@ -10,7 +10,7 @@
 #include <functional>
 
 #include "core/holes.hpp"
-#include "core/parallel.hpp"
+#include "core/pool.hpp"
 #include "frames/figure.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
@@ -38,7 +38,7 @@ const std::vector<Soundness>& heads() {
     std::vector<Soundness> sounds(kHeads + 1);
     adult();
     spec_of(0);
-    for_each_index(sounds.size(), count_cores(), [&](std::size_t seed, int) {
+    for_each_index(sounds.size(), count_workers(), [&](std::size_t seed, int) {
       const NeutralHead head = build_neutral_head(shipped().heads, spec_of(static_cast<unsigned>(seed)));
       sounds[seed] = measure_soundness(head, adult());
     });
@@ -134,7 +134,7 @@ HeadSpec spec_of_age(double way) {
 TEST(sound_head, grows_up_and_old_without_a_pop) {
   constexpr int kSteps = 60;
   std::vector<NeutralHead> ages(kSteps + 1);
-  for_each_index(ages.size(), count_cores(), [&](std::size_t i, int) {
+  for_each_index(ages.size(), count_workers(), [&](std::size_t i, int) {
     ages[i] = build_neutral_head(shipped().heads, spec_of_age(kWholeLife * static_cast<double>(i) / kSteps));
   });
   const std::size_t count = adult().skin.positions.size();
@@ -169,7 +169,7 @@ TEST(sound_head, keeps_its_parts_while_it_grows) {
     return counts;
   };
   std::vector<std::map<std::string, std::size_t>> counts(11);
-  for_each_index(counts.size(), count_cores(), [&](std::size_t i, int) {
+  for_each_index(counts.size(), count_workers(), [&](std::size_t i, int) {
     counts[i] =
         count_parts(build_figure(shipped().heads, spec_of_age(kWholeLife * static_cast<double>(i) / 10)));
   });

@@ -9,8 +9,8 @@ PoseKey build_key(double at_s, std::string label, double value, int line) {
   PoseKey key;
   key.at_s = at_s;
   key.label = std::move(label);
-  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move("brow", side, "up")] = value;
-  key.pose.values[*find_move("chin", Side::none, "down")] = value;
+  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move(Area::brow, side, "up")] = value;
+  key.pose.values[*find_move(Area::chin, Side::none, "down")] = value;
   key.place = {"a.yaml", line, 7};
   return key;
 }
@@ -19,7 +19,7 @@ MoveReach build_reach() {
   MoveReach reach;
   reach.plus_mm.fill(10);
   reach.minus_mm.fill(10);
-  reach.plus_mm[*find_move("chin", Side::none, "down")] = 40;
+  reach.plus_mm[*find_move(Area::chin, Side::none, "down")] = 40;
   return reach;
 }
 
@@ -85,8 +85,8 @@ TEST(advice, warns_of_releases_of_what_does_not_move) {
 
 TEST(advice, lets_lids_and_eyes_be_quick) {
   ClipSpec clip = build_clip({build_key(0, "open", 0, 1), build_key(1, "open", 0, 2)});
-  clip.keys[1].pose.values[*find_move("lid", Side::left, "upper")] = -1;
-  clip.keys[1].pose.values[*find_move("eye", Side::left, "side")] = 1;
+  clip.keys[1].pose.values[*find_move(Area::lid, Side::left, "upper")] = -1;
+  clip.keys[1].pose.values[*find_move(Area::eye, Side::left, "side")] = 1;
   clip.keys[1].ease = Easing::hold;
   MoveReach reach;
   reach.plus_mm.fill(100);

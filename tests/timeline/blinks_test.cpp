@@ -11,8 +11,8 @@
 namespace mien {
 namespace {
 
-constexpr std::size_t kLeft = *find_move("lid", Side::left, "upper");
-constexpr std::size_t kRight = *find_move("lid", Side::right, "upper");
+constexpr std::size_t kLeft = *find_move(Area::lid, Side::left, "upper");
+constexpr std::size_t kRight = *find_move(Area::lid, Side::right, "upper");
 
 ClipSpec build_clip(double length_s, int draw, double per_minute, std::uint64_t seed) {
   ClipSpec clip;

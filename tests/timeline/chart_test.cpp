@@ -15,8 +15,8 @@ PoseKey build_key(double at_s, std::string label, double brows, double lips) {
   key.at_s = at_s;
   key.ease = Easing::linear;
   key.label = std::move(label);
-  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move("brow", side, "up")] = brows;
-  key.pose.values[*find_move("lips", Side::none, "upper")] = lips;
+  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move(Area::brow, side, "up")] = brows;
+  key.pose.values[*find_move(Area::lips, Side::none, "upper")] = lips;
   return key;
 }
 
@@ -72,7 +72,7 @@ TEST(chart, is_as_wide_as_asked_and_not_narrower_than_it_can_be) {
 
 TEST(chart, has_a_row_for_each_side_where_they_differ) {
   ClipSpec clip = build_clip();
-  clip.keys[1].pose.values[*find_move("brow", Side::left, "up")] = 0.2;
+  clip.keys[1].pose.values[*find_move(Area::brow, Side::left, "up")] = 0.2;
   std::vector<std::string> names;
   for (const ChartRow& row : list_chart_rows(rehearse(build_performance(clip)).shown))
     names.push_back(row.name);

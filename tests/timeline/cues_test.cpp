@@ -10,9 +10,9 @@
 namespace mien {
 namespace {
 
-const std::size_t kCorner = *find_move("corner", Side::left, "up");
-const std::size_t kBrow = *find_move("brow", Side::left, "up");
-const std::size_t kLid = *find_move("lid", Side::left, "upper");
+const std::size_t kCorner = *find_move(Area::corner, Side::left, "up");
+const std::size_t kBrow = *find_move(Area::brow, Side::left, "up");
+const std::size_t kLid = *find_move(Area::lid, Side::left, "upper");
 
 CueSpec build_cue(std::array<double, 4> times_s, std::size_t move, double value, Rule rule = Rule::over) {
   CueSpec cue;
@@ -97,7 +97,7 @@ TEST(cues, share_an_area_by_their_rules) {
 }
 
 TEST(cues, lead_of_the_eyes) {
-  const std::size_t eye = *find_move("eye", Side::left, "side");
+  const std::size_t eye = *find_move(Area::eye, Side::left, "side");
   CueSpec cue = build_cue({0, 1, 2, 3}, kCorner, 0.8);
   cue.owns.set(eye);
   cue.what.pose.values[eye] = 0.8;

@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 double find_value(const Pose& pose, Side side, std::string_view move) {
-  return pose.values[*find_move("eye", side, move)];
+  return pose.values[*find_move(Area::eye, side, move)];
 }
 
 ClipSpec build_clip(std::vector<GazeKey> keys, double length_s = 4) {
@@ -146,8 +146,8 @@ TEST(gaze, is_added_to_what_the_face_says_of_the_eyes) {
   ClipSpec clip = build_clip({look_aside(0, 9)});
   clip.keys.emplace_back();
   for (const Side side : {Side::left, Side::right}) {
-    clip.keys[0].pose.values[*find_move("eye", side, "side")] = 0.2;
-    clip.keys[0].pose.values[*find_move("eye", side, "up")] = -0.5;
+    clip.keys[0].pose.values[*find_move(Area::eye, side, "side")] = 0.2;
+    clip.keys[0].pose.values[*find_move(Area::eye, side, "up")] = -0.5;
   }
   const Pose pose = sample_performance(build_performance(clip), 0).pose;
   EXPECT_NEAR(find_value(pose, Side::left, "side"), 0.5, 1e-12);

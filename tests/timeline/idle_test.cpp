@@ -81,7 +81,7 @@ TEST(drift, is_the_same_for_the_same_seed_and_none_at_0) {
 TEST(drift, drives_nothing_past_its_limit) {
   Pose pose;
   pose.values.fill(1);
-  pose.values[*find_move("brow", Side::left, "up")] = 1.4;  // exaggerated
+  pose.values[*find_move(Area::brow, Side::left, "up")] = 1.4;  // exaggerated
   for (int i = 0; i < 200; ++i) {
     TurnKey turn{0, Easing::linear, kMaxTurn_deg, -kMaxNod_deg, kMaxTilt_deg};
     Pose drifted = pose;

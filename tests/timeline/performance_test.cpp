@@ -167,8 +167,8 @@ TEST(performance, blinks_on_top_of_its_pose) {
   clip.blinks_s = {1};
   clip.keys = {build_key(0, 0.5)};
   const Performance performance = build_performance(clip);
-  const std::size_t left = *find_move("lid", Side::left, "upper");
-  const std::size_t lower = *find_move("lid", Side::left, "lower");
+  const std::size_t left = *find_move(Area::lid, Side::left, "upper");
+  const std::size_t lower = *find_move(Area::lid, Side::left, "lower");
   EXPECT_EQ(sample_performance(performance, 0.9).pose.values[left], 0.5);
   EXPECT_EQ(sample_performance(performance, 1).pose.values[left], -1);
   EXPECT_EQ(sample_performance(performance, 1).pose.values[lower], 0.5);
