@@ -7,16 +7,15 @@
 
 #include "core/holes.hpp"
 #include "core/mesh.hpp"
+#include "core/offsets.hpp"
 
 namespace mien {
 
 // Print coordinates: mm, z up, the face toward -y, the character's left at +x.
 
 // A state of the bust that moves some vertices: a move at one of its values, an expression, the other stand.
-struct BustState {
-  std::vector<std::uint32_t> vertices;  // rising; none of the eyes' or the mouth's patches
-  std::vector<glm::vec3> offsets;
-};
+// None of its vertices is of the eyes' or the mouth's patches.
+using BustState = VertexOffsets;
 
 // A move's own values, rising, 0 not among them; state i belongs to value i. Between two values the vertices
 // go straight.
