@@ -5,6 +5,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/conventions.hpp"
+#include "core/float4.hpp"
 #include "core/parallel.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
@@ -63,9 +64,12 @@ void deform_strands(const HeadPart& bound, const NeutralHead& head, const Part& 
     const SkinFrame now = find_skin_frame(skin.positions, skin.normals, head.skin.triangles[binding.triangle],
                                           binding.barycentric);
     const glm::mat3 turn = now.axes * glm::transpose(rest[b].axes);
+    const Float4 x = pack(turn[0]), y = pack(turn[1]), z = pack(turn[2]), origin = pack(now.origin);
+    const Float4 root = pack(rest[b].origin);
     for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
-      shape.positions[i] = now.origin + turn * (part.rest.positions[i] - rest[b].origin);
-      shape.normals[i] = turn * part.rest.normals[i];
+      const Float4 arm = pack(part.rest.positions[i]) - root, normal = pack(part.rest.normals[i]);
+      shape.positions[i] = unpack(origin + (x * arm[0] + y * arm[1] + z * arm[2]));
+      shape.normals[i] = unpack(x * normal[0] + y * normal[1] + z * normal[2]);
     }
   }
 }

@@ -226,6 +226,10 @@ void append_povray_start(std::string& text, const FrameStart& start) {
 void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError("internal: a drawing has not the model's parts");
+  constexpr std::size_t kPerVertex = 56;  // bytes of a place and a normal; fewer and the text is moved as it grows
+  std::size_t vertices = 0;
+  for (const PartShape& shape : drawing.parts) vertices += shape.positions.size();
+  text.reserve(text.size() + vertices * kPerVertex);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const PartShape& shape = drawing.parts[i];
