@@ -15,6 +15,7 @@
 #include "config/idle_spec.hpp"
 #include "config/ledger.hpp"
 #include "config/live_pose.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 
@@ -87,10 +88,6 @@ struct Aim {
   std::string landmark;     // where it lies on the resting face: the camera does not shake with it
   glm::dvec3 point_mm{0};
 };
-
-// A lens for 24 x 36 film. Distance 1 frames the same with each: a short one comes near, so that the nose
-// grows; a long one flattens the face.
-inline constexpr double kPortraitLens_mm = 100;
 
 struct CameraKey {
   double at_s = 0;
@@ -193,18 +190,6 @@ struct BackgroundKey {
   Ease ease;
   std::string name = "studio";
   std::optional<glm::vec3> colour;  // instead of a named one; srgb 0..1
-};
-
-// So much of a light set or background at a moment: of two, where one is faded into the other.
-struct LightShare {
-  std::string set = "studio";
-  double bright = 1;  // brightness times share
-  double angle_deg = 0;
-};
-struct BackgroundShare {
-  std::string name = "studio";
-  std::optional<glm::vec3> colour;
-  double share = 1;  // of all, which sum to 1
 };
 
 struct ClipSpec {

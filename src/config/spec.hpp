@@ -10,6 +10,7 @@
 #include "config/clip_spec.hpp"
 #include "config/head_spec.hpp"
 #include "config/ledger.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 
@@ -26,14 +27,6 @@ struct Expression {
   std::vector<Held> held = {};                // what the limits held back of it
   double attack_s = kDefaultAttack_s;         // how long it takes to come, as a cue
   std::shared_ptr<const Manner> manner = {};  // plain without it
-};
-
-enum class Quality { draft, good, best };
-
-struct RenderSpec {
-  int width_px = 480, height_px = 600;
-  Quality quality = Quality::good;
-  std::string background = "studio";  // a background of templates/povray
 };
 
 struct BustSpec {

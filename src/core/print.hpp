@@ -7,16 +7,15 @@
 
 #include "core/holes.hpp"
 #include "core/mesh.hpp"
+#include "core/offsets.hpp"
 
 namespace mien {
 
 // Print coordinates: mm, z up, the face toward -y, the character's left at +x.
 
 // A state of the bust that moves some vertices: a move at one of its values, an expression, the other stand.
-struct BustState {
-  std::vector<std::uint32_t> vertices;  // rising; none of the eyes' or the mouth's patches
-  std::vector<glm::vec3> offsets;
-};
+// None of its vertices is of the eyes' or the mouth's patches.
+using BustState = VertexOffsets;
 
 // A move's own values, rising, 0 not among them; state i belongs to value i. Between two values the vertices
 // go straight.
@@ -37,34 +36,45 @@ struct BustExpression {
   std::array<glm::vec2, 2> gaze_rad{};  // of either eye: yaw to the character's left, pitch upward
 };
 
+inline constexpr int kPatchFine = 2;  // columns of a grid between two rims for each of the rims' own
+
+// How many vertices a grid between two rims of `rim` vertices each has, `rows` steps from rim to rim.
+inline std::uint32_t count_grid_vertices(std::size_t rim, int rows) {
+  return static_cast<std::uint32_t>((kPatchFine * (static_cast<int>(rim) - 1) - 1) * (rows - 1));
+}
+
 // A grid of vertices between two rims: columns 1 .. 2n - 1 between the n + 1 of the rims, rows 1 .. rows - 1,
 // column by column from `first` on.
 struct BustGrid {
   std::vector<std::uint32_t> upper, lower;
   std::uint32_t first = 0;
-  int rows = 14;
+  int rows = 0;
+
+  std::uint32_t vertex_count() const { return count_grid_vertices(upper.size(), rows); }
 };
 
 // What the formula in frames/bust_eyes.cpp takes, on the print.
 struct BustEye {
   BustGrid grid;
   glm::vec3 centre{0};
-  double radius_mm = 4, iris_mm = 2, iris_depth_mm = 0.5, pupil_depth_mm = 1, slit_mm = 0.4, line_mm = 0.7;
-  double light = 0.17;  // radii of the iris
+  double radius_mm = 0, iris_mm = 0, iris_depth_mm = 0, pupil_depth_mm = 0, slit_mm = 0, line_mm = 0;
+  double light = 0;  // radii of the iris
 };
+
+inline constexpr float kNoTooth_mm = -1000;  // how far in front a tooth stands where there is none
 
 // What the formula in frames/bust_mouth.cpp takes, on the print, with the jaw at rest. Teeth are sampled from
 // -reach_mm to reach_mm; an edge and a place of the front a little further to the gum, as (z, depth to the
-// front), depth below -100 where there is no tooth.
+// front), depth kNoTooth_mm where there is no tooth.
 struct BustMouth {
   BustGrid grid;
-  double reach_mm = 8;
+  double reach_mm = 0;
   std::vector<glm::vec2> upper_edge, upper_front, lower_edge, lower_front;
   glm::vec3 tongue{0}, tongue_radius{0};
-  double line_mm = 0.7;
-  glm::vec2 jaw_axis{0};      // (z, forward) of the axis, which is parallel to x
-  double jaw_open_rad = 0.5;  // at its limit
-  glm::vec2 jaw_forward{0};   // (z, forward) at its limit
+  double line_mm = 0;
+  glm::vec2 jaw_axis{0};     // (z, forward) of the axis, which is parallel to x
+  double jaw_open_rad = 0;   // at its limit
+  glm::vec2 jaw_forward{0};  // (z, forward) at its limit
 };
 
 // How far a cavity may reach for some thicknesses of its wall, the same in every pose: rows of places, one

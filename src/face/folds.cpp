@@ -71,57 +71,26 @@ double read_driver(const Driver& driver, const Pose& pose, Side side) {
   return std::max(0.0, driver.sign * pose.values[*move]);
 }
 
-// The slope of the heights over a triangle of places with heights as their fourth, weighted by its area
-// squared (which needs no root), and that.
-Float4 find_slope(const std::vector<Float4>& places, const Triangle& t) {
-  const Float4 along = places[t[1]] - places[t[0]], beside = places[t[2]] - places[t[0]];
-  const Float4 normal = cross(along, beside);
-  Float4 slope = cross(along[3] * beside - beside[3] * along, normal);
-  slope[3] = dot(normal, normal);
-  return slope;
-}
-
-// The slopes of a left triangle and of its mirror image at their vertices. One of the mid-plane takes both at
-// once, so that the order of the sum is the same in the mirror.
-void add_slopes(const FoldPair& pair, FoldBuffers& buffers) {
-  const auto is_flat = [&](const Triangle& t) {
-    return buffers.places[t[0]][3] == 0 && buffers.places[t[1]][3] == 0 && buffers.places[t[2]][3] == 0;
-  };
-  if (is_flat(pair.left) && is_flat(pair.right)) return;
-  const Float4 here = find_slope(buffers.places, pair.left), there = find_slope(buffers.places, pair.right);
-  for (int i = 0; i < 3; ++i) {
-    if (pair.left[i] == pair.right[i]) {
-      buffers.slopes[pair.left[i]] += here + there;
-    } else {
-      buffers.slopes[pair.left[i]] += here;
-      buffers.slopes[pair.right[i]] += there;
-    }
-  }
-}
-
 // Which triangles and vertices of folds.skin the folds need; from here on the fields name vertices by their
 // place among those.
 void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
-  std::map<std::uint32_t, std::uint32_t> place_of;
-  const auto take = [&](std::uint32_t v) {
-    const auto [entry, is_new] = place_of.try_emplace(v, static_cast<std::uint32_t>(folds.vertices.size()));
-    if (is_new) folds.vertices.push_back(v);
+  std::map<std::uint32_t, std::uint32_t> slot_of;  // of left vertices
+  const auto take = [&](std::uint32_t left) {
+    const auto [entry, is_new] = slot_of.try_emplace(left, static_cast<std::uint32_t>(folds.vertices.size()));
+    if (is_new) folds.vertices.push_back({left, folds.skin.mirror[left]});
     return entry->second;
   };
   for (std::uint32_t t = 0; t < folds.skin.triangles.size(); t += 2) {
     const Triangle& left = folds.skin.triangles[t];
     if (!is_folded[left[0]] && !is_folded[left[1]] && !is_folded[left[2]]) continue;
-    FoldPair& pair = folds.pairs.emplace_back();
-    for (int i = 0; i < 3; ++i) {
-      pair.left[i] = take(left[i]);
-      pair.right[i] = take(folds.skin.mirror[left[i]]);
-    }
+    folds.triangles.push_back({take(left[0]), take(left[1]), take(left[2])});
   }
   for (FoldField& field : folds.fields)
     for (FoldedVertex& folded : field.vertices) {
-      const std::uint32_t image = folds.skin.mirror[folded.vertex];
-      folded.image = take(image);
-      folded.vertex = take(folded.vertex);
+      const std::uint32_t slot = take(folded.vertex);
+      const bool is_middle = folds.vertices[slot].is_middle();
+      folded.vertex = 2 * slot;
+      folded.image = is_middle ? folded.vertex : folded.vertex + 1;
     }
 }
 
@@ -162,8 +131,8 @@ double find_fold_amount(const FoldField& field, const Pose& pose, Side side) {
 
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
                  std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals) {
-  std::vector<Float4>& places = buffers.places;
-  places.assign(folds.vertices.size(), Float4{});
+  std::vector<float>& heights = buffers.heights;
+  heights.assign(2 * folds.vertices.size(), 0);
   bool is_smooth = true;
   for (const FoldField& field : folds.fields) {
     const auto left = static_cast<float>(find_fold_amount(field, pose, Side::left));
@@ -171,22 +140,19 @@ void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
     if (left == 0 && right == 0) continue;
     is_smooth = false;
     for (const FoldedVertex& folded : field.vertices) {
-      places[folded.vertex][3] += folded.near_mm * left + folded.far_mm * right;
+      heights[folded.vertex] += folded.near_mm * left + folded.far_mm * right;
       if (folded.image != folded.vertex)
-        places[folded.image][3] += folded.image_near_mm * right + folded.image_far_mm * left;
+        heights[folded.image] += folded.image_near_mm * right + folded.image_far_mm * left;
     }
   }
   if (is_smooth) return;
-  for (std::size_t i = 0; i < places.size(); ++i)
-    places[i] = pack(positions[folds.vertices[i]], places[i][3]);
-  buffers.slopes.assign(places.size(), Float4{});
-  for (const FoldPair& pair : folds.pairs) add_slopes(pair, buffers);
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const std::uint32_t v = folds.vertices[i];
-    const Float4 slope = buffers.slopes[i], n = pack(normals[v]);
-    positions[v] = unpack(places[i] + kRelief * places[i][3] * n);
-    if (slope[3] > 1e-20f) normals[v] = unpack(normalize(n - slope * (1 / slope[3]), 0, n));
-  }
+  for (std::size_t i = 0; i < folds.vertices.size(); ++i)
+    if (folds.vertices[i].is_middle()) heights[2 * i + 1] = heights[2 * i];
+  pack_pairs(folds.vertices, positions, buffers.places);
+  pack_pairs(folds.vertices, normals, buffers.normals);
+  press_pairs(folds.vertices, folds.triangles, kRelief, buffers);
+  unpack_pairs(folds.vertices, buffers.places, 0, positions);
+  unpack_pairs(folds.vertices, buffers.normals, 0, normals);
 }
 
 }  // namespace mien

@@ -15,7 +15,7 @@ namespace mien {
 // How high a vertex of the left half (or the mid-plane) and its mirror image lie in a set's whole folds, mm:
 // of those of its own side and of the other's.
 struct FoldedVertex {
-  std::uint32_t vertex = 0, image = 0;  // indices into Folds::vertices
+  std::uint32_t vertex = 0, image = 0;  // twice the slot in Folds::vertices, and 1 more of the right half
   float near_mm = 0, far_mm = 0;
   float image_near_mm = 0, image_far_mm = 0;
 };
@@ -27,24 +27,15 @@ struct FoldField {
   std::vector<FoldedVertex> vertices;
 };
 
-// A triangle of the left half and its mirror image, corner by corner: indices into Folds::vertices.
-struct FoldPair {
-  Triangle left{}, right{};
-};
-
 // Folds of one head; built once.
 struct Folds {
   FineSkin skin;
   std::vector<FoldField> fields;
-  std::vector<FoldPair> pairs;          // with a vertex in any fold
-  std::vector<std::uint32_t> vertices;  // of those, both sides; of `skin`
+  std::vector<Triangle> triangles;   // left ones with a vertex in any fold; slots of `vertices`
+  std::vector<MirrorPair> vertices;  // of those, both sides; of `skin`
 };
 
-// Buffers of one thread; contents mean nothing between calls. One of each a vertex of Folds::vertices.
-struct FoldBuffers {
-  std::vector<Float4> places;  // mm, and the folds' height there
-  std::vector<Float4> slopes;  // sum of weight x slope, and of weight
-};
+using FoldBuffers = FoldPlaces;
 
 // Solves templates/head/folds.yaml for this head; `spec` tells its age and character. Throws RunError for
 // data that do not fit it.

@@ -1,16 +1,17 @@
 #include "frames/bust_controls.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "core/pool.hpp"
+#include "frames/move_shapes.hpp"
 
 namespace mien {
 
 namespace {
 
 constexpr double kNothing_mm = 1e-4;  // below the decimals of any file
-constexpr int kMostHalvings = 3;      // of a move's way: the lids, which turn furthest, need two
 
 // What controls are built from and into.
 struct Work {
@@ -21,6 +22,8 @@ struct Work {
   PosableBust& controls;
   std::vector<std::vector<glm::vec3>> shapes;  // all that matters of what was sampled
 };
+
+using Shape = std::vector<glm::vec3>;
 
 std::vector<bool> list_placed(const BustBody& body) {
   std::vector<bool> is_placed(body.kept.size(), false);
@@ -37,17 +40,14 @@ std::vector<bool> list_rims(const BustBody& body) {
   return is_rim;
 }
 
-// The offsets from `from` to `to` that are not slight.
-BustState find_state(const Work& work, const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
-                     double slight_mm) {
-  BustState state;
-  for (std::uint32_t v = 0; v < from.size(); ++v) {
-    const glm::vec3 offset = to[v] - from[v];
-    if (work.is_placed[v] || glm::length(offset) <= (work.is_rim[v] ? kNothing_mm : slight_mm)) continue;
-    state.vertices.push_back(v);
-    state.offsets.push_back(offset);
+// What counts as nothing of each vertex: all of what a formula places; little beside its rims.
+std::vector<double> list_slight_mm(const Work& work, double slight_mm) {
+  std::vector<double> slight(work.is_placed.size(), slight_mm);
+  for (std::size_t v = 0; v < slight.size(); ++v) {
+    if (work.is_rim[v]) slight[v] = kNothing_mm;
+    if (work.is_placed[v]) slight[v] = INFINITY;
   }
-  return state;
+  return slight;
 }
 
 glm::vec2 find_gaze_angles(const glm::dmat3& gaze) {
@@ -60,75 +60,29 @@ std::size_t add_state(Work& work, BustState state) {
   return work.controls.states.size() - 1;
 }
 
-using Shape = std::vector<glm::vec3>;
-
-struct Sample {
-  double value = 0;
-  Shape shape;
-};
-
-Sample sample_move(const Work& work, std::size_t move, double value) {
-  Pose pose;
-  pose.values[move] = value;
-  return {value, place_bust(work.body, work.figure, pose)};
-}
-
-// Values between `low` and `high` (left out), so many that the straight way between them is near enough.
-void halve(const Work& work, std::size_t move, const Sample& low, const Sample& high, double tolerance_mm,
-           int depth, std::vector<Sample>& samples) {
-  if (depth == 0) return;
-  Sample middle = sample_move(work, move, 0.5 * (low.value + high.value));
-  float worst = 0;
-  for (std::size_t v = 0; v < middle.shape.size(); ++v)
-    if (!work.is_placed[v])
-      worst = std::max(worst, glm::distance(middle.shape[v], 0.5f * (low.shape[v] + high.shape[v])));
-  if (worst <= tolerance_mm) return;
-  halve(work, move, low, middle, tolerance_mm, depth - 1, samples);
-  samples.push_back(middle);
-  halve(work, move, middle, high, tolerance_mm, depth - 1, samples);
-}
-
-std::vector<Sample> sample_values(const Work& work, std::size_t move, double tolerance_mm) {
-  const Sample rest{0, work.controls.rest};
-  std::vector<Sample> samples;
-  if (kMoves[move].low < 0) {
-    Sample low = sample_move(work, move, kMoves[move].low);
-    samples.push_back(low);
-    halve(work, move, low, rest, tolerance_mm, kMostHalvings, samples);
-  }
-  Sample high = sample_move(work, move, kMoves[move].high);
-  halve(work, move, rest, high, tolerance_mm, kMostHalvings, samples);
-  samples.push_back(std::move(high));
-  return samples;
-}
-
-double find_reach(const Figure& figure, std::size_t move, double value) {
-  Pose pose;
-  pose.values[move] = value;
-  return std::abs(apply_limits(figure.limits, pose).values[move]);
-}
-
 void add_moves(Work& work, double tolerance_mm) {
-  std::array<std::vector<Sample>, kMoveCount> samples;
-  for_each_index(kMoveCount, count_workers(),
-                 [&](std::size_t m, int) { samples[m] = sample_values(work, m, tolerance_mm); });
-  for (std::size_t m = 0; m < kMoveCount; ++m) {
+  ShapeRequest request;
+  request.tolerance_mm = tolerance_mm;
+  request.is_left_out = work.is_placed;
+  const PlaceVertices place = [&](const Pose& pose) { return place_bust(work.body, work.figure, pose); };
+  const std::vector<double> nothing = list_slight_mm(work, kNothing_mm);
+  for (MoveShapes& sampled : sample_move_shapes(place, work.controls.rest, request)) {
     BustMove& move = work.controls.moves.emplace_back();
-    const MoveInfo& info = kMoves[m];
+    const MoveInfo& info = kMoves[sampled.move];
     move.area = std::string(info.area);
     if (info.side != Side::none) move.area += info.side == Side::left ? ".left" : ".right";
     move.move = std::string(info.move);
     move.meaning = std::string(info.meaning);
     move.low = info.low;
     move.high = info.high;
-    for (const Sample& sample : samples[m]) {
-      move.values.push_back(sample.value);
-      move.states.push_back(add_state(work, find_state(work, work.controls.rest, sample.shape, kNothing_mm)));
+    for (const MoveShape& shape : sampled.shapes) {
+      move.values.push_back(shape.value);
+      move.states.push_back(add_state(work, find_offsets(work.controls.rest, shape.positions, nothing)));
     }
-    if (info.low < 0) work.shapes.push_back(std::move(samples[m].front().shape));
-    work.shapes.push_back(std::move(samples[m].back().shape));
-    move.reach_high = find_reach(work.figure, m, 1);
-    move.reach_low = kMoves[m].low < 0 ? find_reach(work.figure, m, -1) : 1;
+    if (info.low < 0) work.shapes.push_back(std::move(sampled.shapes.front().positions));
+    work.shapes.push_back(std::move(sampled.shapes.back().positions));
+    move.reach_high = find_move_reach(work.figure, sampled.move, 1);
+    move.reach_low = info.low < 0 ? find_move_reach(work.figure, sampled.move, -1) : 1;
   }
 }
 
@@ -136,6 +90,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
   std::vector<BustState> states(expressions.size());
   std::vector<BustExpression> added(expressions.size());
   std::vector<Shape> shapes(expressions.size());
+  const std::vector<double> slight = list_slight_mm(work, slight_mm);
   for_each_index(expressions.size(), count_workers(), [&](std::size_t i, int) {
     const Pose& pose = expressions[i].pose;
     BustExpression& expression = added[i];
@@ -144,7 +99,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
       expression.values.push_back(std::clamp(pose.values[m], kMoves[m].low, kMoves[m].high));
     const Shape sum = sum_bust_states(work.controls, expression.values);
     shapes[i] = place_bust(work.body, work.figure, pose);
-    states[i] = find_state(work, sum, shapes[i], slight_mm);
+    states[i] = find_offsets(sum, shapes[i], slight);
     const Pose held = apply_limits(work.figure.limits, pose);
     const std::size_t chin = find_move(Area::chin, Side::none, "down").value();
     expression.open = stiffen_pose(work.figure.face, held).values[chin];
@@ -178,7 +133,7 @@ BustEye find_eye(const BustBody& body, std::size_t i) {
           eye.light};
 }
 
-BustMouth find_mouth(const BustBody& body, const Figure& figure) {
+BustMouth find_mouth(const BustBody& body, const Joint& jaw) {
   const float scale = body.print_per_head;
   const CarvedMouth& carved = body.carved_mouth;
   const glm::vec2 origin(body.origin.y, body.origin.z);
@@ -199,10 +154,10 @@ BustMouth find_mouth(const BustBody& body, const Figure& figure) {
   const glm::vec3 radius = carved.tongue.radius * scale;
   mouth.tongue_radius = {radius.x, radius.z, radius.y};
   mouth.line_mm = carved.line_mm * scale;
-  const JawRig& jaw = figure.face.jaw;
-  mouth.jaw_axis = (glm::vec2(float(jaw.axis.y), float(jaw.axis.z)) - origin) * scale;
-  mouth.jaw_open_rad = jaw.open_rad;
-  mouth.jaw_forward = glm::vec2(float(jaw.forward.y), float(jaw.forward.z)) * scale;
+  const JointTurn& open = jaw.turns.front();
+  mouth.jaw_axis = (glm::vec2(float(jaw.pivot_mm.y), float(jaw.pivot_mm.z)) - origin) * scale;
+  mouth.jaw_open_rad = open.plus_rad;
+  mouth.jaw_forward = glm::vec2(float(open.shift_mm.y), float(open.shift_mm.z)) * scale;
   return mouth;
 }
 
@@ -218,17 +173,9 @@ std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::v
     const double value = values[m];
     const BustMove& move = controls.moves[m];
     if (value == 0) continue;
-    // Between the neighbours among 0 and the move's values.
-    for (std::size_t i = 0; i < move.values.size(); ++i) {
-      const double at = move.values[i];
-      const double before =
-          i > 0 && !(move.values[i - 1] < 0 && at > 0) ? move.values[i - 1] : (at > 0 ? 0 : at - 1);
-      const double after = i + 1 < move.values.size() && !(at < 0 && move.values[i + 1] > 0)
-                               ? move.values[i + 1]
-                               : (at < 0 ? 0 : at + 1);
-      const double weight = value <= at ? (value - before) / (at - before) : (after - value) / (after - at);
-      if (weight > 0) add(move.states[i], std::min(weight, 1.0));
-    }
+    for (std::size_t i = 0; i < move.values.size(); ++i)
+      if (const double weight = find_shape_weight(move.values, i, value); weight > 0)
+        add(move.states[i], weight);
   }
   return sum;
 }
@@ -246,14 +193,16 @@ std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
   add_expressions(work, expressions, slight_mm);
   const Stand other = body.stand == Stand::foot ? Stand::flat : Stand::foot;
   Shape shape = place_bust(body, figure, Pose{}, other);
-  bust.other_stand = add_state(work, find_state(work, bust.rest, shape, kNothing_mm));
+  bust.other_stand = add_state(work, find_offsets(bust.rest, shape, list_slight_mm(work, kNothing_mm)));
   bust.other_foot_mm = shape[body.foot.front()].z;
   work.shapes.push_back(std::move(shape));
   for (std::size_t i = 0; i < 2; ++i) bust.eyes[i] = find_eye(body, i);
-  bust.mouth = find_mouth(body, figure);
-  bust.gaze_side_rad = figure.face.eye_side_rad;
-  bust.gaze_up_rad = figure.face.eye_up_rad;
-  bust.gaze_down_rad = figure.face.eye_down_rad;
+  const std::vector<Joint> joints = list_joints(figure);  // both eyes' limits are the same
+  const JointTurn &side = joints[kLeftEyeJoint].turns[kSideTurn], &up = joints[kLeftEyeJoint].turns[kUpTurn];
+  bust.mouth = find_mouth(body, joints[kJawJoint]);
+  bust.gaze_side_rad = side.plus_rad;
+  bust.gaze_up_rad = up.plus_rad;
+  bust.gaze_down_rad = up.minus_rad;
   return std::move(work.shapes);
 }
 

@@ -5,34 +5,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/print_numbers.hpp"
+
 namespace mien {
 
 namespace {
-
-constexpr float kPupilPerIris = 0.5f;  // radius; a smaller bore closes up in print
-constexpr float kWall = 0.09f;         // of the iris radius: how far a carved wall leans, a step of the grid
-constexpr float kSeat_mm = 1;          // from a rim to where the ball's own surface begins
 
 float smooth_step(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
   return t * t * (3 - 2 * t);
 }
 
-// 1 on the peg of light, 0 away from it; x and y in iris radii, y up. It hangs from the rim into the pupil, a
-// little to the character's right in both eyes, as one lamp would have it.
+// 1 on the peg of light, 0 away from it; x and y in iris radii, y up.
 float find_light(float half_width, float x, float y) {
-  constexpr glm::vec2 kFrom{-0.16f, 0.34f}, kTo{-0.42f, 0.92f};
-  constexpr float kSoft = 0.12f;
-  const glm::vec2 along = kTo - kFrom, at = glm::vec2(x, y) - kFrom;
+  const glm::vec2 along = kLightTo - kLightFrom, at = glm::vec2(x, y) - kLightFrom;
   const float share = std::clamp(glm::dot(at, along) / glm::dot(along, along), 0.0f, 1.0f);
-  return 1 - smooth_step(half_width, half_width + kSoft, glm::length(at - share * along));
+  return 1 - smooth_step(half_width, half_width + kLightSoft, glm::length(at - share * along));
 }
 
 // How deep the carving goes at (x, y) iris radii from the gaze.
 float find_depth_mm(const CarvedEye& eye, float x, float y) {
   const float r = std::hypot(x, y);
-  const float iris = 1 - smooth_step(1 - kWall, 1 + kWall, r);
-  const float pupil = 1 - smooth_step(kPupilPerIris - kWall, kPupilPerIris + kWall, r);
+  const float iris = 1 - smooth_step(1 - kIrisWall, 1 + kIrisWall, r);
+  const float pupil = 1 - smooth_step(kPupilPerIris - kIrisWall, kPupilPerIris + kIrisWall, r);
   return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - find_light(eye.light, x, y));
 }
 
@@ -48,10 +43,10 @@ glm::vec3 place_on_eye(const CarvedEye& eye, const PatchPlace& at) {
   const glm::vec3 y = glm::cross(eye.gaze, x);
   const float sine = std::hypot(glm::dot(out, x), glm::dot(out, y));
   const float angle = std::atan2(sine, glm::dot(out, eye.gaze));
-  const float per_sine = angle / std::asin(eye.iris_mm / eye.radius_mm) / std::max(sine, 1e-6f);
+  const float per_sine = angle / std::asin(eye.iris_mm / eye.radius_mm) / std::max(sine, kLeastSine);
   const float carved_mm = find_depth_mm(eye, glm::dot(out, x) * per_sine, glm::dot(out, y) * per_sine);
 
-  const float seat = smooth_step(0, kSeat_mm, std::min(at.down, 1 - at.down) * gap_mm);
+  const float seat = smooth_step(0, kEyeSeat_mm, std::min(at.down, 1 - at.down) * gap_mm);
   const float line = 1 - smooth_step(eye.slit_mm, 2 * eye.slit_mm, gap_mm);
   const float groove_mm = line * eye.line_mm * 4 * at.down * (1 - at.down);
   const float radius_mm = glm::mix(rim_mm, eye.radius_mm - carved_mm * (1 - line), seat) - groove_mm;

@@ -1,5 +1,6 @@
 // Eyes for one colour: sculptors cut the iris as a shallow dish, drill the pupil and leave a light standing
-// in it. The same formula stands in templates/openscad/bust.scad.
+// in it. The same formula, with the same numbers (core/print_numbers.hpp), stands in
+// templates/openscad/bust.scad.
 #pragma once
 
 #include <glm/glm.hpp>

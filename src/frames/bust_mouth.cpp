@@ -6,15 +6,11 @@
 #include <string>
 #include <string_view>
 
+#include "core/print_numbers.hpp"
+
 namespace mien {
 
 namespace {
-
-constexpr float kDepthPerGap = 0.9f;  // of the hollow; deeper would be hidden, and hard to clean of support
-constexpr float kDeepest_mm = 17;     // behind the teeth
-constexpr float kCrown_mm = 3;        // from the biting edge to where the front is taken
-constexpr float kEdge_mm = 0.3f;      // half of the height over which a tooth's edge falls off
-constexpr float kBehindLips_mm = 0.6f;
 
 float smooth_step(float from, float to, float x) {
   const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
@@ -105,10 +101,11 @@ float stand_teeth(const ToothRow& row, float sign, float x, float y, float back)
   const ToothPlace tooth = find_tooth(row, x);
   if (tooth.edge.y == kNoTooth_mm) return back;
   const float height = sign * (y - tooth.edge.x);  // above the biting edge, toward the gums
-  const float shown = smooth_step(-kEdge_mm, kEdge_mm, height);
-  const float crown = std::max(0.5f, sign * (tooth.front.x - tooth.edge.x));  // shorter when the jaw is open
+  const float shown = smooth_step(-kToothEdge_mm, kToothEdge_mm, height);
+  const float crown =
+      std::max(kLeastCrown_mm, sign * (tooth.front.x - tooth.edge.x));  // shorter when the jaw is open
   const float slope = (tooth.front.y - tooth.edge.y) / crown;
-  const float z = tooth.edge.y + slope * std::clamp(height, 0.0f, 3 * kCrown_mm);
+  const float z = tooth.edge.y + slope * std::clamp(height, 0.0f, kCrownReach_mm);
   return glm::mix(back, std::max(back, z), shown);
 }
 
@@ -125,17 +122,17 @@ glm::vec2 move_point(const glm::mat4& jaw, const glm::vec2& p) {
   return {at.y, at.z};
 }
 
-// How far down a row of the grid lies: the first ones above the upper teeth's edge, the last ones below the
-// lower teeth's, the others between, so that edges are crisp wherever they are.
+// How far down a row of the grid lies.
 float find_down(const CarvedMouth& mouth, const PatchPlace& at, float gap_mm) {
-  constexpr int kTeethRows = 4;
   constexpr int kBetween = kPatchRows - 2 * kTeethRows - 2;  // steps
-  const float x = 0.5f * (at.upper.x + at.lower.x), height = std::max(at.upper.y - at.lower.y, 0.01f);
+  const float x = 0.5f * (at.upper.x + at.lower.x),
+              height = std::max(at.upper.y - at.lower.y, kLeastMouthGap_mm);
   const ToothPlace above = find_tooth(mouth.upper, x), below = find_tooth(mouth.lower, x);
-  const float high = above.edge.y == kNoTooth_mm ? 0.3f : (at.upper.y - above.edge.x) / height;
-  const float low = below.edge.y == kNoTooth_mm ? 0.7f : (at.upper.y - below.edge.x) / height;
-  const float first = std::clamp(high, 0.15f, 0.6f), second = std::clamp(low, first + 0.2f, 0.85f);
-  const float step = std::min(kEdge_mm / std::max(gap_mm, 0.01f), 0.05f);
+  const float high = above.edge.y == kNoTooth_mm ? kNoUpperTooth : (at.upper.y - above.edge.x) / height;
+  const float low = below.edge.y == kNoTooth_mm ? kNoLowerTooth : (at.upper.y - below.edge.x) / height;
+  const float first = std::clamp(high, kLeastUpperRows, kMostUpperRows),
+              second = std::clamp(low, first + kLeastBetweenRows, kMostLowerRows);
+  const float step = std::min(kToothEdge_mm / std::max(gap_mm, kLeastMouthGap_mm), kMostEdgeStep);
   if (at.row <= kTeethRows) return (first - step) * float(at.row) / kTeethRows;
   if (at.row < kPatchRows - kTeethRows)
     return glm::mix(first + step, second - step, float(at.row - kTeethRows - 1) / kBetween);
@@ -172,8 +169,8 @@ glm::vec3 place_in_mouth(const CarvedMouth& mouth, const PatchPlace& at) {
   const float gap_mm = glm::distance(at.upper, at.lower);
   const float down = find_down(mouth, at, gap_mm);
   const glm::vec3 p = glm::mix(at.upper, at.lower, down);
-  const float depth_mm =
-      std::min(mouth.line_mm * smooth_step(0, 0.3f, gap_mm) + kDepthPerGap * gap_mm, kDeepest_mm);
+  const float depth_mm = std::min(
+      mouth.line_mm * smooth_step(0, kLipLineFade_mm, gap_mm) + kDepthPerGap * gap_mm, kDeepestMouth_mm);
   const float back = p.z - depth_mm * std::sqrt(std::sin(std::numbers::pi_v<float> * down));
   float z = stand_tongue(mouth.tongue, p.x, p.y, back);
   z = std::max(z, stand_teeth(mouth.lower, -1, p.x, p.y, back));

@@ -1,5 +1,6 @@
 // The mouth of a print: a hollow behind the lips in which teeth and tongue stand as relief, without
-// undercuts. The same formula stands in templates/openscad/bust.scad.
+// undercuts. The same formula, with the same numbers (core/print_numbers.hpp), stands in
+// templates/openscad/bust.scad.
 #pragma once
 
 #include <array>
@@ -7,17 +8,17 @@
 #include <vector>
 
 #include "core/model.hpp"
+#include "core/print.hpp"
 #include "frames/bust_patch.hpp"
 
 namespace mien {
 
 inline constexpr int kToothSamples = 91;     // across both cheeks' sides, x rising
 inline constexpr float kToothReach_mm = 27;  // the first at -27 mm, the last at 27
-inline constexpr float kNoTooth_mm = -1000;  // z where there is none
 
 // The biting edge of a row of teeth at each sample, and a place of their front a little further to the gums.
 struct ToothRow {
-  std::array<glm::vec2, kToothSamples> edge{}, front{};  // y and z, mm
+  std::array<glm::vec2, kToothSamples> edge{}, front{};  // y and z, mm; z is kNoTooth_mm where there is none
 };
 
 // A tongue as an ellipsoid, in the jaw's rest place.

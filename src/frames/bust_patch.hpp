@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/mesh.hpp"
+#include "core/print.hpp"
 #include "frames/bust_slit.hpp"
 
 namespace mien {
 
 inline constexpr int kPatchRows = 14;  // steps from rim to rim: 0.8 mm of the head in an eye at rest
-inline constexpr int kPatchFine = 2;   // columns of the grid for each of the rim's
 
 // The grid between two rims of n + 1 columns: columns 1 .. 2n - 1 and rows 1 .. kPatchRows - 1, column by
 // column, are the vertices from `first` on. Its columns with even numbers stand between the rim's own.
@@ -21,9 +21,7 @@ struct Patch {
   std::uint32_t first = 0;
 
   int column_count() const { return kPatchFine * (static_cast<int>(upper.size()) - 1); }
-  std::uint32_t vertex_count() const {
-    return static_cast<std::uint32_t>((column_count() - 1) * (kPatchRows - 1));
-  }
+  std::uint32_t vertex_count() const { return count_grid_vertices(upper.size(), kPatchRows); }
 };
 
 // A place of the grid: where the column's ends lie on the rims, and how far down from the upper one, 0..1.

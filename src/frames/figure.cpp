@@ -6,6 +6,7 @@
 
 #include "core/conventions.hpp"
 #include "core/pool.hpp"
+#include "core/float4.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
@@ -54,16 +55,21 @@ std::vector<SkinFrame> find_frames(const HeadPart& bound, const NeutralHead& hea
 }
 
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
-void deform_strands(const HeadPart& bound, const Part& part, const std::vector<SkinFrame>& rest,
-                    const std::vector<SkinFrame>& now, PartShape& shape) {
+void deform_strands(const HeadPart& bound, const NeutralHead& head, const Part& part,
+                    const std::vector<SkinFrame>& rest, const PartShape& skin, PartShape& shape) {
   shape.positions.resize(part.rest.positions.size());
   shape.normals.resize(part.rest.normals.size());
   for (std::size_t b = 0; b < bound.bindings.size(); ++b) {
     const Binding& binding = bound.bindings[b];
-    const glm::mat3 turn = now[b].axes * glm::transpose(rest[b].axes);
+    const SkinFrame now = find_skin_frame(skin.positions, skin.normals, head.skin.triangles[binding.triangle],
+                                          binding.barycentric);
+    const glm::mat3 turn = now.axes * glm::transpose(rest[b].axes);
+    const Float4 x = pack(turn[0]), y = pack(turn[1]), z = pack(turn[2]), origin = pack(now.origin);
+    const Float4 root = pack(rest[b].origin);
     for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
-      shape.positions[i] = now[b].origin + turn * (part.rest.positions[i] - rest[b].origin);
-      shape.normals[i] = turn * part.rest.normals[i];
+      const Float4 arm = pack(part.rest.positions[i]) - root, normal = pack(part.rest.normals[i]);
+      shape.positions[i] = unpack(origin + (x * arm[0] + y * arm[1] + z * arm[2]));
+      shape.normals[i] = unpack(x * normal[0] + y * normal[1] + z * normal[2]);
     }
   }
 }
@@ -119,9 +125,13 @@ void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked
   pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
   if (is_turned(turn))
     turn_points(figure.face, turn, find_turn(figure.face.turn_pivot, turn, 1), buffers.points);
-  pack_points(buffers.points, buffers.packed);
-  deform_surface(surface, buffers.packed, skin.positions);
-  update_surface_normals(surface, skin.positions, skin.normals);
+  pair_points(buffers.points, surface.mirror, buffers.point_pairs);
+  deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
+  update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
+  skin.positions.resize(surface.vertex_count());
+  skin.normals.resize(surface.vertex_count());
+  unpack_pairs(surface.pairs, buffers.place_pairs, 0, skin.positions);
+  unpack_pairs(surface.pairs, buffers.normal_pairs, 0, skin.normals);
 }
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
@@ -143,12 +153,16 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;
     } else {
-      deform_strands(bound, part, figure.roots[i],
-                     find_frames(bound, figure.head, skin.positions, skin.normals), shape);
+      deform_strands(bound, figure.head, part, figure.roots[i], skin, shape);
     }
   }
   // Last: hairs stand on the smooth skin, whose normals do not shake.
-  append_fine_points(figure.folds.skin, skin.positions, skin.normals);
+  const FineSkin& fine = figure.folds.skin;
+  append_fine_pairs(fine, buffers.place_pairs, buffers.normal_pairs);
+  skin.positions.resize(fine.vertex_count());
+  skin.normals.resize(fine.vertex_count());
+  unpack_pairs(fine.pairs, buffers.place_pairs, fine.base_pairs, skin.positions);
+  unpack_pairs(fine.pairs, buffers.normal_pairs, fine.base_pairs, skin.normals);
   if (buffers.has_folds) press_folds(figure.folds, pose, buffers.folds, skin.positions, skin.normals);
 }
 

@@ -9,6 +9,7 @@
 
 #include "core/error.hpp"
 #include "core/nearest_point.hpp"
+#include "core/float4.hpp"
 
 namespace mien {
 
@@ -86,19 +87,20 @@ Mount mirror_mount(Mount mount) {
 
 SkinFrame find_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
                           const Triangle& triangle, const glm::vec3& barycentric) {
-  SkinFrame frame;
-  frame.origin = blend(positions, triangle, barycentric);
-  glm::vec3 normal = blend(normals, triangle, barycentric);
-  normal = glm::dot(normal, normal) > 1e-12f ? glm::normalize(normal) : glm::vec3(0, 0, 1);
-  const glm::vec3 edge = positions[triangle[1]] - positions[triangle[0]];
-  glm::vec3 tangent = edge - normal * glm::dot(edge, normal);
-  if (!(glm::dot(tangent, tangent) > 1e-12f)) {  // a collapsed edge: any direction along the skin
-    const glm::vec3 any = std::abs(normal.x) < 0.9f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
-    tangent = any - normal * glm::dot(any, normal);
+  // As blend does it; four floats at once, since every hair of every frame asks for it.
+  const auto [i, j, k] = triangle;
+  const Float4 a = pack(positions[i]), b = pack(positions[j]), c = pack(positions[k]);
+  const Float4 origin = a * barycentric[0] + b * barycentric[1] + c * barycentric[2];
+  const Float4 blended = pack(normals[i]) * barycentric[0] + pack(normals[j]) * barycentric[1] +
+                         pack(normals[k]) * barycentric[2];
+  const Float4 normal = normalize(blended, 1e-12f, Float4{0, 0, 1, 0}), edge = b - a;
+  Float4 tangent = edge - normal * dot(edge, normal);
+  if (!(dot(tangent, tangent) > 1e-12f)) {  // a collapsed edge: any direction along the skin
+    const Float4 any = std::abs(normal[0]) < 0.9f ? Float4{1, 0, 0, 0} : Float4{0, 1, 0, 0};
+    tangent = any - normal * dot(any, normal);
   }
-  tangent = glm::normalize(tangent);
-  frame.axes = glm::mat3(tangent, glm::cross(normal, tangent), normal);
-  return frame;
+  tangent = normalize(tangent, 0, tangent);
+  return {unpack(origin), glm::mat3(unpack(tangent), unpack(cross(normal, tangent)), unpack(normal))};
 }
 
 SkinPatch build_skin_patch(const Mesh& skin, const Box& box) {

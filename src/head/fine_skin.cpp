@@ -106,11 +106,26 @@ std::uint16_t find_nearest_shade(const std::vector<Shade>& palette, const Shade&
   return static_cast<std::uint16_t>(best);
 }
 
+// Slots for the added vertices: a middle of the left half and its image follow each other.
+void pair_up(const Surface& surface, FineSkin& fine) {
+  fine.pairs = surface.pairs;
+  fine.base_pairs = surface.pairs.size();
+  std::vector<std::uint32_t> slot(fine.vertex_count(), 0);
+  for (std::uint32_t i = 0; i < fine.pairs.size(); ++i) slot[fine.pairs[i].left] = i;
+  for (std::size_t i = 0; i < fine.parents.size();) {
+    const auto left = static_cast<std::uint32_t>(fine.base_count + i);
+    slot[left] = static_cast<std::uint32_t>(fine.pairs.size());
+    fine.pairs.push_back({left, fine.mirror[left]});
+    fine.pair_parents.push_back({slot[fine.parents[i][0]], slot[fine.parents[i][1]]});
+    i += fine.mirror[left] == left ? 1 : 2;
+  }
+}
+
 }  // namespace
 
 FineSkin refine_skin(const Surface& surface, const std::vector<Triangle>& triangles,
                      const std::vector<glm::vec3>& positions, const EdgeLimit& limit) {
-  FineSkin fine{positions.size(), {}, surface.mirror, {}};
+  FineSkin fine{positions.size(), {}, surface.mirror, {}, {}, 0, {}};
   std::vector<glm::vec3> points = positions;
   std::vector<Triangle> left, next;
   for (const Triangle& t : triangles)
@@ -129,21 +144,22 @@ FineSkin refine_skin(const Surface& surface, const std::vector<Triangle>& triang
     fine.triangles.push_back(t);
     fine.triangles.push_back({fine.mirror[t[0]], fine.mirror[t[2]], fine.mirror[t[1]]});
   }
+  pair_up(surface, fine);
   return fine;
 }
 
 void append_fine_points(const FineSkin& fine, std::vector<glm::vec3>& positions,
                         std::vector<glm::vec3>& normals) {
+  const std::vector<MirrorPair> base(fine.pairs.begin(),
+                                     fine.pairs.begin() + static_cast<std::ptrdiff_t>(fine.base_pairs));
+  std::vector<Float8> places, shading;
+  pack_pairs(base, positions, places);
+  pack_pairs(base, normals, shading);
+  append_fine_pairs(fine, places, shading);
   positions.resize(fine.vertex_count());
   normals.resize(fine.vertex_count());
-  for (std::size_t i = 0; i < fine.parents.size(); ++i) {
-    const auto [a, b] = fine.parents[i];
-    const Float4 pa = pack(positions[a]), pb = pack(positions[b]);
-    const Float4 na = pack(normals[a]), nb = pack(normals[b]);
-    const Float4 lift = dot(pb - pa, nb) * nb - dot(pb - pa, na) * na;
-    positions[fine.base_count + i] = unpack(0.5f * (pa + pb) + 0.125f * lift);
-    normals[fine.base_count + i] = unpack(normalize(na + nb, 1e-12f, na));
-  }
+  unpack_pairs(fine.pairs, places, fine.base_pairs, positions);
+  unpack_pairs(fine.pairs, shading, fine.base_pairs, normals);
 }
 
 void refine_part(const FineSkin& fine, Part& part) {

@@ -19,6 +19,9 @@ struct FineSkin {
   std::vector<std::array<std::uint32_t, 2>> parents;  // of vertex base_count + i
   std::vector<std::uint32_t> mirror;                  // of each vertex
   std::vector<Triangle> triangles;                    // each left one and then its mirror image
+  std::vector<MirrorPair> pairs;                      // all vertices: the surface's slots, then what is added
+  std::size_t base_pairs = 0;                         // of the surface
+  std::vector<std::array<std::uint32_t, 2>> pair_parents;  // slots, of slot base_pairs + i
 
   std::size_t vertex_count() const { return base_count + parents.size(); }
 };

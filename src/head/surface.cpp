@@ -135,6 +135,31 @@ Row pair_row(const Row& row, const std::vector<std::uint32_t>& mirror) {
   return paired;
 }
 
+// Slots for all vertices, those of the left half and the mid-plane as they come in the left quads.
+void pair_up(Surface& surface) {
+  std::vector<bool> is_known(surface.mirror.size(), false);
+  const auto take = [&](std::uint32_t v) {
+    if (is_known[v]) return;
+    is_known[v] = is_known[surface.mirror[v]] = true;
+    surface.pairs.push_back({v, surface.mirror[v]});
+  };
+  for (std::size_t q = 0; q < surface.quads.size(); q += 2)
+    for (const std::uint32_t v : surface.quads[q]) take(v);
+}
+
+// The quads by their slots.
+void pair_quads(Surface& surface) {
+  std::vector<std::uint32_t> slot(surface.mirror.size(), 0);
+  for (std::uint32_t i = 0; i < surface.pairs.size(); ++i) slot[surface.pairs[i].left] = i;
+  for (std::size_t q = 0; q < surface.quads.size(); q += 2) {
+    PairedQuad& paired = surface.pair_quads.emplace_back();
+    for (std::uint32_t i = 0; i < 4; ++i) {
+      paired.slots[i] = slot[surface.quads[q][i]];
+      if (surface.pairs[paired.slots[i]].is_middle()) paired.middle |= 1U << i;
+    }
+  }
+}
+
 }  // namespace
 
 Surface build_surface(const Cage& cage) {
@@ -186,6 +211,8 @@ Surface build_surface(const Cage& cage) {
                              static_cast<std::uint32_t>(v[2]), static_cast<std::uint32_t>(v[3])});
     surface.quads.push_back({image(0), image(3), image(2), image(1)});
   }
+  pair_up(surface);
+  pair_quads(surface);
   return surface;
 }
 
@@ -228,6 +255,7 @@ Surface select_vertices(const Surface& surface, std::vector<bool> is_wanted,
                         const std::vector<bool>& is_normal_wanted) {
   Surface selected;
   selected.mirror = surface.mirror;
+  selected.pairs = surface.pairs;
   for (std::size_t q = 0; q < surface.quads.size(); q += 2) {
     const Quad &left = surface.quads[q], &right = surface.quads[q + 1];
     const auto is_asked = [&](std::uint32_t v) {
@@ -248,6 +276,7 @@ Surface select_vertices(const Surface& surface, std::vector<bool> is_wanted,
     selected.weight.insert(selected.weight.end(), surface.weight.begin() + from, surface.weight.begin() + to);
   }
   selected.first.push_back(static_cast<std::uint32_t>(selected.point.size()));
+  pair_quads(selected);
   return selected;
 }
 

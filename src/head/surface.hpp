@@ -6,8 +6,15 @@
 
 #include "core/float4.hpp"
 #include "head/head.hpp"
+#include "head/pairs.hpp"
 
 namespace mien {
+
+// A left quad by its corners' slots; bit i of `middle` says that corner i lies on the mid-plane.
+struct PairedQuad {
+  Quad slots{};
+  std::uint32_t middle = 0;
+};
 
 // Fine vertex v is the sum over [first[v], first[v + 1]) of weight * control point. Vertex i is cage point i
 // for i below the number of cage points. Fixed for a cage's quads: every head and every pose shares it.
@@ -18,6 +25,8 @@ struct Surface {
   std::vector<Quad> quads;  // of the fine mesh, counter-clockwise from outside: each left one and then its
                             // mirror image; 32 in a row lie in one quad of the cage's left half and its image
   std::vector<std::uint32_t> mirror;  // the fine vertex that is the mirror image
+  std::vector<MirrorPair> pairs;  // all vertices: those of left quads and their images, or of the mid-plane
+  std::vector<PairedQuad> pair_quads;  // every other one of `quads`, and with it the one behind it
 
   std::size_t vertex_count() const { return first.empty() ? 0 : first.size() - 1; }
 };
@@ -28,7 +37,8 @@ struct Surface {
 // half and then their mirror images in the same order.
 Surface build_surface(const Cage& cage);
 
-// The skin of `points` (the cage's, deformed), into `positions` (resized).
+// The skin of `points` (the cage's, deformed), into `positions` (resized). For every frame: deform_pairs and
+// update_pair_normals, which leave out the packing.
 void deform_surface(const Surface& surface, const std::vector<Float4>& points,
                     std::vector<glm::vec3>& positions);
 

@@ -9,33 +9,12 @@
 #include <span>
 
 #include "core/error.hpp"
+#include "core/print_numbers.hpp"
 #include "print/label_panel.hpp"
 
 namespace mien {
 
 namespace {
-
-// A line of the base from top to bottom, at every angle: how far out from the foot's radius to the
-// outline's, and how high as a share of the base. templates/openscad/base.scad has the same numbers.
-struct ProfilePoint {
-  double out = 0, up = 0;
-};
-
-constexpr ProfilePoint kSocle[] = {
-    {0.061, 0.925}, {0.234, 0.87},  {0.494, 0.835}, {0.80, 0.815},  // hollow
-    {0.871, 0.78},  {0.90, 0.7075}, {0.871, 0.635}, {0.80, 0.60},   // torus
-    {0.97, 0.60},   {1, 0.57},      {1, 0.04},      {0.96, 0},      // drum
-};
-constexpr ProfilePoint kBlock[] = {{0.97, 1}, {1, 0.96}, {1, 0.04}, {0.96, 0}};
-
-// Of the superellipse |x|^n + |y|^n = radius^n: flat within 0.03 mm over the middle 60 % of a side of 30 mm.
-constexpr double kSquareness = 8;
-constexpr double kSpread = 1.12;  // the outline is at least so much wider than the foot, or there is no step
-// The upright front, by the number of its lower ring from the bottom; the label's place.
-constexpr std::size_t kFront = 2;
-constexpr double kLeastLetter_mm = 3;   // smaller ones run together under the thinnest pen
-constexpr double kMostLetter_mm = 8;    // unless larger ones are asked for
-constexpr double kPocketRoof_mm = 0.8;  // two walls of a nozzle's width; thinner, the pocket breaks through
 
 std::span<const ProfilePoint> find_profile(BaseShape shape) {
   if (shape == BaseShape::plinth) return kBlock;
@@ -130,7 +109,8 @@ Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Lett
   const double area = foot[0].x * foot[1].y - foot[0].y * foot[1].x;
   for (std::vector<glm::vec3>& ring : rings)
     if (area < 0) std::reverse(ring.begin(), ring.end());
-  const LabelRoom room = find_label_room(rings[rings.size() - kFront - 1], rings[rings.size() - kFront]);
+  const LabelRoom room =
+      find_label_room(rings[rings.size() - kLabelRing - 1], rings[rings.size() - kLabelRing]);
   const double asked = base.label_size_mm > 0 ? base.label_size_mm : kMostLetter_mm;
   return set_label(letters, base.label, std::min(asked, room.height_mm), std::min(asked, kLeastLetter_mm),
                    room.width_mm);
@@ -145,7 +125,7 @@ Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Lett
   Loop last = foot_loop;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const Loop ring = append_ring(body, rings[i]);
-    if (!label.strokes.empty() && i + kFront == rings.size())
+    if (!label.strokes.empty() && i + kLabelRing == rings.size())
       append_label_band(body, {last.rbegin(), last.rend()}, {ring.rbegin(), ring.rend()}, label,
                         base.label_raise_mm);
     else

@@ -7,6 +7,7 @@
 
 #include "core/holes.hpp"
 #include "core/mesh.hpp"
+#include "core/print_numbers.hpp"
 #include "print/glyphs.hpp"
 
 namespace mien {
@@ -21,10 +22,10 @@ enum class BaseShape {
 struct Base {
   BaseShape shape = BaseShape::round;
   double height_mm = 8;
-  double radius_mm = 15;          // half the side of a square or plinth
-  std::string label{};            // raised on the front; needs a shape
-  double label_size_mm = 0;       // height of the letters; 0: as large as the front allows
-  double label_raise_mm = 0.8;    // smaller, and it is lost between two layers
+  double radius_mm = 15;     // half the side of a square or plinth
+  std::string label{};       // raised on the front; needs a shape
+  double label_size_mm = 0;  // height of the letters; 0: as large as the front allows
+  double label_raise_mm = kLabelRaise_mm;
   double magnet_diameter_mm = 0;  // of a pocket in the underside; 0: none
   double magnet_depth_mm = 0;
 };
@@ -32,8 +33,9 @@ struct Base {
 // The rings of the base below `foot`, from the top one to the outer edge of the underside (z = 0), each with
 // a point for each of the foot's, in its order and at its angle. `foot` is horizontal, at z =
 // base.height_mm, and star-shaped as seen from the z axis. Without a shape there is one ring straight below
-// the foot, or none if that stands on the bed already. templates/openscad/base.scad has the same formula; a
-// ring's point is the foot's moved outward by a share of the way to the outline.
+// the foot, or none if that stands on the bed already. templates/openscad/base.scad has the same formula with
+// the same numbers (core/print_numbers.hpp); a ring's point is the foot's moved outward by a share of the way
+// to the outline.
 std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std::vector<glm::vec3>& foot);
 
 // The base's label as it fits the front of a base on this foot: letters as large as asked or, at 0, as the

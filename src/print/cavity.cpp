@@ -8,15 +8,12 @@
 
 #include "core/error.hpp"
 #include "core/pool.hpp"
+#include "core/print_numbers.hpp"
 #include "print/solid_tree.hpp"
 
 namespace mien {
 
 namespace {
-
-constexpr double kStep_mm = 0.3;      // rows nearer to the floor or the top than this make slivers
-constexpr double kLedge_mm = 0.8;     // that holds a magnet under its drain
-constexpr double kLeastDrain_mm = 1;  // through less nothing runs
 
 const CavityPlan::Wall& find_wall(const CavityPlan& plan, double wall_mm) {
   if (!(wall_mm > 0)) throw RunError(fmt::format("a wall of {} mm is not above 0", wall_mm));
@@ -54,9 +51,8 @@ double find_inner_radius(const std::vector<glm::vec3>& ring) {
 }
 
 double find_drain_mm(const Cavity& cavity, const Hollow& hollow) {
-  constexpr double kFree = 0.95;  // of the floor's breadth: the corners of a round drain stand out
-  double drain = std::min(hollow.drain_mm, kFree * 2 * find_inner_radius(cavity.rings.front()));
-  if (hollow.pocket_mm > 0) drain = std::min(drain, hollow.pocket_mm - 2 * kLedge_mm);
+  double drain = std::min(hollow.drain_mm, kDrainShare * 2 * find_inner_radius(cavity.rings.front()));
+  if (hollow.pocket_mm > 0) drain = std::min(drain, hollow.pocket_mm - 2 * kMagnetLedge_mm);
   if (drain < std::min(kLeastDrain_mm, hollow.drain_mm))
     throw RunError(
         fmt::format("a wall of {} mm leaves no room for a drain; a thinner wall, base: none or a greater "
@@ -90,7 +86,7 @@ Cavity build_cavity(const CavityPlan& plan, const Hollow& hollow) {
     cavity.rings.emplace_back(columns, glm::vec3(0));  // no drain goes through
   if (hollow.drain_mm > 0) cavity.drain_mm = find_drain_mm(cavity, hollow);
   for (++k; is_open(k); ++k)
-    if (plan.heights_mm[k] > floor + kStep_mm && plan.heights_mm[k] < wall.top_mm - kStep_mm)
+    if (plan.heights_mm[k] > floor + kCavityStep_mm && plan.heights_mm[k] < wall.top_mm - kCavityStep_mm)
       cavity.rings.push_back(build_ring(plan, wall, k, 0, hollow.lift_mm));
   cavity.top = {0, plan.middles_mm.back(), wall.top_mm + hollow.lift_mm};
   return cavity;

@@ -9,17 +9,12 @@
 #include <string_view>
 
 #include "core/error.hpp"
+#include "core/print_numbers.hpp"
 #include "core/text.hpp"
 
 namespace mien {
 
 namespace {
-
-constexpr double kCapital = 6;  // units of the grid
-constexpr double kLeastPen_mm = 0.8;
-constexpr double kPenShare = 0.16;    // of the size; bolder, and an 8 fills up
-constexpr double kGap = 0.9;          // units between letters, and
-constexpr double kLeastGap_mm = 0.5;  // never less: two lines would become one
 
 std::vector<std::string_view> split(std::string_view text, char by) {
   std::vector<std::string_view> parts;
@@ -120,7 +115,7 @@ struct Setting {
   explicit Setting(double size_mm)
       : unit_mm((size_mm - find_pen_mm(size_mm)) / kCapital),
         pen_mm(find_pen_mm(size_mm)),
-        gap_mm(std::max(kLeastGap_mm, kGap * unit_mm)) {}
+        gap_mm(std::max(kLeastLetterGap_mm, kLetterGap * unit_mm)) {}
   double measure(const Letters& letters, const std::vector<Character>& line) const {
     double width = line.empty() ? 0 : -gap_mm;
     for (const Character& c : line) width += find_glyph(letters, c.code).width * unit_mm + pen_mm + gap_mm;
@@ -149,12 +144,12 @@ Label set_label(const Letters& letters, const std::string& text, double size_mm,
   while (!line.empty() && line.back().code == U' ') line.pop_back();
   Label label;
   label.size_mm = size_mm;
-  constexpr double kStep = 0.98;
   const auto is_wide = [&] { return Setting(label.size_mm).measure(letters, line) > width_mm; };
   // Beyond so many letters it cannot fit, whatever they are: a dot is as wide as a pen.
-  const auto most = static_cast<std::size_t>(std::max(0.0, width_mm / (kLeastPen_mm + kLeastGap_mm))) + 1;
+  const auto most =
+      static_cast<std::size_t>(std::max(0.0, width_mm / (kLeastPen_mm + kLeastLetterGap_mm))) + 1;
   if (line.size() > most) line.resize(most), label.is_cut = true;
-  while (is_wide() && label.size_mm * kStep >= least_mm) label.size_mm *= kStep;
+  while (is_wide() && label.size_mm * kLetterShrink >= least_mm) label.size_mm *= kLetterShrink;
   while (is_wide() && !line.empty()) line.pop_back(), label.is_cut = true;
   if (!line.empty() && label.size_mm < least_mm) line.clear(), label.is_cut = true;
 

@@ -14,7 +14,7 @@ namespace mien {
 using Stroke = std::vector<glm::dvec2>;  // one point twice is a dot
 
 struct Glyph {
-  double width = 0;             // of the middle of its lines; the capitals are 6 high
+  double width = 0;             // of the middle of its lines; the capitals are kCapital high
   std::vector<Stroke> strokes;  // from (0, 0), y up
 };
 
@@ -36,7 +36,7 @@ struct Label {
   std::vector<Stroke> strokes;  // mm, middle lines; x from the middle of the text, y from its bottom
 };
 
-// The pen for letters of this size: never thinner than 0.8 mm.
+// The pen for letters of this size: never thinner than kLeastPen_mm.
 double find_pen_mm(double size_mm);
 
 // `text` in letters of `size_mm`, smaller ones down to `least_mm` if it is wider than `width_mm`; cut if it

@@ -6,17 +6,13 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/print_numbers.hpp"
 #include "core/simplify.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr double kSector = 0.8;         // of half the breadth: further round nobody reads, and squares turn
-constexpr double kStep_mm = 0.2;        // of the relief's grid; four points across the thinnest pen
-constexpr double kMostSteps = 400;      // of a very long label
-constexpr double kMargin_mm = 0.15;     // of plain wall around the letters
-constexpr double kSlope_mm = 0.25;      // that the letters' sides take: steep, yet no step of the grid
 constexpr double kTolerance_mm = 0.02;  // of the relief with fewer triangles
 
 // The front of the wall unrolled: vertex by vertex, `along` in mm from x = 0, to the character's left.
@@ -36,7 +32,9 @@ Front find_front(const std::vector<glm::vec3>& ring) {
   if (first == n) throw RunError("internal: the base has no front");
   double broadest = 0;
   for (const glm::vec3& p : ring) broadest = std::max(broadest, std::abs(double(p.x)));
-  const auto is_seen = [&](std::size_t i) { return at(i).y < 0 && std::abs(at(i).x) <= kSector * broadest; };
+  const auto is_seen = [&](std::size_t i) {
+    return at(i).y < 0 && std::abs(at(i).x) <= kLabelSector * broadest;
+  };
   std::size_t begin = first + n, end = first + n + 1;
   while (begin > first && is_seen(begin - 1)) --begin;
   while (end < begin + n - 1 && is_seen(end + 1)) ++end;
@@ -89,10 +87,11 @@ struct Relief {
 };
 
 Relief build_relief(const Front& front, const Label& label, double raise_mm, double low_z, double high_z) {
-  const double half = label.width_mm / 2 + kMargin_mm, bottom = (low_z + high_z - label.size_mm) / 2;
-  const double low = bottom - kMargin_mm * 0.8, high = bottom + label.size_mm + kMargin_mm * 0.8;
-  const int columns = int(std::ceil(std::min(2 * half / kStep_mm, kMostSteps)));
-  const int rows = std::max(2, int(std::ceil((high - low) / kStep_mm)));
+  const double half = label.width_mm / 2 + kLabelMargin_mm, bottom = (low_z + high_z - label.size_mm) / 2;
+  const double low = bottom - kLabelMargin_mm * kLabelFrame,
+               high = bottom + label.size_mm + kLabelMargin_mm * kLabelFrame;
+  const int columns = int(std::ceil(std::min(2 * half / kLabelStep_mm, kMostLabelSteps)));
+  const int rows = std::max(2, int(std::ceil((high - low) / kLabelStep_mm)));
   Relief relief;
   Mesh& mesh = relief.mesh;
   const auto vertex = [&](int i, int j) { return static_cast<std::uint32_t>(j * (columns + 1) + i); };
@@ -102,7 +101,7 @@ Relief build_relief(const Front& front, const Label& label, double raise_mm, dou
       const double out = label.pen_mm / 2 - find_stroke_distance(label.strokes, {along, z - bottom});
       // Half of the slope is beyond the pen's border, half within; the frame stays in the wall.
       const bool is_frame = i == 0 || j == 0 || i == columns || j == rows;
-      const double share = is_frame ? 0 : std::clamp(0.5 + out / kSlope_mm, 0.0, 1.0);
+      const double share = is_frame ? 0 : std::clamp(0.5 + out / kLabelSlope_mm, 0.0, 1.0);
       const glm::dvec2 at = sample(front, front.at, along) +
                             share * raise_mm * glm::normalize(sample(front, front.outward, along));
       mesh.positions.emplace_back(at.x, at.y, z);
@@ -140,8 +139,8 @@ void simplify_relief(Relief& relief) {
 LabelRoom find_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low) {
   const Front front = find_front(low);
   const double side = std::min(-front.along.front(), front.along.back());
-  return {std::max(0.0, 2 * (side - 3 * kMargin_mm)),
-          std::max(0.0, double(high[0].z - low[0].z) - 2 * kMargin_mm)};
+  return {std::max(0.0, 2 * (side - 3 * kLabelMargin_mm)),
+          std::max(0.0, double(high[0].z - low[0].z) - 2 * kLabelMargin_mm)};
 }
 
 void append_label_band(Mesh& mesh, const Loop& high, const Loop& low, const Label& label, double raise_mm) {
@@ -150,7 +149,7 @@ void append_label_band(Mesh& mesh, const Loop& high, const Loop& low, const Labe
   for (const std::uint32_t v : low) ring.push_back(mesh.positions[v]);
   const Front front = find_front(ring);
   // As few columns of the wall as hold the label.
-  const double half = label.width_mm / 2 + 2 * kMargin_mm;
+  const double half = label.width_mm / 2 + 2 * kLabelMargin_mm;
   std::size_t begin = 0, end = front.along.size() - 1;
   while (begin + 1 < end && front.along[begin + 1] < -half) ++begin;
   while (end > begin + 1 && front.along[end - 1] > half) --end;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/mesh.hpp"
-#include "head/nearest.hpp"
+#include "core/surface_tree.hpp"
 
 namespace mien {
 

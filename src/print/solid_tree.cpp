@@ -45,13 +45,7 @@ Float4 find_entries(const SurfaceTree::Node& node, const Ray& ray, double reach)
 }  // namespace
 
 SurfaceTree build_solid_tree(const Mesh& mesh) {
-  Polygons polygons;
-  polygons.positions.assign(mesh.positions.begin(), mesh.positions.end());
-  for (const Triangle& t : mesh.triangles) {
-    polygons.corners.insert(polygons.corners.end(), t.begin(), t.end());
-    polygons.first.push_back(static_cast<std::uint32_t>(polygons.corners.size()));
-  }
-  return build_surface_tree(polygons);
+  return build_surface_tree({mesh.positions.begin(), mesh.positions.end()}, mesh.triangles);
 }
 
 RayHit find_hit(const SurfaceTree& tree, const glm::dvec3& origin, const glm::dvec3& direction, double start,

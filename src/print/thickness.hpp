@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/mesh.hpp"
-#include "head/nearest.hpp"
+#include "core/surface_tree.hpp"
 
 namespace mien {
 

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "scene/openscad_lists.hpp"
+#include "scene/openscad_numbers.hpp"
 
 namespace mien {
 
@@ -144,9 +145,8 @@ std::string list_eyes(const PosableBust& bust) {
 }
 
 std::string list_teeth_row(const std::vector<glm::vec2>& edge, const std::vector<glm::vec2>& front) {
-  constexpr float kTooth = -100;  // nearer to the front than this there is one
   return list_rows(edge.size(), 6, [&](std::string& text, std::size_t i) {
-    text += edge[i].y < kTooth ? "[]" : fmt::format("[{}, {}]", pair(edge[i]), pair(front[i]));
+    text += edge[i].y == kNoTooth_mm ? "[]" : fmt::format("[{}, {}]", pair(edge[i]), pair(front[i]));
   });
 }
 
@@ -175,7 +175,7 @@ std::string build_label_settings(const PosableBust& bust) {
 
 // A template that becomes a part of another one.
 std::string fill_part(const Templates& templates, std::string_view name,
-                      const std::map<std::string, std::string>& values) {
+                      const ScadValues& values) {
   std::string text = fill_template(templates, name, values);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;
@@ -195,55 +195,57 @@ void require_closed(const PosableBust& bust) {
 std::string build_openscad_bust(const PosableBust& bust, const Templates& templates) {
   require_closed(bust);
   const BustGrid& mouth = bust.mouth.grid;
-  const std::size_t chest =
-      mouth.first + (2 * mouth.upper.size() - 3) * static_cast<std::size_t>(mouth.rows - 1);
-  return fill_template(
-      templates, "openscad/bust.scad",
-      {{"title", clean_title(bust.title)},
-       {"height_mm", number(bust.height_mm)},
-       {"figure_mm", number(bust.figure_mm)},
-       {"base_shape", bust.base_shape},
-       {"base_height_mm", number(bust.base_height_mm)},
-       {"base_radius_mm", number(bust.base_radius_mm)},
-       {"label_settings", build_label_settings(bust)},
-       {"magnet_diameter_mm", number(bust.magnet_diameter_mm)},
-       {"magnet_depth_mm", number(bust.magnet_depth_mm)},
-       {"is_hollow", bust.is_hollow ? "true" : "false"},
-       {"wall_mm", number(bust.wall_mm)},
-       {"drain_mm", number(bust.drain_mm)},
-       {"expression", find_menu_name(bust)},
-       {"expression_names", list_expression_names(bust)},
-       {"sliders", list_sliders(bust)},
-       {"slider_names", list_slider_names(bust)},
-       {"own_is_flat", bust.base_shape == "none" ? "true" : "false"},
-       {"other_foot_mm", number(bust.other_foot_mm)},
-       {"mm_per_head_mm", number(bust.mm_per_head_mm, 6)},
-       {"base_functions", fill_part(templates, "openscad/base.scad", {{"letters", bust.letters}})},
-       {"hollow_functions", fill_part(templates, "openscad/hollow.scad", {})},
-       {"moves", list_moves(bust)},
-       {"expressions", list_expressions(bust)},
-       {"chin_down", fmt::format("{}", find_move_index(bust, "chin", "down"))},
-       {"left_eye_up", fmt::format("{}", find_move_index(bust, "eye.left", "up"))},
-       {"right_eye_up", fmt::format("{}", find_move_index(bust, "eye.right", "up"))},
-       {"gaze_side_rad", number(bust.gaze_side_rad, kScadFine)},
-       {"gaze_up_rad", number(bust.gaze_up_rad, kScadFine)},
-       {"gaze_down_rad", number(bust.gaze_down_rad, kScadFine)},
-       {"grid_rows", fmt::format("{}", mouth.rows)},
-       {"eyes", list_eyes(bust)},
-       {"mouth", fmt::format("[{}],\n  [{}]", list_indices(mouth.upper), list_indices(mouth.lower))},
-       {"mouth_line", number(bust.mouth.line_mm, kScadFine)},
-       {"jaw_axis", pair(bust.mouth.jaw_axis)},
-       {"jaw_open_rad", number(bust.mouth.jaw_open_rad, 6)},
-       {"jaw_forward", pair(bust.mouth.jaw_forward)},
-       {"teeth_reach", number(bust.mouth.reach_mm)},
-       {"teeth", fmt::format("[{}],\n  [{}]", list_teeth_row(bust.mouth.upper_edge, bust.mouth.upper_front),
-                             list_teeth_row(bust.mouth.lower_edge, bust.mouth.lower_front))},
-       {"tongue", describe_tongue(bust.mouth)},
-       {"foot", list_indices(bust.foot)},
-       {"skin_rows", list_scad_vertices(bust, 0, bust.eyes[0].grid.first)},
-       {"chest_rows", list_scad_vertices(bust, chest, bust.rest.size())},
-       {"triangles", list_scad_triangles(bust.triangles)},
-       {"cavity", list_scad_cavity(bust.cavity)}});
+  const std::size_t chest = mouth.first + mouth.vertex_count();
+  ScadValues base = list_scad_base();
+  base["letters"] = bust.letters;
+  ScadValues values = list_scad_carving();
+  values.merge(ScadValues{
+      {"title", clean_title(bust.title)},
+      {"height_mm", number(bust.height_mm)},
+      {"figure_mm", number(bust.figure_mm)},
+      {"base_shape", bust.base_shape},
+      {"base_height_mm", number(bust.base_height_mm)},
+      {"base_radius_mm", number(bust.base_radius_mm)},
+      {"label_settings", build_label_settings(bust)},
+      {"magnet_diameter_mm", number(bust.magnet_diameter_mm)},
+      {"magnet_depth_mm", number(bust.magnet_depth_mm)},
+      {"is_hollow", bust.is_hollow ? "true" : "false"},
+      {"wall_mm", number(bust.wall_mm)},
+      {"drain_mm", number(bust.drain_mm)},
+      {"expression", find_menu_name(bust)},
+      {"expression_names", list_expression_names(bust)},
+      {"sliders", list_sliders(bust)},
+      {"slider_names", list_slider_names(bust)},
+      {"own_is_flat", bust.base_shape == "none" ? "true" : "false"},
+      {"other_foot_mm", number(bust.other_foot_mm)},
+      {"mm_per_head_mm", number(bust.mm_per_head_mm, 6)},
+      {"base_functions", fill_part(templates, "openscad/base.scad", base)},
+      {"hollow_functions", fill_part(templates, "openscad/hollow.scad", list_scad_hollow())},
+      {"moves", list_moves(bust)},
+      {"expressions", list_expressions(bust)},
+      {"chin_down", fmt::format("{}", find_move_index(bust, "chin", "down"))},
+      {"left_eye_up", fmt::format("{}", find_move_index(bust, "eye.left", "up"))},
+      {"right_eye_up", fmt::format("{}", find_move_index(bust, "eye.right", "up"))},
+      {"gaze_side_rad", number(bust.gaze_side_rad, kScadFine)},
+      {"gaze_up_rad", number(bust.gaze_up_rad, kScadFine)},
+      {"gaze_down_rad", number(bust.gaze_down_rad, kScadFine)},
+      {"grid_rows", fmt::format("{}", mouth.rows)},
+      {"eyes", list_eyes(bust)},
+      {"mouth", fmt::format("[{}],\n  [{}]", list_indices(mouth.upper), list_indices(mouth.lower))},
+      {"mouth_line", number(bust.mouth.line_mm, kScadFine)},
+      {"jaw_axis", pair(bust.mouth.jaw_axis)},
+      {"jaw_open_rad", number(bust.mouth.jaw_open_rad, 6)},
+      {"jaw_forward", pair(bust.mouth.jaw_forward)},
+      {"teeth_reach", number(bust.mouth.reach_mm)},
+      {"teeth", fmt::format("[{}],\n  [{}]", list_teeth_row(bust.mouth.upper_edge, bust.mouth.upper_front),
+                            list_teeth_row(bust.mouth.lower_edge, bust.mouth.lower_front))},
+      {"tongue", describe_tongue(bust.mouth)},
+      {"foot", list_indices(bust.foot)},
+      {"skin_rows", list_scad_vertices(bust, 0, bust.eyes[0].grid.first)},
+      {"chest_rows", list_scad_vertices(bust, chest, bust.rest.size())},
+      {"triangles", list_scad_triangles(bust.triangles)},
+      {"cavity", list_scad_cavity(bust.cavity)}});
+  return fill_template(templates, "openscad/bust.scad", values);
 }
 
 }  // namespace mien

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 
 #include "core/conventions.hpp"
 #include "core/error.hpp"
@@ -40,13 +41,18 @@ constexpr double kSteepest_deg = 89.5;
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
 
+// Into a buffer that has room for four numbers.
+char* write_numbers(char* text, const glm::vec3& v, int decimals) {
+  text = write_number(text, v.x, decimals);
+  *text++ = ',';
+  text = write_number(text, v.y, decimals);
+  *text++ = ',';
+  return write_number(text, v.z, decimals);
+}
+
 void append_numbers(std::string& text, const glm::vec3& v, int decimals) {
   std::array<char, std::size_t{4} * kLongestNumber> numbers;
-  char* end = write_number(numbers.data(), v.x, decimals);
-  *end++ = ',';
-  end = write_number(end, v.y, decimals);
-  *end++ = ',';
-  end = write_number(end, v.z, decimals);
+  const char* end = write_numbers(numbers.data(), v, decimals);
   text.append(numbers.data(), static_cast<std::size_t>(end - numbers.data()));
 }
 
@@ -56,12 +62,21 @@ void append_vector(std::string& text, const glm::vec3& v, int decimals) {
   text += '>';
 }
 
+// Told into a buffer that stays in the nearest cache, and from there to the text.
 void append_vectors(std::string& text, const char* block, const std::vector<glm::vec3>& vectors,
                     int decimals) {
+  constexpr std::size_t kChunk = 256, kLongest = std::size_t{4} * kLongestNumber;
+  std::array<char, kChunk * kLongest> chunk;
   text += fmt::format("{} {{ {}", block, vectors.size());
-  for (const glm::vec3& v : vectors) {
-    text += ",\n";
-    append_vector(text, v, decimals);
+  for (std::size_t first = 0; first < vectors.size(); first += kChunk) {
+    char* end = chunk.data();
+    const std::size_t last = std::min(first + kChunk, vectors.size());
+    for (std::size_t i = first; i < last; ++i) {
+      std::memcpy(end, ",\n<", 3);
+      end = write_numbers(end + 3, to_povray(vectors[i]), decimals);
+      *end++ = '>';
+    }
+    text.append(chunk.data(), static_cast<std::size_t>(end - chunk.data()));
   }
   text += " }\n";
 }
@@ -210,6 +225,10 @@ void append_povray_start(std::string& text, const FrameStart& start) {
 void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError("internal: a drawing has not the model's parts");
+  constexpr std::size_t kPerVertex = 56;  // bytes of a place and a normal; fewer and the text is moved as it grows
+  std::size_t vertices = 0;
+  for (const PartShape& shape : drawing.parts) vertices += shape.positions.size();
+  text.reserve(text.size() + vertices * kPerVertex);
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const PartShape& shape = drawing.parts[i];

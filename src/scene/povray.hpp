@@ -15,8 +15,8 @@
 #include <utility>
 #include <vector>
 
-#include "config/spec.hpp"
 #include "core/model.hpp"
+#include "core/staging.hpp"
 #include "core/templates.hpp"
 
 namespace mien {

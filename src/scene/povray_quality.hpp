@@ -1,7 +1,7 @@
 // What a quality means to POV-Ray: the numbers behind draft, good and best.
 #pragma once
 
-#include "config/spec.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 

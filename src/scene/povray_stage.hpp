@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "config/clip_spec.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 

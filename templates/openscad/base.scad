@@ -2,18 +2,17 @@
 // point is the foot's, moved outward by a share of the way to the outline.
 
 // [how far out, how high] from top to bottom: hollow, torus and drum, or a plain block.
-base_socle = [[0.061, 0.925], [0.234, 0.87], [0.494, 0.835], [0.8, 0.815], [0.871, 0.78], [0.9, 0.7075],
-              [0.871, 0.635], [0.8, 0.6], [0.97, 0.6], [1, 0.57], [1, 0.04], [0.96, 0]];
-base_block = [[0.97, 1], [1, 0.96], [1, 0.04], [0.96, 0]];
+base_socle = [{{socle}}];
+base_block = [{{block}}];
 
 // The outline's distance from the axis in the direction of the unit vector d: a circle or a square with soft corners.
-function base_outline(shape, radius, d) = let (n = shape == "round" ? 2 : 8)
+function base_outline(shape, radius, d) = let (n = shape == "round" ? 2 : {{squareness}})
   radius * pow(pow(abs(d[0]), n) + pow(abs(d[1]), n), -1 / n);
 
 function base_point(p, shape, height, radius, out, up) = let (
     from = norm([p[0], p[1]]),
     d = [p[0], p[1]] / from,
-    to = max(base_outline(shape, radius, d), 1.12 * from))
+    to = max(base_outline(shape, radius, d), {{spread}} * from))
   [for (c = d * (from + out * (to - from))) c, height * up];
 
 // foot: the figure's lowest ring, at z = height. shape: "none", "round", "square" or "plinth".
@@ -29,16 +28,16 @@ function base_circle(around, diameter, z) = let (
     narrow = min([for (i = [0:n - 1]) sqrt((1 + ways[i] * ways[(i + 1) % n]) / 2)]))
   [for (w = ways) [w[0] * diameter / 2 / narrow, w[1] * diameter / 2 / narrow, z]];
 
-// The label: letters drawn with a round pen as lines on a grid (capitals are 6 units high), so that no font is needed.
+// The label: letters drawn with a round pen as lines on a grid (capitals are {{capital}} units high), so that no font is needed.
 // [letter, width, lines]; small letters are drawn as capitals, the last one stands for all that is not here.
 {{letters}}
 function letter_of(c) = let (
     code = ord(c), capital = code >= 97 && code <= 122 ? chr(code - 32) : code < 32 || code == 127 ? " " : c,
     found = [for (l = letters) if (l[0] == capital) l])
   len(found) > 0 ? found[0] : letters[len(letters) - 1];
-function label_pen(size) = max(0.8, 0.16 * size);
-function label_unit(size) = (size - label_pen(size)) / 6;
-function label_gap(size) = max(0.5, 0.9 * label_unit(size));
+function label_pen(size) = max({{least_pen}}, {{pen_share}} * size);
+function label_unit(size) = (size - label_pen(size)) / {{capital}};
+function label_gap(size) = max({{least_letter_gap}}, {{letter_gap}} * label_unit(size));
 // Where each letter begins, and at last how long the text is with a gap behind it.
 function label_starts(text, size, i = 0, x = 0) = i >= len(text) ? [x]
   : concat([x], label_starts(text, size, i + 1,
@@ -48,8 +47,8 @@ function label_trim(text) = len(text) > 0 && text[len(text) - 1] == " " ? label_
 function label_head(text, count) = chr([for (i = [0:1:count - 1]) ord(text[i])]);
 function label_cut(text, size, room) = len(text) == 0 || label_width(text, size) <= room ? text
   : label_cut(label_head(text, len(text) - 1), size, room);
-function label_fit(text, size, least, room) = label_width(text, size) <= room || size * 0.98 < least ? size
-  : label_fit(text, size * 0.98, least, room);
+function label_fit(text, size, least, room) = label_width(text, size) <= room || size * {{letter_shrink}} < least ? size
+  : label_fit(text, size * {{letter_shrink}}, least, room);
 
 // The middle lines of a text's strokes as [from, to] in mm, from the middle of its lower edge.
 function label_lines(text, size) = let (
@@ -71,13 +70,13 @@ function strip(right, left) = let (n = len(right) - 1, m = len(left) - 1)
 // become smaller, and are then cut, if the front is too narrow; size 0 is as large as it allows. The new points'
 // numbers begin at `first`.
 function label_band(text, size, raise, step, points, high, low, first) = let (
-    margin = 0.15, slope = 0.25, n = len(low),
+    margin = {{label_margin}}, slope = {{label_slope}}, n = len(low),
     // The front from the character's right to its left: places in the rings, unrolled.
     back = max([for (v = low) points[v][1]]),
     start = [for (i = [0:n - 1]) if (points[low[i]][1] == back) i][0],
     broad = max([for (v = low) abs(points[v][0])]),
     front = [for (k = [0:n - 1]) let (i = (start + n - k) % n, p = points[low[i]])
-      if (p[1] < 0 && abs(p[0]) <= 0.8 * broad) i],
+      if (p[1] < 0 && abs(p[0]) <= {{label_sector}} * broad) i],
     at = [for (i = front) [points[low[i]][0], points[low[i]][1]]],
     last = len(at) - 1,
     lengths = [for (i = 0, sum = 0; i <= last; sum = sum + (i < last ? norm(at[i + 1] - at[i]) : 0), i = i + 1) sum],
@@ -87,17 +86,17 @@ function label_band(text, size, raise, step, points, high, low, first) = let (
     // The letters.
     low_z = points[low[0]][2], high_z = points[high[0]][2],
     room = 2 * (min(-along[0], along[last]) - 3 * margin),
-    asked = size > 0 ? size : 8,
-    least = min(asked, 3),
-    head = label_head(label_trim(text), min(len(label_trim(text)), floor(max(room, 0) / 1.3) + 1)),
+    asked = size > 0 ? size : {{most_letter}},
+    least = min(asked, {{least_letter}}),
+    head = label_head(label_trim(text), min(len(label_trim(text)), floor(max(room, 0) / {{narrowest_letter}}) + 1)),
     fit = label_fit(head, min(asked, high_z - low_z - 2 * margin), least, room),
     line = fit < least ? "" : label_cut(head, fit, room))
   len(line) == 0 ? [[], band(high, low)] : let (
     lines = label_lines(line, fit), pen = label_pen(fit),
     half = label_width(line, fit) / 2 + margin,
     bottom = (low_z + high_z - fit) / 2,
-    floor_z = bottom - 0.8 * margin, top_z = bottom + fit + 0.8 * margin,
-    columns = ceil(min(2 * half / step, 400)), rows = max(2, ceil((top_z - floor_z) / step)),
+    floor_z = bottom - {{label_frame}} * margin, top_z = bottom + fit + {{label_frame}} * margin,
+    columns = ceil(min(2 * half / step, {{most_label_steps}})), rows = max(2, ceil((top_z - floor_z) / step)),
     reach = pen / 2 + slope,
     // A grid in front of the wall: how far it is raised.
     grid = [for (i = [0:columns]) let (

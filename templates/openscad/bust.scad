@@ -29,7 +29,7 @@ expression = "{{expression}}"; // [{{expression_names}}]
 {{sliders}}
 /* [Quality] */
 // How fine the letters of the label are, in mm
-letter_step_mm = 0.2; // [0.1:0.05:0.5]
+letter_step_mm = {{label_step}}; // [0.1:0.05:0.5]
 
 /* [Hidden] */
 own_height_mm = {{height_mm}};  // what the numbers below were computed for
@@ -42,7 +42,7 @@ assert(height_mm >= 10, "height_mm must be 10 at least");
 assert(base == "none" || base_height_mm >= 1 && base_height_mm < height_mm / 2,
        "base_height_mm must be at least 1 and less than half of height_mm");
 assert(base == "none" || base_radius_mm > 0, "base_radius_mm must be above 0");
-assert(magnet_diameter_mm == 0 || base != "none" && magnet_depth_mm < base_height_mm - 0.8
+assert(magnet_diameter_mm == 0 || base != "none" && magnet_depth_mm < base_height_mm - {{pocket_roof}}
                                   && magnet_diameter_mm < 1.6 * base_radius_mm,
        "the magnet's pocket must fit into the base");
 
@@ -94,15 +94,15 @@ module body() {
     c % 2 == 0 ? skin[rim[c / 2]] : (skin[rim[(c - 1) / 2]] + skin[rim[(c + 1) / 2]]) / 2;
 
   function light(width, x, y) = let (
-      from = [-0.16, 0.34], along = [-0.26, 0.58], at = [x, y] - from,
+      from = [{{light_from}}], along = [{{light_along}}], at = [x, y] - from,
       t = min(max(at * along / (along * along), 0), 1))
-    1 - smooth(width, width + 0.12, norm(at - t * along));
+    1 - smooth(width, width + {{light_soft}}, norm(at - t * along));
 
-  // x and y in radii of the iris from the gaze; wall 0.09 of them.
+  // x and y in radii of the iris from the gaze; wall {{iris_wall}} of them.
   function carving(eye, x, y) = let (
       r = norm([x, y]),
-      iris = 1 - smooth(0.91, 1.09, r),
-      pupil = 1 - smooth(0.41, 0.59, r))
+      iris = 1 - smooth({{iris_inside}}, {{iris_outside}}, r),
+      pupil = 1 - smooth({{pupil_inside}}, {{pupil_outside}}, r))
     mix(iris * eye[5], eye[6], pupil) * (1 - light(eye[9], x, y));
 
   function eye_point(eye, gaze, right, up, high, low, t) = let (
@@ -112,8 +112,8 @@ module body() {
       gap = norm(high - low),
       across = out * right, above = out * up,
       sine = norm([across, above]),
-      per_sine = atan2(sine, out * gaze) / asin(eye[4] / eye[3]) / max(sine, 0.000001),
-      seat = smooth(0, mm, min(t, 1 - t) * gap),
+      per_sine = atan2(sine, out * gaze) / asin(eye[4] / eye[3]) / max(sine, {{least_sine}}),
+      seat = smooth(0, {{eye_seat}}, min(t, 1 - t) * gap),
       line = 1 - smooth(eye[7], 2 * eye[7], gap),
       ball = eye[3] - carving(eye, across * per_sine, above * per_sine) * (1 - line))
     eye[2] + out * (mix(rim, ball, seat) - line * eye[8] * 4 * t * (1 - t));
@@ -149,9 +149,9 @@ module body() {
   function stand_teeth(row, sign, x, z, back) = let (t = tooth(row, x))
     t == [] ? back : let (
       height = sign * (z - t[0][0]),
-      crown = max(0.5 * mm, sign * (t[1][0] - t[0][0])),
-      front = t[0][1] + (t[1][1] - t[0][1]) / crown * min(max(height, 0), 9 * mm))
-    mix(back, max(back, front), smooth(-0.3 * mm, 0.3 * mm, height));
+      crown = max({{least_crown}}, sign * (t[1][0] - t[0][0])),
+      front = t[0][1] + (t[1][1] - t[0][1]) / crown * min(max(height, 0), {{crown_reach}}))
+    mix(back, max(back, front), smooth(-{{tooth_edge}}, {{tooth_edge}}, height));
 
   function stand_tongue(x, z, back) = tongue[1][0] <= 0 ? back : let (
       inside = 1 - pow(x / tongue[1][0], 2) - pow((z - tongue_at[0]) / tongue[1][1], 2))
@@ -159,23 +159,23 @@ module body() {
 
   // How far down each row lies: the first ones above the upper teeth's edge, the last ones below the lower teeth's.
   function mouth_rows(high, low, gap) = let (
-      x = (high[0] + low[0]) / 2, height = max(high[2] - low[2], 0.01 * mm),
+      x = (high[0] + low[0]) / 2, height = max(high[2] - low[2], {{least_mouth_gap}}),
       over = tooth(upper_teeth, x), under = tooth(lower_teeth, x),
-      first = min(max(over == [] ? 0.3 : (high[2] - over[0][0]) / height, 0.15), 0.6),
-      second = min(max(under == [] ? 0.7 : (high[2] - under[0][0]) / height, first + 0.2), 0.85),
-      step = min(0.3 * mm / max(gap, 0.01 * mm), 0.05))
+      first = min(max(over == [] ? {{no_upper_tooth}} : (high[2] - over[0][0]) / height, {{least_upper_rows}}), {{most_upper_rows}}),
+      second = min(max(under == [] ? {{no_lower_tooth}} : (high[2] - under[0][0]) / height, first + {{least_between_rows}}), {{most_lower_rows}}),
+      step = min({{tooth_edge}} / max(gap, {{least_mouth_gap}}), {{most_edge_step}}))
     [for (row = [1:grid_rows - 1])
-      row <= 4 ? (first - step) * row / 4
-      : row < grid_rows - 4 ? mix(first + step, second - step, (row - 5) / (grid_rows - 10))
-      : mix(second + step, 1, (row - grid_rows + 4) / 4)];
+      row <= {{teeth_rows}} ? (first - step) * row / {{teeth_rows}}
+      : row < grid_rows - {{teeth_rows}} ? mix(first + step, second - step, (row - {{first_between_row}}) / (grid_rows - {{edge_rows}}))
+      : mix(second + step, 1, (row - grid_rows + {{teeth_rows}}) / {{teeth_rows}})];
 
   function mouth_point(high, low, gap, t) = let (
       p = mix(high, low, t), lips = -p[1],
-      depth = min(mouth_line * smooth(0, 0.3 * mm, gap) + 0.9 * gap, 17 * mm),
+      depth = min(mouth_line * smooth(0, {{lip_line_fade}}, gap) + {{depth_per_gap}} * gap, {{deepest_mouth}}),
       back = lips - depth * sqrt(sin(180 * t)),
       front = max(stand_tongue(p[0], p[2], back), stand_teeth(lower_teeth, -1, p[0], p[2], back),
                   stand_teeth(upper_teeth, 1, p[0], p[2], back)))
-    [p[0], -min(front, max(back, lips - 0.6 * mm)), p[2]];
+    [p[0], -min(front, max(back, lips - {{behind_lips}})), p[2]];
 
   function mouth_points(rims) =
     [for (c = [1:2 * len(rims[0]) - 3])
@@ -199,8 +199,8 @@ module body() {
 
   inner = hollow ? cavity_rings(ceiling) : [];
   drain = hollow && drain_mm > 0
-    ? min(concat([drain_mm, 1.9 * cavity_inside(inner[0])], has_magnet ? [magnet_diameter_mm - 1.6] : [])) : 0;
-  assert(!hollow || drain >= min(drain_mm, 1), str("a wall of ", wall_mm,
+    ? min(concat([drain_mm, {{drain_share}} * cavity_inside(inner[0])], has_magnet ? [magnet_diameter_mm - {{magnet_ledges}}] : [])) : 0;
+  assert(!hollow || drain >= min(drain_mm, {{least_drain}}), str("a wall of ", wall_mm,
     " mm leaves no room for a drain; a thinner wall, base none or a greater height have it, and drain_mm 0 does without"));
   tube = drain > 0 ? [for (z = [ceiling, inner[0][0][2]]) base_circle(outline, drain, z)] : [];
 
@@ -215,9 +215,9 @@ module body() {
   inner_points = concat([for (r = inner) each r], hollow ? [cavity_top()] : [], drain > 0 ? [] : [[0, 0, ceiling]]);
   under = len(outer_points) + len(inner_points) - 1;  // the middle of the underside, if nothing drains there
 
-  front = base == "none" || label == "" ? -1 : len(base_points) - 2;  // of the rings, the upper one of the label's
+  front = base == "none" || label == "" ? -1 : len(base_points) - {{label_ring}};  // of the rings, the upper one of the label's
   labelled = front < 0 ? [[], []]
-    : label_band(label, label_size_mm, 0.8, letter_step_mm, outer_points, ring(front), ring(front + 1),
+    : label_band(label, label_size_mm, {{label_raise}}, letter_step_mm, outer_points, ring(front), ring(front + 1),
                  len(outer_points) + len(inner_points));
 
   polyhedron(convexity = 12,

@@ -34,7 +34,7 @@ function cavity_rings(ceiling) = let (
   : concat([cavity_ring(cavity_rows[k] + share * (cavity_rows[k + 1] - cavity_rows[k]),
                         reaches[k] + share * (reaches[k + 1] - reaches[k]))],
            [for (i = [k + 1:rows - 1])
-             if (reaches[i][0] > 0.1 && cavity_rows[i][0] > height + 0.3 && cavity_rows[i][0] < top - 0.3)
+             if (reaches[i][0] > 0.1 && cavity_rows[i][0] > height + {{cavity_step}} && cavity_rows[i][0] < top - {{cavity_step}})
                cavity_ring(cavity_rows[i], reaches[i])]);
 
 // How far the ring is from the axis, sides and not corners taken.

@@ -2,7 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <limits>
+#include <random>
 
 #include "core/error.hpp"
 
@@ -18,6 +22,59 @@ TEST(text, writes_numbers_one_way) {
   EXPECT_EQ(format_number(123456.789, 3), "123456.789");
   EXPECT_THROW(format_number(std::numeric_limits<double>::quiet_NaN(), 3), RunError);
   EXPECT_THROW(format_number(std::numeric_limits<double>::infinity(), 3), RunError);
+}
+
+// The same digit by digit: what is written, said slowly.
+std::string spell_number(double value, int decimals) {
+  double power = 1;
+  for (int i = 0; i < decimals; ++i) power *= 10;
+  const auto rest = static_cast<std::uint64_t>(std::abs(value) * power + 0.5);
+  std::array<char, 24> digits;
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), rest).ptr;
+  std::string text(digits.data(), end);
+  if (rest == 0) return "0";
+  const auto places = static_cast<std::size_t>(decimals);
+  if (text.size() <= places) text.insert(0, places + 1 - text.size(), '0');
+  text.insert(text.size() - places, ".");
+  while (text.back() == '0') text.pop_back();
+  if (text.back() == '.') text.pop_back();
+  return (value < 0 ? "-" : "") + text;
+}
+
+TEST(text, writes_a_million_numbers_as_they_are_spelt) {
+  std::mt19937_64 random(20);
+  std::uniform_real_distribution<double> exponent(-7, 6), sign(-1, 1);
+  for (int i = 0; i < 1'000'000; ++i) {
+    const int decimals = i % 3 == 0 ? static_cast<int>(random() % 8) : 3;
+    double value = std::copysign(std::pow(10.0, exponent(random)), sign(random));
+    if (i % 2 == 0) value = static_cast<float>(value);             // as meshes have them
+    if (i % 7 == 0) value = std::round(value * 2000) / 2000;       // near a tie or on it
+    if (i % 11 == 0) value = std::round(value * 16) / 16;          // ties to the last bit: 0.0625
+    if (i % 13 == 0) value = std::nextafter(value, sign(random));  // one bit beside
+    ASSERT_EQ(format_number(value, decimals), spell_number(value, decimals)) << i << ": " << value;
+  }
+}
+
+TEST(text, writes_the_borders_of_quick_numbers_like_all_others) {
+  for (const int decimals : {0, 2, 3, 4, 7})
+    for (const double value :
+         {0.0,       -0.0,   0.0005,  0.0004999999, -0.0004,  -0.0005,  0.0625,
+          -0.1875,   0.9995, 0.99949, 999.0,        999.9994, 999.9995, 999.9994999999999,
+          -999.9995, 1000.0, 1000.5,  0.001,        0.01,     0.1,      0.011,
+          0.101,     10.0,   100.0,   100.1,        1e-300,   -1e-300,  999999.0})
+      EXPECT_EQ(format_number(value, decimals), spell_number(value, decimals)) << value << " " << decimals;
+  EXPECT_EQ(format_number(-0.0, 3), "0");
+  EXPECT_EQ(format_number(-0.0004, 3), "0");
+  EXPECT_EQ(format_number(0.0625, 3), "0.063");
+  EXPECT_EQ(format_number(-999.9995, 3), "-1000");
+}
+
+TEST(text, refuses_what_is_no_number_at_any_length) {
+  using Limits = std::numeric_limits<double>;
+  for (int decimals = 0; decimals < 10; ++decimals)
+    for (const double value : {Limits::quiet_NaN(), -Limits::quiet_NaN(), Limits::infinity(),
+                               -Limits::infinity(), 1e9, -1e9, Limits::max()})
+      EXPECT_THROW(format_number(value, decimals), RunError) << value << " " << decimals;
 }
 
 TEST(text, fills_each_placeholder_or_says_which) {

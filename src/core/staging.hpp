@@ -1,0 +1,34 @@
+// How a picture is staged: what a writer of pictures is told besides the figures. config/ fills these in.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <optional>
+#include <string>
+
+namespace mien {
+
+enum class Quality { draft, good, best };
+
+struct RenderSpec {
+  int width_px = 480, height_px = 600;
+  Quality quality = Quality::good;
+  std::string background = "studio";  // a background of templates/povray
+};
+
+// A lens for 24 x 36 film. Distance 1 frames the same with each: a short one comes near, so that the nose
+// grows; a long one flattens the face.
+inline constexpr double kPortraitLens_mm = 100;
+
+// So much of a light set or background at a moment: of two, where one is faded into the other.
+struct LightShare {
+  std::string set = "studio";
+  double bright = 1;     // brightness times share
+  double angle_deg = 0;  // + brings the light round to the character's left
+};
+struct BackgroundShare {
+  std::string name = "studio";
+  std::optional<glm::vec3> colour;  // instead of a named one; srgb 0..1
+  double share = 1;                 // of all, which sum to 1
+};
+
+}  // namespace mien
