@@ -10,6 +10,7 @@
 
 #include "config/findings.hpp"
 #include "config/head_words.hpp"
+#include "config/language.hpp"
 #include "config/load_spec.hpp"
 #include "config/words.hpp"
 #include "core/data.hpp"
@@ -36,7 +37,7 @@ Rows list_heads(const std::filesystem::path& data, const char* map) {
 
 // None, then the cuts of templates/head/hair.yaml in its order.
 Rows list_hair(const std::filesystem::path& data) {
-  Rows rows{{"none", "a bald head: the default"}};
+  Rows rows{{std::string(kHairWords[0].name), std::string(kHairWords[0].meaning)}};
   const YAML::Node hair = YAML::LoadFile((data / "templates/head/hair.yaml").string());
   for (const auto& cut : hair["cuts"])
     rows.emplace_back(cut.first.as<std::string>(), cut.second["meaning"].as<std::string>());
@@ -58,8 +59,9 @@ Rows list_looks(const std::filesystem::path& data) {
                       fmt::format("{}  {}", colour.second["hair"].as<std::string>(),
                                   colour.second["meaning"].as<std::string>()));
   for (const auto& dial : looks["dials"])
-    rows.emplace_back(dial.first.as<std::string>(),
-                      fmt::format("0 to 1   {}", dial.second.as<std::string>()));
+    if (const Key* key = find_key(find_sections().look, dial.first.as<std::string>()))
+      rows.emplace_back(key->name, fmt::format("{} to {}   {}", key->forms[0].low, key->forms[0].high,
+                                               dial.second.as<std::string>()));
   return rows;
 }
 
@@ -140,8 +142,9 @@ Rows list_limits_of_adult(const std::filesystem::path& data) {
 
 Rows list_features(const std::filesystem::path& data) {
   Rows rows;
+  const Form& range = find_key(find_sections().head, "features")->forms.front().items.front();
   for (const FeatureInfo& feature : load_features(data / "templates/head"))
-    rows.emplace_back(feature.name, "-1..1  " + feature.meaning);
+    rows.emplace_back(feature.name, fmt::format("{}..{}  {}", range.low, range.high, feature.meaning));
   return rows;
 }
 
@@ -170,9 +173,9 @@ Rows list_people(const std::filesystem::path& data) {
 }
 
 Rows list_qualities(const std::filesystem::path&) {
-  return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
-          {"good", "about 3 s: the default"},
-          {"best", "about 10 s: for the last run"}};
+  Rows rows;
+  for (const Word& word : kQualityWords) rows.emplace_back(word.name, word.meaning);
+  return rows;
 }
 
 struct Kind {

@@ -11,6 +11,7 @@
 #include "clip.hpp"
 #include "clip_scenes.hpp"
 #include "config/load_spec.hpp"
+#include "config/schema.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -295,6 +296,6 @@ void write_starter(const Options& options) {
   tell_result(options, "file", path);
 }
 
-void print_schema() { fmt::print("{}", read_file(find_data_folder() / "templates/mien.schema.json")); }
+void print_schema() { fmt::print("{}", build_schema(load_data_words(find_data_folder()))); }
 
 }  // namespace mien
