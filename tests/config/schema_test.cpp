@@ -83,11 +83,11 @@ Names list_files(const std::filesystem::path& folder) {
 }
 
 TEST(schema, lets_a_validator_accept_every_example_and_library) {
-  Names files = list_files(kData / "configs");
-  for (const std::string& library : list_files(kData / "configs/expressions")) files.push_back(library);
-  const auto said = judge(files);
-  if (said.empty()) GTEST_SKIP() << "python3-jsonschema or python3-yaml is not installed";
-  for (const auto& [name, judgement] : said) EXPECT_EQ(judgement, "accepted") << name;
+  for (const char* folder : {"configs", "configs/expressions"}) {
+    const auto said = judge(list_files(kData / folder));
+    if (said.empty()) GTEST_SKIP() << "python3-jsonschema or python3-yaml is not installed";
+    for (const auto& [name, judgement] : said) EXPECT_EQ(judgement, "accepted") << name;
+  }
 }
 
 // What no schema can see stands in schema_accepts.txt, each group below its reason.
