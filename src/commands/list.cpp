@@ -9,6 +9,7 @@
 
 #include "commands/table.hpp"
 #include "config/findings.hpp"
+#include "config/language.hpp"
 #include "config/words.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
@@ -32,7 +33,7 @@ Rows list_names(const Names& names) {
 // None, then the cuts of templates/head/hair.yaml, then its beards.
 Rows list_hair(const Stock& stock) {
   const HairData& hair = stock.head->hair;
-  Rows rows{{"none", "a bald head: the default"}};
+  Rows rows{{std::string(kHairWords[0].name), std::string(kHairWords[0].meaning)}};
   for (const std::string& name : kHairs)
     if (const auto cut = hair.cuts.find(name); cut != hair.cuts.end())
       rows.emplace_back(name, cut->second.meaning);
@@ -51,7 +52,9 @@ Rows list_looks(const Stock& stock) {
   for (const LookWord& colour : words.hair_colour_words)
     rows.emplace_back("hair: " + colour.name, fmt::format("{}  {}", colour.value, colour.meaning));
   for (const LookWord& dial : words.dial_words)
-    rows.emplace_back(dial.name, fmt::format("0 to 1   {}", dial.meaning));
+    if (const Key* key = find_key(find_sections().look, dial.name))
+      rows.emplace_back(key->name,
+                        fmt::format("{} to {}   {}", key->forms[0].low, key->forms[0].high, dial.meaning));
   return rows;
 }
 
@@ -128,8 +131,9 @@ Rows list_limits_of_adult(const Stock& stock) {
 
 Rows list_features(const Stock& stock) {
   Rows rows;
+  const Form& range = find_key(find_sections().head, "features")->forms.front().items.front();
   for (const FeatureInfo& feature : stock.head->shapes.features)
-    rows.emplace_back(feature.name, "-1..1  " + feature.meaning);
+    rows.emplace_back(feature.name, fmt::format("{}..{}  {}", range.low, range.high, feature.meaning));
   return rows;
 }
 
@@ -156,9 +160,9 @@ Rows list_people(const Stock& stock) {
 }
 
 Rows list_qualities(const Stock&) {
-  return {{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
-          {"good", "about 3 s: the default"},
-          {"best", "about 10 s: for the last run"}};
+  Rows rows;
+  for (const Word& word : kQualityWords) rows.emplace_back(word.name, word.meaning);
+  return rows;
 }
 
 struct Kind {

@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 #include "commands/table.hpp"
-#include "config/stock.hpp"
+#include "config/schema.hpp"
 #include "core/data.hpp"
 
 namespace mien {
@@ -11,7 +11,7 @@ namespace {
 
 void run_schema(const Options& options) {
   static_cast<void>(options);  // none says anything to it
-  fmt::print("{}", find_template(load_stock(find_data_folder()).templates, "mien.schema.json").text);
+  fmt::print("{}", build_schema(list_data_words(load_stock(find_data_folder()))));
 }
 
 }  // namespace

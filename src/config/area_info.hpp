@@ -82,6 +82,7 @@ struct AreaInfo {
   std::string_view name;                         // the key's stem: "brow"
   std::string_view plural, left_key, right_key;  // "brows", "brow.left", "brow.right"; empty without sides
   std::string_view title;                        // its column in a table of expressions: "lids"
+  std::string_view in_words;                     // in a sentence: "the eyelids"
   bool is_one_column;                            // there, with both sides
   AreaSign sign;                                 // there
   std::string_view aside;                        // its move across the face; empty if it has none

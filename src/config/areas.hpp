@@ -72,13 +72,13 @@ inline constexpr std::array kChinLimits{
 
 inline constexpr std::array kAreas{
     AreaInfo{.area = Area::brow, .name = "brow", .plural = "brows", .left_key = "brow.left",
-     .right_key = "brow.right", .title = "brow", .is_one_column = false, .sign = AreaSign::turned_way, .aside = "out", .is_quick = false,
+     .right_key = "brow.right", .title = "brow", .in_words = "the eyebrow", .is_one_column = false, .sign = AreaSign::turned_way, .aside = "out", .is_quick = false,
      .lead = {LeadPart::brows, 0.0625, 0.0625, 0.0625, 0.2917}, .lean = {1, true},
      .framing = {"en_l ex_l brow_inner_l brow_outer_l brow_mid_l", 1.45}, .outlines = {kBrowLine},
      .limits = {0, "Eyebrows", "each stays in its rectangle, and between its two turns",
                 {"ex_l ex_r brow_mid_l brow_mid_r", 0.98}, kBrowLimits}},
     AreaInfo{.area = Area::lid, .name = "lid", .plural = "lids", .left_key = "lid.left", .right_key = "lid.right",
-     .title = "lids", .is_one_column = false, .sign = AreaSign::pair, .aside = "", .is_quick = true,
+     .title = "lids", .in_words = "the eyelids", .is_one_column = false, .sign = AreaSign::pair, .aside = "", .is_quick = true,
      .lead = {LeadPart::lids, 0.0625, 0.0625, 0.0625, 0.1458},
      // One nucleus drives both eyes' lids: one that opens a frame later winks. An eye open less than its fellow
      // looks ill.
@@ -86,23 +86,23 @@ inline constexpr std::array kAreas{
      .framing = {"en_l ex_l", 1.35}, .outlines = {kUpperLidLine, kLowerLidLine},
      .limits = {4, "Eyelids", "both end below where the lower lid rests", {"en_l ex_l", 1.35}, kLidLimits}},
     AreaInfo{.area = Area::eye, .name = "eye", .plural = "eyes", .left_key = "eye.left", .right_key = "eye.right",
-     .title = "eyeball", .is_one_column = false, .sign = AreaSign::way, .aside = "side", .is_quick = true,
+     .title = "eyeball", .in_words = "the eyeball", .is_one_column = false, .sign = AreaSign::way, .aside = "side", .is_quick = true,
      .lead = {LeadPart::eyes, 0, 0, 0, 0}, .lean = {},  // they move together
      .framing = {"en_l ex_l", 1.35}, .outlines = {},
      // One eye's: beside two there is no room for words.
      .limits = {2, "Eyeballs", "each pupil stays in its rectangle", {"en_l ex_l", 1.35}, kEyeLimits}},
     AreaInfo{.area = Area::lips, .name = "lips", .plural = "", .left_key = "", .right_key = "",
-     .title = "lips", .is_one_column = true, .sign = AreaSign::pair, .aside = "", .is_quick = false,
+     .title = "lips", .in_words = "the lips", .is_one_column = true, .sign = AreaSign::pair, .aside = "", .is_quick = false,
      .lead = {LeadPart::lips, 0.125, 0.1667, 0, 0.0417}, .lean = {},
      .framing = {"ch_l ch_r", 1.3}, .outlines = {kUpperLipLine, kLowerLipLine},
      .limits = {3, "Lips", "both stop where they meet, at the match level", {"ch_l ch_r", 1.35}, kLipsLimits}},
     AreaInfo{.area = Area::corner, .name = "corner", .plural = "corners", .left_key = "corner.left",
-     .right_key = "corner.right", .title = "mouth corners", .is_one_column = true, .sign = AreaSign::way, .aside = "out", .is_quick = false,
+     .right_key = "corner.right", .title = "mouth corners", .in_words = "the mouth corner", .is_one_column = true, .sign = AreaSign::way, .aside = "out", .is_quick = false,
      .lead = {LeadPart::corners, 0.125, 0, 0.1667, 0.1458}, .lean = {1, true},
      .framing = {"ch_l ch_r", 1.5}, .outlines = {kUpperLipLine, kLowerLipLine},
      .limits = {1, "Mouth corners", "each stays in its rectangle", {"ch_l ch_r", 1.35}, kCornerLimits}},
     AreaInfo{.area = Area::chin, .name = "chin", .plural = "", .left_key = "", .right_key = "",
-     .title = "chin", .is_one_column = true, .sign = AreaSign::lift, .aside = "", .is_quick = false,
+     .title = "chin", .in_words = "the chin", .is_one_column = true, .sign = AreaSign::lift, .aside = "", .is_quick = false,
      .lead = {LeadPart::chin, 0.1875, 0.1667, 0, 0}, .lean = {},
      .framing = {"li gn", 3.2}, .outlines = {kJawLine},
      .limits = {5, "Chin", "turns about the jaw's axis; stops above where the lips meet", {"li gn", 3.4},

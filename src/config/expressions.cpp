@@ -9,18 +9,14 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxNameLength = 64;              // names become file names
-constexpr double kMaxAttack_s = 10;                     // nothing that comes more slowly is seen to come
-constexpr double kMaxDominance = 10;                    // more leaves nothing to see of the other
-constexpr double kLeastGrowth = 0.25, kMostGrowth = 4;  // beyond, half a strength is all or nothing
-constexpr std::size_t kMaxSuggestions = 100;            // names compared with an unknown one
+constexpr std::size_t kMaxSuggestions = 100;  // names compared with an unknown one
 
 bool is_plain_word(const std::string& name) {
   const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
   const auto is_inner = [&](char c) {
     return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
   };
-  return !name.empty() && name.size() <= kMaxNameLength && is_letter(name[0]) &&
+  return !name.empty() && name.size() <= kMaxExpressionName && is_letter(name[0]) &&
          std::ranges::all_of(name, is_inner);
 }
 
@@ -78,7 +74,7 @@ std::vector<ExpressShare> load_mix(const YamlValue& value, const ExpressionBook&
       continue;
     }
     double weight = 0;
-    if (load_number(entry.value, 0, 1, weight) && index) mix.push_back({weight, *index, entry.spot, {}});
+    if (load_number(entry.value, weight) && index) mix.push_back({weight, *index, entry.spot, {}});
   }
   return mix;
 }
@@ -133,17 +129,15 @@ std::string describe_unknown_expression(const ExpressionBook& book, const std::s
 
 void load_drafts(const YamlValue& value, const std::string& library, ExpressionBook& book,
                  std::vector<ExpressionDraft>& drafts) {
-  Names keys = kExpressionKeys;
-  for (const std::string& key : list_area_keys()) keys.push_back(key);
   for (const YamlEntry& entry : load_free_mapping(value, "a mapping of names to areas")) {
     if (!is_plain_word(entry.key)) {
       const std::string message = fmt::format(
           "'{}' cannot name an expression; expected a letter, then letters, digits, '_' or '-', {} at most",
-          show_word(entry.key), kMaxNameLength);
+          show_word(entry.key), kMaxExpressionName);
       add_mistake(*value.findings, value.document->source, entry.spot, message);
       continue;
     }
-    const YamlMapping body = load_mapping(entry.value, keys, "areas such as {brows: {up: 0.5}}");
+    const YamlMapping body = load_section(entry.value);
     ExpressionDraft draft;
     draft.expression = book.expressions.size();
     append_expressions(book, {{entry.key, library, {}}});
@@ -151,19 +145,16 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
     if (const YamlValue* from = find_value(body, "from"))
       if (load_text(*from, "an expression's name", base)) draft.from = *from;
     if (const YamlValue* strength = find_value(body, "strength")) {
-      load_number(*strength, 0, 1, draft.strength);
+      load_number(*strength, draft.strength);
       if (find_value(body, "from") == nullptr)
         add_mistake(*strength, "'strength' weakens nothing here; expected 'from' beside it");
     }
     load_exaggerate(body, draft.exaggerate);
-    const Measure time{"a time", "0.6s or 600ms", {{"s"}, {"ms", 1, 1000}}, {}};
     if (const YamlValue* attack = find_value(body, "attack"))
-      if (double attack_s = 0; load_quantity(*attack, time, 0, kMaxAttack_s, attack_s))
-        draft.attack_s = attack_s;
+      if (double attack_s = 0; load_seconds(*attack, attack_s)) draft.attack_s = attack_s;
     if (const YamlValue* dominance = find_value(body, "dominance"))
-      draft.dominance = load_area_numbers(*dominance, 0, kMaxDominance);
-    if (const YamlValue* growth = find_value(body, "growth"))
-      draft.growth = load_area_numbers(*growth, kLeastGrowth, kMostGrowth);
+      draft.dominance = load_area_numbers(*dominance);
+    if (const YamlValue* growth = find_value(body, "growth")) draft.growth = load_area_numbers(*growth);
     draft.areas = load_areas(body);
     drafts.push_back(std::move(draft));
   }
@@ -252,14 +243,13 @@ Express load_express(const YamlValue& value, const ExpressionBook& book, const F
     if (weight > 0 || formula) express.reach = std::max(express.reach, expression.reach);
     express.held.insert(express.held.end(), expression.held.begin(), expression.held.end());
   }
-  express.name.resize(std::min(express.name.size(), kMaxNameLength));
+  express.name.resize(std::min(express.name.size(), kMaxExpressionName));
   express.pose = mix_poses(list_shares(mix, book));
   return express;
 }
 
 void load_exaggerate(const YamlMapping& entries, double& into) {
-  if (const YamlValue* value = find_value(entries, "exaggerate"))
-    load_number(*value, 1, kMaxExaggerate, into);
+  if (const YamlValue* value = find_value(entries, "exaggerate")) load_number(*value, into);
 }
 
 }  // namespace mien

@@ -11,13 +11,11 @@
 #include <thread>
 
 #include "config/findings.hpp"
-#include "config/words.hpp"
+#include "config/language.hpp"
 
 namespace mien {
 
 namespace {
-
-constexpr std::size_t kMaxBytes = 1000;  // a longer formula is no director's note
 
 double clamp_between(double value, double low, double high) { return std::min(std::max(value, low), high); }
 double find_remainder(double value, double period) { return value - period * std::floor(value / period); }
@@ -177,8 +175,8 @@ bool is_input_name(const std::string& name) {
 
 FormulaPointer build_formula(const std::string& text, const Inputs& inputs, double start_s,
                              FormulaFault& fault) {
-  if (text.size() > kMaxBytes) {
-    fault = {fmt::format("it is longer than {} bytes", kMaxBytes), 0};
+  if (text.size() > kMaxFormulaLength) {
+    fault = {fmt::format("it is longer than {} bytes", kMaxFormulaLength), 0};
     return {};
   }
   const auto bad =

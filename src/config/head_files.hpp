@@ -13,8 +13,6 @@ namespace mien {
 
 inline constexpr int kMaxMixDepth = 4;     // heads that mix heads that mix heads: no author needs more
 inline constexpr int kMaxMixedHeads = 24;  // of one file, all depths together; each costs a tenth of a second
-inline constexpr double kLeastRadius_mm = 5, kMostRadius_mm = 150;  // of a sculpting stroke
-inline constexpr double kMostMove_mm = 50;                          // of a sculpting stroke, each way
 
 // Where a head is being read: its file, and those that led to it.
 struct HeadSource {

@@ -74,7 +74,8 @@ void load_look_words(const YamlMapping& entries, Look& look) {
   glm::vec3 lips{0};
   if (load("lips", lips)) look.lips = lips;
   const auto load_dial = [&](const char* key, double& into) {
-    if (const YamlValue* value = find_value(entries, key)) load_number(*value, 0, 1, into);
+    const Form& range = *find_form(find_key(find_sections().look, key)->forms, FormKind::number);
+    if (const YamlValue* value = find_value(entries, key)) load_number(*value, range.low, range.high, into);
   };
   load_dial("freckles", look.freckles);
   load_dial("age_spots", look.age_spots);

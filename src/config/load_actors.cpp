@@ -12,10 +12,8 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxActors = 12;     // each is half a million numbers a frame
-constexpr std::size_t kMaxActorName = 12;  // letters: POV-Ray's words end after 40
+constexpr std::size_t kMaxActors = 12;  // each is half a million numbers a frame
 constexpr double kEyes_mm = 80;         // in front of a head's origin: between the grown-up's and the child's
-constexpr double kMostPlace_mm = 5000;  // farther off nobody is seen
 
 void add_mistake_at_key(const YamlEntry& entry, std::string message) {
   add_mistake(*entry.value.findings, entry.value.document->source, entry.spot, std::move(message));
@@ -28,11 +26,9 @@ bool is_actor_name(const std::string& name) {
 }
 
 void load_place(const YamlValue& value, PlaceSpec& place) {
-  const YamlMapping entries =
-      load_mapping(value, kPlaceKeys, "a mapping such as {at: [-120mm, 0, 0], turn: 25deg}");
-  if (const YamlValue* at = find_value(entries, "at")) load_lengths(*at, kMostPlace_mm, place.at_mm);
-  if (const YamlValue* turn = find_value(entries, "turn"))
-    load_quantity(*turn, build_angle_measure(), -360, 360, place.turn_deg);
+  const YamlMapping entries = load_section(value);
+  if (const YamlValue* at = find_value(entries, "at")) load_lengths(*at, place.at_mm);
+  if (const YamlValue* turn = find_value(entries, "turn")) load_angle(*turn, place.turn_deg);
 }
 
 // `head: {age: child}` or `head: ann.yaml`.
@@ -45,7 +41,7 @@ HeadSpec load_actor_head(const YamlValue& value, const HeadSource& source) {
 
 // What of a clip is each actor's own.
 Names list_own_keys() {
-  Names keys = kClipKeys;
+  Names keys = list_keys(find_sections().clip);
   std::erase_if(keys, [](const std::string& key) {
     return std::ranges::find(kSharedClipKeys, key) != kSharedClipKeys.end();
   });
@@ -83,7 +79,7 @@ std::vector<Part> load_parts(const YamlValue& actors) {
       add_mistake_at_key(actor, fmt::format("more than {} actors; expected fewer", kMaxActors));
       break;
     }
-    Part part{actor.key, load_mapping(actor.value, kActorKeys, "a mapping such as {head: {age: child}}"), {}};
+    Part part{actor.key, load_section(actor.value), {}};
     part.clip =
         find_clip_entries(find_value(part.entries, "clip"), kSharedClipKeys,
                           "'{}' concerns all actors; it belongs in the 'clip' at the top of the file");

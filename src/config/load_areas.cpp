@@ -6,15 +6,6 @@ namespace mien {
 
 namespace {
 
-// The moves of an area: those of one of its sides if it has two.
-Names list_moves(const AreaKey& key) {
-  const Side side = key.is_both ? Side::left : key.side;
-  Names moves;
-  for (const MoveInfo& info : kMoves)
-    if (info.area == key.area && info.side == side) moves.emplace_back(info.move);
-  return moves;
-}
-
 // A formula instead of a number; false if there is none.
 bool load_live_value(const YamlValue& value, const std::vector<std::size_t>& moves, AreaValues& areas,
                      LiveAreas* live) {
@@ -33,7 +24,7 @@ bool load_live_value(const YamlValue& value, const std::vector<std::size_t>& mov
 }
 
 void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, LiveAreas* live) {
-  const YamlMapping moves = load_mapping(value, list_moves(key), "moves such as {up: 0.5}", "move");
+  const YamlMapping moves = load_section(value);
   for (const YamlEntry& entry : moves) {
     std::vector<std::size_t> meant = list_moves_of(key);
     std::erase_if(meant, [&](std::size_t move) { return kMoves[move].move != entry.key; });
@@ -41,9 +32,7 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, Li
     for (const std::size_t move : meant) {
       const MoveInfo& info = kMoves[move];
       double number = 0;
-      if (!load_number(entry.value, info.low * kMaxExaggerate, info.high * kMaxExaggerate, number,
-                       "times its limit"))
-        break;
+      if (!load_number(entry.value, number)) break;
       areas.values[move] = number;
       areas.places.erase(move);  // of a plural key that this one overrides
       if (live != nullptr)
@@ -56,11 +45,7 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, Li
 
 }  // namespace
 
-Names list_area_keys() {
-  Names keys;
-  for (const AreaKey& key : kAreaKeys) keys.emplace_back(key.key);
-  return keys;
-}
+Names list_area_keys() { return list_keys(find_sections().areas); }
 
 std::vector<std::size_t> list_moves_of(const AreaKey& key) {
   std::vector<std::size_t> moves;
@@ -70,7 +55,7 @@ std::vector<std::size_t> list_moves_of(const AreaKey& key) {
 }
 
 AreaValues load_areas(const YamlValue& value, LiveAreas* live) {
-  return load_areas(load_mapping(value, list_area_keys(), "areas such as {brows: {up: 0.5}}", "area"), live);
+  return load_areas(load_section(value), live);
 }
 
 AreaValues load_areas(const YamlMapping& entries, LiveAreas* live) {
@@ -83,14 +68,14 @@ AreaValues load_areas(const YamlMapping& entries, LiveAreas* live) {
   return areas;
 }
 
-AreaNumbers load_area_numbers(const YamlValue& value, double low, double high) {
+AreaNumbers load_area_numbers(const YamlValue& value) {
   AreaNumbers numbers;
-  const YamlMapping entries = load_mapping(value, list_area_keys(), "areas such as {brows: 0.5}", "area");
+  const YamlMapping entries = load_section(value);
   for (const bool is_plural_pass : {true, false})
     for (const AreaKey& key : kAreaKeys) {
       const YamlValue* entry = key.is_both == is_plural_pass ? find_value(entries, key.key) : nullptr;
       double number = 0;
-      if (entry == nullptr || !load_number(*entry, low, high, number)) continue;
+      if (entry == nullptr || !load_number(*entry, number)) continue;
       for (const std::size_t move : list_moves_of(key)) numbers[move] = number;
     }
   return numbers;

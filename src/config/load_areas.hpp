@@ -26,9 +26,8 @@ AreaValues load_areas(const YamlMapping& entries, LiveAreas* live = nullptr);
 // One number for each move, where the author wrote one.
 using AreaNumbers = std::array<std::optional<double>, kMoveCount>;
 
-// `{brows: 2, corner.left: 0.5}`: one number from `low` to `high` for all moves of an area. A sided key
-// overrides a plural one.
-AreaNumbers load_area_numbers(const YamlValue& value, double low, double high);
+// `{brows: 2, corner.left: 0.5}`: one number for all moves of an area. A sided key overrides a plural one.
+AreaNumbers load_area_numbers(const YamlValue& value);
 
 // The moves that an area key such as "brows" or "lips" means.
 std::vector<std::size_t> list_moves_of(const AreaKey& key);

@@ -10,13 +10,10 @@ namespace mien {
 
 namespace {
 
-constexpr double kLowestBust_mm = 20;    // lower, eyelids are thinner than a nozzle's line
-constexpr double kHighestBust_mm = 400;  // higher than any common printer
-constexpr int kFewestTriangles = 8000, kMostTriangles = 80000;  // the eyes and the mouth alone have 6000
-
 // "6x2mm": two lengths with one unit behind.
-bool load_two_lengths(const YamlValue& value, double low, double high, std::string_view example,
-                      glm::dvec2& into) {
+bool load_two_lengths(const YamlValue& value, std::string_view example, glm::dvec2& into) {
+  const auto [low, high] =
+      std::pair(find_form(value, FormKind::two_lengths).low, find_form(value, FormKind::two_lengths).high);
   const std::string expected = fmt::format("two lengths from {}mm to {}mm such as {}", low, high, example);
   const YamlNode& node = find_node(value);
   const std::size_t cross = node.kind == NodeKind::text ? node.text.find('x') : std::string::npos;
@@ -39,40 +36,34 @@ bool load_two_lengths(const YamlValue& value, double low, double high, std::stri
 
 // What a label may hold: letters that the file's own glyphs know are drawn, others become a box.
 void load_label(const YamlValue& value, std::string& label) {
-  constexpr std::size_t kMostBytes = 200;  // far more than any base has room for
   std::string text;
   if (!load_text(value, "the text on the base", text)) return;
-  if (text.size() > kMostBytes ||
+  if (text.size() > kMaxLabelLength ||
       std::any_of(text.begin(), text.end(), [](unsigned char c) { return c < ' '; })) {
-    add_unexpected(value, fmt::format("one line of {} bytes at most", kMostBytes));
+    add_unexpected(value, fmt::format("one line of {} bytes at most", kMaxLabelLength));
     return;
   }
   label = text;
 }
 
 void load_print(const YamlMapping& entries, BustSpec& bust) {
-  const Measure length = build_length_measure();
-  const auto load = [&](std::string_view key, double low, double high, double& into) {
-    if (const YamlValue* value = find_value(entries, key)) load_quantity(*value, length, low, high, into);
+  const auto load = [&](std::string_view key, double& into_mm) {
+    if (const YamlValue* value = find_value(entries, key)) load_length(*value, into_mm);
   };
-  load("height", kLowestBust_mm, kHighestBust_mm, bust.height_mm);
-  if (const YamlValue* base = find_value(entries, "base")) load_name(*base, "base", kBases, bust.base);
+  load("height", bust.height_mm);
+  if (const YamlValue* base = find_value(entries, "base")) load_name(*base, bust.base);
   if (const YamlValue* label = find_value(entries, "label")) load_label(*label, bust.label);
-  std::string hollow = "false";
-  if (const YamlValue* value = find_value(entries, "hollow")) load_name(*value, "answer", kYesNo, hollow);
-  bust.is_hollow = hollow == "true";
-  load("wall", 0.8, 20, bust.wall_mm);
-  load("drain", 0, 20, bust.drain_mm);
+  if (const YamlValue* value = find_value(entries, "hollow")) load_yes_no(*value, bust.is_hollow);
+  load("wall", bust.wall_mm);
+  load("drain", bust.drain_mm);
   if (const YamlValue* magnet = find_value(entries, "magnet"))
-    load_two_lengths(*magnet, 1, 40, "6x2mm", bust.magnet_mm);
-  if (const YamlValue* triangles = find_value(entries, "triangles"))
-    load_whole(*triangles, kFewestTriangles, kMostTriangles, bust.triangles, "triangles");
+    load_two_lengths(*magnet, "6x2mm", bust.magnet_mm);
+  if (const YamlValue* triangles = find_value(entries, "triangles")) load_whole(*triangles, bust.triangles);
 }
 
 void load_bust_list(const YamlValue& value, const ExpressionBook& book, Spec& spec) {
   for (const YamlValue& item : load_list(value, "a list such as [{express: laugh, height: 80mm}]")) {
-    const YamlMapping entries =
-        load_mapping(item, kBustKeys, "a mapping such as {express: laugh, height: 80mm}");
+    const YamlMapping entries = load_section(item);
     const Express express = load_posed(entries, book);
     BustSpec bust;
     bust.expression = {express.name, express.library, express.pose, express.reach, express.held};
@@ -92,12 +83,14 @@ std::string build_label(const std::string& name) {
 }
 
 void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spec) {
-  const YamlMapping entries =
-      load_mapping(value, kBustSetKeys, "a mapping such as {all: tezuka, height: 60mm}");
+  const YamlMapping entries = load_section(value);
   BustSpec pattern;
   load_print(entries, pattern);
+  double strength = 1, exaggerate = book.exaggerate;
+  if (const YamlValue* number = find_value(entries, "strength")) load_number(*number, strength);
+  load_exaggerate(entries, exaggerate);
   if (const YamlValue* plate = find_value(entries, "plate"))
-    load_two_lengths(*plate, 40, 2000, "220x220mm", spec.plate_mm);
+    load_two_lengths(*plate, "220x220mm", spec.plate_mm);
   std::set<std::string> libraries;
   for (const Expression& expression : book.expressions)
     if (!expression.library.empty()) libraries.insert(expression.library);
@@ -109,6 +102,15 @@ void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spe
     if (expression.library != library) continue;
     BustSpec bust = pattern;
     bust.expression = expression;
+    if (strength != 1 || exaggerate != 1) {
+      const HeldPose posed = hold_pose({mix_poses({{1, expression.pose, expression.manner}}, strength),
+                                        expression.reach,
+                                        strength,
+                                        {},
+                                        exaggerate});
+      bust.expression.pose = posed.pose;
+      bust.expression.reach = posed.reach;
+    }
     if (bust.label.empty() && bust.base != "none") bust.label = build_label(expression.name);
     spec.busts.push_back(std::move(bust));
   }

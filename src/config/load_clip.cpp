@@ -12,7 +12,6 @@ namespace mien {
 
 namespace {
 
-constexpr int kMaxFps = 120;
 constexpr int kMaxChecks = 2000;  // moments at which a formula is tried; more only cost time
 
 // One key at the beginning for a track that has none.
@@ -110,8 +109,7 @@ ClipClock build_clip_clock(int fps, const NamedTimes* times) {
 }
 
 void load_fps(const YamlMapping& entries, int& into) {
-  if (const YamlValue* fps = find_value(entries, "fps"))
-    load_whole(*fps, 1, kMaxFps, into, "frames a second");
+  if (const YamlValue* fps = find_value(entries, "fps")) load_whole(*fps, into);
 }
 
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into) {
@@ -170,7 +168,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
     clip.draw_changes = setting.shared->draw_changes;
   }
   YamlMapping entries;
-  if (value != nullptr) entries = load_mapping(*value, kClipKeys, "a mapping such as {fps: 24, keys: [...]}");
+  if (value != nullptr) entries = load_section(*value);
   load_fps(entries, clip.fps);
 
   ClipLibrary library;

@@ -35,6 +35,14 @@ bool load_duration(const YamlValue& value, const ClipClock& clock, double& into)
 void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
                    std::optional<double>& before_s, double& into);
 
+// Without `attack` and `release`. Outside its rows a table gives the areas back within these: shorter is a
+// jump, longer blurs the first word. A law fades within its time, at both its ends: with 0 the area would
+// jump. A face goes more slowly than it comes, 1.5 to 2 times: one that goes as it came looks played
+// backward.
+inline constexpr double kTableAttack_s = 0.1, kTableRelease_s = 0.2;
+inline constexpr double kLawFade_s = 0.2;
+inline constexpr double kReleasePerAttack = 1.75;
+
 // A script as it was written; it is read anew for each set of parameters that it is played with.
 struct ScriptText {
   YamlValue body;

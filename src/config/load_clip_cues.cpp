@@ -12,14 +12,10 @@ namespace mien {
 
 namespace {
 
-// A face goes more slowly than it comes, 1.5 to 2 times: one that goes as it came looks played backward.
-constexpr double kReleasePerAttack = 1.75;
-
 // A script begins and ends with a pose of its own; this only hides the seam. Longer, and its first move is
 // lost.
 constexpr double kScriptAttack_s = 0.15, kScriptRelease_s = 0.25;
 
-constexpr int kMaxRepeat = 10000;
 constexpr std::size_t kMaxCues = 5000;  // of a clip: half a minute of reading and sorting
 
 using Moves = std::bitset<kMoveCount>;
@@ -48,7 +44,7 @@ void own_moved(const PoseKey& key, Moves& owns) {
 void load_owned(const YamlValue& value, Moves& owns) {
   for (const YamlValue& item : load_list(value, "areas such as [corners, lids]")) {
     std::string name;
-    if (!load_name(item, "area", list_area_keys(), name)) continue;
+    if (!load_name(item, name)) continue;
     for (const std::size_t move : list_moves_of(*std::ranges::find(kAreaKeys, name, &AreaKey::key)))
       owns.set(move);
   }
@@ -95,7 +91,7 @@ void load_play(const YamlMapping& entries, const YamlValue& play, const ClipRead
   cue.what.label = find_node(play).text;
   cue.has_lead = false;
   if (const YamlValue* repeat = find_value(entries, "repeat")) {
-    load_whole(*repeat, 1, kMaxRepeat, times, "times");
+    load_whole(*repeat, times);
     cue.is_repeated = times > 1;
   }
   for (const char* key : {"strength", "exaggerate", "express"})
@@ -170,14 +166,12 @@ bool load_duration(const YamlMapping& entries, std::string_view key, const ClipC
 void load_rule(const YamlMapping& entries, Rule& into) {
   std::string name;
   if (const YamlValue* value = find_value(entries, "rule"))
-    if (load_name(*value, "rule", kRules, name))
-      into = static_cast<Rule>(std::ranges::find(kRules, name) - kRules.begin());
+    if (load_name(*value, name)) into = static_cast<Rule>(std::ranges::find(kRules, name) - kRules.begin());
 }
 
 void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into) {
   const YamlValue* list = find_value(clip, "cues");
   if (list == nullptr) return;
-  constexpr const char* kExpected = "a cue such as {from: 1s, express: smile}";
   const std::vector<YamlValue> items =
       load_list(*list, "a list of cues such as [{from: 1s, express: smile}]");
   if (items.size() > kMaxCues) {
@@ -187,7 +181,7 @@ void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<Cu
   }
   std::vector<Draft> drafts;
   for (const YamlValue& item : items) {
-    const YamlMapping entries = load_mapping(item, kCueKeys, kExpected);
+    const YamlMapping entries = load_section(item);
     Draft draft;
     CueSpec& cue = draft.cue;
     const YamlValue* from = find_required(entries, "from", item, "a time such as 1.5s");

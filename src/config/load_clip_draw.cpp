@@ -8,28 +8,24 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMaxChanges = 1000;  // of how drawings are held: each frame looks them through
-constexpr int kMaxDraw = 12;               // held longer, a clip is a row of stills
-constexpr double kMaxLead_s = 1;           // an area later than that no longer belongs to the same move
 
 // `twos`, or a number of frames.
 void load_frames(const YamlValue& value, int& into) {
   const YamlNode& node = find_node(value);
   if (node.kind == NodeKind::text && !parse_number(node.text)) {
     std::string name;
-    if (load_name(value, "draw", kDraws, name))
-      into = 1 + static_cast<int>(std::ranges::find(kDraws, name) - kDraws.begin());
+    if (load_name(value, name)) into = 1 + static_cast<int>(std::ranges::find(kDraws, name) - kDraws.begin());
   } else {
-    load_whole(value, 1, kMaxDraw, into, "frames a drawing");
+    load_whole(value, into);
   }
 }
 
 void load_changes(const YamlValue& value, const ClipClock& clock, ClipSpec& clip) {
-  constexpr const char* kExpected = "a change such as {at: 2s, on: ones}";
   std::optional<double> before_s;
   for (const YamlValue& item : load_list(value, "a list of changes such as [{at: 0s, on: twos}]")) {
     if (clip.draw_changes.size() >= kMaxChanges)
       return add_mistake(item, fmt::format("more than {} changes of drawing; expected fewer", kMaxChanges));
-    const YamlMapping entries = load_mapping(item, kDrawKeys, kExpected);
+    const YamlMapping entries = load_section(item);
     const YamlValue* at = find_required(entries, "at", item, "a time such as 1.5s");
     const YamlValue* on = find_required(entries, "on", item, "ones, twos, threes or a number of frames");
     DrawChange change;
@@ -61,16 +57,17 @@ LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock) {
   if (value == nullptr) return kNaturalLead;
   if (find_node(*value).kind != NodeKind::mapping) {
     std::string name;
-    const bool is_named = load_name(*value, "lead", kLeads, name);
-    return is_named && name == kLeads.front() ? LeadSpec{} : kNaturalLead;
+    const bool is_named = load_name(*value, name);
+    return is_named && name == kLeadWords.front().name ? LeadSpec{} : kNaturalLead;
   }
   LeadSpec lead;
-  const YamlMapping parts = load_mapping(*value, kLeadKeys, "none, natural, or offsets such as {brows: 2f}");
+  const YamlMapping parts = load_section(*value);
   Measure measure = clock.measure;
   measure.note.clear();
   for (const YamlEntry& entry : parts)
     load_quantity(
-        entry.value, measure, 0, kMaxLead_s,
+        entry.value, measure, find_form(entry.value, FormKind::duration).low,
+        find_form(entry.value, FormKind::duration).high,
         lead.after_s[static_cast<std::size_t>(std::ranges::find(kLeadKeys, entry.key) - kLeadKeys.begin())]);
   return lead;
 }

@@ -25,18 +25,16 @@ struct Include {
 
 bool load_entry(const YamlValue& value, const ClipReader& reader, Include& include) {
   include.place = value;
-  const Names endings{".yaml", ".yml"};
-  if (find_node(value).kind != NodeKind::mapping) return load_file(value, endings, include.file);
-  const YamlMapping entries =
-      load_mapping(value, kIncludeKeys, "a file such as {file: nods.yaml, take: [scripts]}");
+  if (find_node(value).kind != NodeKind::mapping) return load_file(value, include.file);
+  const YamlMapping entries = load_section(value);
   if (const YamlValue* at = find_value(entries, "at")) load_time(*at, reader.clock, include.at_s);
   if (const YamlValue* take = find_value(entries, "take")) {
     include.take.clear();
     for (const YamlValue& item : load_list(*take, "parts such as [keys, cues, scripts]"))
-      if (std::string part; load_name(item, "part", kTakes, part)) include.take.push_back(part);
+      if (std::string part; load_name(item, part)) include.take.push_back(part);
   }
   const YamlValue* file = find_required(entries, "file", value, "a file such as nods.yaml");
-  return file != nullptr && load_file(*file, endings, include.file);
+  return file != nullptr && load_file(*file, include.file);
 }
 
 // The names that the other file's clip may use: its own expressions and the libraries.
@@ -70,9 +68,9 @@ void load_own_inputs(const YamlValue& value, const fs::path& path, ClipReader& r
 
 void load_other(const YamlValue& value, const Include& include, const YamlMapping& file, ClipReader& outer,
                 const fs::path& path, ClipSpec& into) {
-  YamlMapping entries = load_mapping(value, kClipKeys, "a mapping such as {fps: 24, keys: [...]}");
-  int fps = 24;
-  if (const YamlValue* rate = find_value(entries, "fps")) load_whole(*rate, 1, 120, fps, "frames a second");
+  YamlMapping entries = load_section(value);
+  int fps = ClipSpec{}.fps;
+  load_fps(entries, fps);
   ClipReader reader = outer;
   reader.clock = {build_time_measure(fps), outer.clock.end_s, include.at_s};
   reader.clock.measure.note = outer.clock.measure.note;
@@ -108,7 +106,7 @@ void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
   if (!document) return;
   reader.library->documents.push_back(std::move(*document));
   const YamlValue root = find_root(reader.library->documents.back(), findings);
-  const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+  const YamlMapping entries = load_section(root, find_sections().file);
   if (find_node(root).kind != NodeKind::mapping) return;
   check_version(root, entries);
   if (const YamlValue* clip = find_required(entries, "clip", root, "a clip to include"))

@@ -8,8 +8,8 @@ namespace mien {
 
 namespace {
 
-// A number of a camera's or turn's key; `measure` is empty for one without a unit.
-void load_live(const YamlMapping& entries, std::string_view key, const Measure* measure, const Bounds& bounds,
+// A number of a camera's or turn's key: an angle, or with no `measure` a plain one.
+void load_live(const YamlMapping& entries, std::string_view key, const Measure* measure,
                const ClipReader& reader, double& into, FormulaPointer& live) {
   const YamlValue* value = find_value(entries, key);
   if (value == nullptr) return;
@@ -17,9 +17,9 @@ void load_live(const YamlMapping& entries, std::string_view key, const Measure* 
   if (measure != nullptr ? is_formula(*value, *measure) : is_formula(*value))
     live = load_formula(*value, reader.formulas);
   else if (measure != nullptr)
-    load_quantity(*value, *measure, bounds.low, bounds.high, into);
+    load_angle(*value, into);
   else
-    load_number(*value, bounds.low, bounds.high, into);
+    load_number(*value, into);
 }
 
 // What formulas come to at the key's own time.
@@ -32,24 +32,23 @@ void settle(double at_s, const std::array<Bounds, 3>& bounds, const std::array<F
 // A key's own values, over those of the key before it.
 void load_values(const YamlMapping& entries, const ClipReader& reader, CameraKey& key) {
   const Measure angle = build_angle_measure();
-  load_live(entries, "angle", &angle, kCameraBounds[0], reader, key.angle_deg, key.live[0]);
-  load_live(entries, "height", &angle, kCameraBounds[1], reader, key.height_deg, key.live[1]);
-  load_live(entries, "distance", nullptr, kCameraBounds[2], reader, key.distance, key.live[2]);
+  load_live(entries, "angle", &angle, reader, key.angle_deg, key.live[0]);
+  load_live(entries, "height", &angle, reader, key.height_deg, key.live[1]);
+  load_live(entries, "distance", nullptr, reader, key.distance, key.live[2]);
   settle(key.at_s, kCameraBounds, key.live, {&key.angle_deg, &key.height_deg, &key.distance});
 }
 
 void load_values(const YamlMapping& entries, const ClipReader& reader, TurnKey& key) {
   const Measure angle = build_angle_measure();
-  load_live(entries, "turn", &angle, kTurnBounds[0], reader, key.turn_deg, key.live[0]);
-  load_live(entries, "nod", &angle, kTurnBounds[1], reader, key.nod_deg, key.live[1]);
-  load_live(entries, "tilt", &angle, kTurnBounds[2], reader, key.tilt_deg, key.live[2]);
+  load_live(entries, "turn", &angle, reader, key.turn_deg, key.live[0]);
+  load_live(entries, "nod", &angle, reader, key.nod_deg, key.live[1]);
+  load_live(entries, "tilt", &angle, reader, key.tilt_deg, key.live[2]);
   settle(key.at_s, kTurnBounds, key.live, {&key.turn_deg, &key.nod_deg, &key.tilt_deg});
 }
 
 constexpr const char* kCurve = "four numbers x1, y1, x2, y2 such as [0.3, 0, 0.2, 1]";  // as in CSS
 
 void load_bezier(const YamlValue& value, Ease& into) {
-  constexpr double kMostPast = 2;  // how far y may pass the way at either end: further is no ease
   const std::vector<YamlValue> items = load_list(value, kCurve);
   if (items.size() != 4) {
     add_mistake(value, fmt::format("{} has {} item{}; expected {}", describe_subject(value), items.size(),
@@ -57,10 +56,11 @@ void load_bezier(const YamlValue& value, Ease& into) {
     return;
   }
   Ease ease(Easing::bezier);
+  const Form& curve = find_form(value, FormKind::curve);
   bool is_right = true;
   for (std::size_t i = 0; i < 4; ++i)
     is_right &= i % 2 == 0 ? load_number(items[i], 0, 1, ease.handles[i])
-                           : load_number(items[i], -kMostPast, 1 + kMostPast, ease.handles[i]);
+                           : load_number(items[i], curve.low, curve.high, ease.handles[i]);
   if (is_right) into = ease;
 }
 
@@ -95,7 +95,7 @@ void load_release(const YamlMapping& entries, const ClipClock& clock, std::size_
     told.push_back({key, 0, *value});
     return;
   }
-  for (const YamlEntry& entry : load_mapping(*value, kReleaseKeys, "a time, or times such as {brows: 12f}")) {
+  for (const YamlEntry& entry : load_section(*value)) {
     const auto part =
         static_cast<std::size_t>(std::ranges::find(kReleaseKeys, entry.key) - kReleaseKeys.begin());
     if (load_duration(entry.value, clock, into[part])) told.push_back({key, part, entry.value});
@@ -142,7 +142,7 @@ void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipC
 void load_between(const YamlMapping& entries, Between& into) {
   std::string name;
   if (const YamlValue* value = find_value(entries, "between"))
-    if (load_name(*value, "between", kBetweens, name))
+    if (load_name(*value, name))
       into = static_cast<Between>(std::ranges::find(kBetweens, name) - kBetweens.begin());
 }
 
@@ -173,26 +173,25 @@ Express load_pose(const YamlMapping& entries, const ClipReader& reader, PoseKey&
 std::vector<PoseKey> load_pose_keys(const YamlMapping& clip, const ClipReader& reader) {
   std::vector<PartRelease> releases;
   std::size_t count = 0;
-  std::vector<PoseKey> keys =
-      load_track<PoseKey>(clip, "keys", kPoseKeyKeys, "{at: 1s, express: smile}", reader,
-                          [&](const YamlMapping& entries, PoseKey& key) {
-                            load_pose(entries, reader, key);
-                            key.release = kNoRelease;
-                            load_release(entries, reader.clock, count++, key.release, releases);
-                          });
+  std::vector<PoseKey> keys = load_track<PoseKey>(
+      clip, "keys", "{at: 1s, express: smile}", reader, [&](const YamlMapping& entries, PoseKey& key) {
+        load_pose(entries, reader, key);
+        key.release = kNoRelease;
+        load_release(entries, reader.clock, count++, key.release, releases);
+      });
   check_releases(keys, releases, reader.clock);
   return keys;
 }
 
 std::vector<CameraKey> load_camera_keys(const YamlMapping& clip, const ClipReader& reader) {
   return load_track<CameraKey>(
-      clip, "camera", kCameraKeys, "{at: 1s, angle: 20deg}", reader,
+      clip, "camera", "{at: 1s, angle: 20deg}", reader,
       [&](const YamlMapping& entries, CameraKey& key) { load_values(entries, reader, key); });
 }
 
 std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipReader& reader) {
   return load_track<TurnKey>(
-      clip, "turn", kTurnKeys, "{at: 1s, turn: 20deg}", reader,
+      clip, "turn", "{at: 1s, turn: 20deg}", reader,
       [&](const YamlMapping& entries, TurnKey& key) { load_values(entries, reader, key); });
 }
 

@@ -10,14 +10,12 @@ namespace mien {
 
 namespace {
 
-constexpr double kFade_s = 0.2;  // within a law's time, at both its ends: with 0 the area would jump
-
 // `area` and `move` as moves of kMoves; empty with a mistake told.
 std::vector<std::size_t> load_moves(const YamlMapping& entries, const YamlValue& item) {
   const YamlValue* area = find_required(entries, "area", item, "an area such as brow.left");
   const YamlValue* move = find_required(entries, "move", item, "a move of the area such as up");
   std::string area_name, move_name;
-  if (area == nullptr || move == nullptr || !load_name(*area, "area", list_area_keys(), area_name)) return {};
+  if (area == nullptr || move == nullptr || !load_name(*area, area_name)) return {};
   std::vector<std::size_t> moves = list_moves_of(*std::ranges::find(kAreaKeys, area_name, &AreaKey::key));
   Names names;
   for (const std::size_t each : moves)
@@ -53,7 +51,7 @@ void load_range(const YamlMapping& entries, double& low, double& high) {
 // good.
 void load_times(const YamlMapping& entries, const ClipReader& reader, CueSpec& cue) {
   const YamlValue *from = find_value(entries, "from"), *to = find_value(entries, "to");
-  double attack_s = from != nullptr ? kFade_s : 0, release_s = to != nullptr ? kFade_s : 0;
+  double attack_s = from != nullptr ? kLawFade_s : 0, release_s = to != nullptr ? kLawFade_s : 0;
   if (from != nullptr) load_time(*from, reader.clock, cue.from_s);
   double to_s = kForever_s;
   if (to != nullptr && load_time(*to, reader.clock, to_s) && to_s <= cue.from_s) {
@@ -78,7 +76,7 @@ void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<Cu
   if (list == nullptr) return;
   constexpr const char* kExample = "{area: brows, move: up, value: \"0.3*sin(t)\"}";
   for (const YamlValue& item : load_list(*list, fmt::format("a list of laws such as [{}]", kExample))) {
-    const YamlMapping entries = load_mapping(item, kLawKeys, fmt::format("a law such as {}", kExample));
+    const YamlMapping entries = load_section(item);
     CueSpec cue;
     cue.layer = Layer::law;
     cue.has_lead = false;

@@ -20,8 +20,7 @@ std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::s
   reader.formulas.start_s = 0;
   reader.formulas.fps = 0;
   reader.scripts.push_back(name);
-  const YamlMapping entries =
-      load_mapping(text.body, kScriptKeys, "a script such as {length: 1s, keys: [...]}");
+  const YamlMapping entries = load_section(text.body);
   load_between(entries, reader.between);
   if (const YamlValue* parameters = find_value(entries, "parameters"))
     load_inputs(*parameters, given, reader.formulas);
@@ -46,7 +45,7 @@ Inputs load_given(const YamlValue& value, const ScriptText& text) {
   Inputs given;
   for (const YamlEntry& entry : load_mapping(value, known, "numbers such as {times: 3}", "parameter")) {
     Input input{entry.key, 0, {}};
-    if (load_number(entry.value, -1e6, 1e6, input.value)) given.push_back(input);
+    if (load_number(entry.value, input.value)) given.push_back(input);
   }
   return given;
 }

@@ -11,9 +11,6 @@ namespace mien {
 
 namespace {
 
-// Outside its rows a table gives the areas back within these: shorter is a jump, longer blurs the first word.
-constexpr double kAttack_s = 0.1, kRelease_s = 0.2;
-
 constexpr double kMaxTime_s = 100000;
 
 struct Cell {
@@ -180,7 +177,7 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
   const YamlValue* list = find_value(clip, "tracks");
   if (list == nullptr) return;
   for (const YamlValue& item : load_list(*list, "a list of tracks such as [{csv: talk.csv}]")) {
-    const YamlMapping entries = load_mapping(item, kTrackKeys, "a track such as {csv: talk.csv}");
+    const YamlMapping entries = load_section(item);
     CueSpec cue;
     cue.layer = Layer::table;
     cue.has_lead = false;
@@ -188,14 +185,14 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     cue.what.place = find_place(item.document->source, item.spot);
     load_rule(entries, cue.rule);
     if (const YamlValue* at = find_value(entries, "at")) load_time(*at, reader.clock, cue.start_s);
-    double attack_s = kAttack_s, release_s = kRelease_s;
+    double attack_s = kTableAttack_s, release_s = kTableRelease_s;
     load_duration(entries, "attack", reader.clock, attack_s);
     load_duration(entries, "release", reader.clock, release_s);
     Between between = Between::linear;
     load_between(entries, between);
     const YamlValue* csv = find_required(entries, "csv", item, "a file such as talk.csv");
     std::optional<FileReference> file;
-    if (csv == nullptr || !load_file(*csv, {".csv"}, file)) continue;
+    if (csv == nullptr || !load_file(*csv, file)) continue;
     const auto table = load_move_table(
         file->path, static_cast<int>(std::lround(reader.clock.measure.units[2].over)), *item.findings);
     if (!table) continue;

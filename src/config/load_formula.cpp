@@ -9,7 +9,6 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMaxInputs = 64;  // each is worked out for each number that uses it
-constexpr double kMaxInput = 1e6;
 
 // The place of a byte of the formula. A text with escapes or on several lines is told of at its beginning.
 Spot find_spot(const YamlValue& value, std::size_t byte) {
@@ -85,7 +84,7 @@ void load_inputs(const YamlValue& value, const Inputs& given, FormulaReader& rea
     if (is_formula(entry.value))
       input.formula = load_formula(entry.value, reader);
     else
-      load_number(entry.value, -kMaxInput, kMaxInput, input.value);
+      load_number(entry.value, input.value);
     if (const auto other = std::ranges::find(given, input.name, &Input::name); other != given.end())
       input = *other;
     if (std::ranges::find(reader.inputs, input.name, &Input::name) != reader.inputs.end()) {

@@ -11,25 +11,23 @@ namespace mien {
 
 namespace {
 
-constexpr double kLowestGuide = 0.05, kHighestGuide = 0.95;  // further out a line would leave the face
-constexpr double kMaxLimit = 2;                              // of the head's own; further the skin folds over
-constexpr double kMaxWeight = 1000;                          // of a mix; only its proportions count
-
 // `adult`, or `{child: 0.4, adult: 0.6}`.
-void load_mix(const YamlValue& value, std::string_view kind, const Names& names, Mix& into) {
+void load_mix(const YamlValue& value, Mix& into) {
   std::string name;
   if (find_node(value).kind != NodeKind::mapping) {
-    if (load_name(value, kind, names, name)) into = {{name, 1.0}};
+    if (load_name(value, name)) into = {{name, 1.0}};
     return;
   }
-  const YamlMapping entries = load_mapping(value, names, "", kind);
+  const Form& form = find_form(value, FormKind::map);
+  const std::string& kind = form.noun;
+  const YamlMapping entries = load_mapping(value, list_names(form.words), "", kind);
   if (find_node(value).children.empty())
     add_mistake(value, fmt::format("{} names no {}; expected one at least", describe_subject(value), kind));
   Mix mix;
   double sum = 0;
   for (const YamlEntry& entry : entries) {
     double weight = 0;
-    if (!load_number(entry.value, 0, kMaxWeight, weight)) continue;
+    if (!load_number(entry.value, weight)) continue;
     if (weight == 0) {
       add_mistake(entry.value,
                   describe_subject(entry.value) + " is 0; expected a weight above 0, or no such key");
@@ -50,24 +48,23 @@ void load_character(const YamlValue& value, double& into) {
   } else if (node.kind == NodeKind::text && node.text == "male") {
     into = 1;
   } else if (node.kind == NodeKind::text && !parse_number(node.text)) {
+    const Form &word = find_form(value, FormKind::word), &number = find_form(value, FormKind::number);
+    Names names = list_names(word.words);
+    names.push_back(fmt::format("a number from {:g} to {:g}", number.low, number.high));
     std::string name;
-    load_name(value, "character", {"female", "male", "a number from -1 to 1"}, name);
+    load_name(value, word.noun, names, name);
   } else {
-    load_number(value, -1, 1, into);
+    load_number(value, into);
   }
 }
 
 void load_guides(const YamlValue& value, std::map<std::string, double>& into) {
-  Names lines = kGuides;
-  lines.insert(lines.end(), kEarGuides.begin(), kEarGuides.end());
-  const YamlMapping entries =
-      load_mapping(value, lines, "guide lines such as {eye_line: 0.49}", "guide line");
+  const YamlMapping entries = load_section(value);
   std::string below;
   for (const std::string& guide : kGuides) {
     const YamlValue* line = find_value(entries, guide);
     double height = 0;
-    if (line == nullptr || !load_number(*line, kLowestGuide, kHighestGuide, height, "of the head's height"))
-      continue;
+    if (line == nullptr || !load_number(*line, height)) continue;
     if (!below.empty() && height <= into[below])
       add_mistake(
           *line,
@@ -78,15 +75,14 @@ void load_guides(const YamlValue& value, std::map<std::string, double>& into) {
     below = guide;
   }
   for (const std::string& guide : kEarGuides)
-    if (const YamlValue* line = find_value(entries, guide))
-      load_number(*line, kLowestGuide, kHighestGuide, into[guide], "of the head's height");
+    if (const YamlValue* line = find_value(entries, guide)) load_number(*line, into[guide]);
 }
 
 void load_features(const YamlValue& value, const Names& features, std::map<std::string, double>& into) {
   for (const YamlEntry& entry :
        load_mapping(value, features, "features such as {nose_length: 0.3}", "feature")) {
     double amount = 0;
-    if (load_number(entry.value, -1, 1, amount)) into[entry.key] = amount;
+    if (load_number(entry.value, amount)) into[entry.key] = amount;
   }
 }
 
@@ -112,7 +108,7 @@ const Look* take_named_look(YamlMapping& entries, std::string_view key,
 // A skin by name brings all colours that go with it, a hair by name its brows; whatever else is said stands
 // above them.
 void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
-  YamlMapping entries = load_mapping(value, kLookKeys, "colours such as {skin: \"#dcae8f\"}");
+  YamlMapping entries = load_section(value);
   const bool says_hair = find_value(entries, "hair") != nullptr;
   const bool says_brow = find_value(entries, "brow") != nullptr;
   if (const Look* skin = take_named_look(entries, "skin", words.looks)) {
@@ -128,27 +124,20 @@ void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   look.is_hair_given = look.is_hair_given || says_hair;
   look.is_brow_given = look.is_brow_given || says_brow;
   if (const Look* brow = take_named_look(entries, "brow", words.hair_colours)) look.brow = brow->brow;
-  if (const YamlValue* beard = find_value(entries, "beard")) load_name(*beard, "beard", kBeards, look.beard);
+  if (const YamlValue* beard = find_value(entries, "beard")) load_name(*beard, look.beard);
   load_look_words(entries, look);
 }
 
 // `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides.
 void load_limits(const YamlValue& value, std::map<std::string, double>& into) {
-  Names names;
-  for (const LimitName& limit : list_limits())
-    if (const std::string& name = limit.plural.empty() ? limit.name : limit.plural;
-        std::ranges::find(names, name) == names.end())
-      names.push_back(name);
-  for (const LimitName& limit : list_limits())
-    if (!limit.plural.empty()) names.push_back(limit.name);
-  const YamlMapping entries = load_mapping(value, names, "limits such as {brow.left.up: 0.8}", "limit");
+  const YamlMapping entries = load_section(value);
   for (const bool is_plural_pass : {true, false})
     for (const YamlEntry& entry : entries) {
       double share = 1;
       bool is_read = false;
       for (const LimitName& limit : list_limits()) {
         if (entry.key != (is_plural_pass ? limit.plural : limit.name)) continue;
-        if (!is_read && !load_number(entry.value, 0, kMaxLimit, share, "times the head's own")) break;
+        if (!is_read && !load_number(entry.value, share)) break;
         is_read = true;
         into[limit.name] = share;
       }
@@ -181,7 +170,7 @@ std::set<std::string> find_said(const YamlMapping& entries) {
     for (const YamlEntry& part : load_free_mapping(entry.value, "a mapping")) {
       said.insert(entry.key + "." + part.key);
       if (part.key == "skin" && !find_node(part.value).text.starts_with('#'))
-        for (const std::string& colour : kLookKeys) said.insert("look." + colour);
+        for (const Key& colour : find_sections().look.keys) said.insert("look." + colour.name);
     }
   }
   return said;
@@ -190,7 +179,7 @@ std::set<std::string> find_said(const YamlMapping& entries) {
 // A number from which all is drawn that the file says nothing of.
 void load_random(const YamlValue& value, const People& people, HeadSpec& head) {
   int seed = 0;
-  if (!load_whole(value, 0, kMaxSeed, seed)) return;
+  if (!load_whole(value, seed)) return;
   head.random = seed;
   draw_person(people, static_cast<std::uint64_t>(seed), head);
 }
@@ -199,10 +188,10 @@ void load_random(const YamlValue& value, const People& people, HeadSpec& head) {
 
 HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   HeadSpec head;
-  const YamlMapping entries = load_mapping(value, kHeadKeys, "a mapping such as {age: adult}");
+  const YamlMapping entries = load_section(value);
   load_start(entries, source, head);
   load_growth(entries, *source.words, head);
-  if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, "cut of hair", kHairs, head.hair);
+  if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
   if (const YamlValue* sculpt = find_value(entries, "sculpt"))
     load_sculpt(*sculpt, *source.words, head.sculpt);
@@ -214,8 +203,8 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
 }
 
 void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& head) {
-  if (const YamlValue* age = find_value(entries, "age")) load_mix(*age, "age", kAges, head.age);
-  if (const YamlValue* skull = find_value(entries, "skull")) load_mix(*skull, "skull", kSkulls, head.skull);
+  if (const YamlValue* age = find_value(entries, "age")) load_mix(*age, head.age);
+  if (const YamlValue* skull = find_value(entries, "skull")) load_mix(*skull, head.skull);
   if (const YamlValue* character = find_value(entries, "character"))
     load_character(*character, head.character);
   if (const YamlValue* guides = find_value(entries, "guides")) load_guides(*guides, head.guides);

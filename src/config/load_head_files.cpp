@@ -11,8 +11,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMaxWeight = 1000;  // of a mix; only its proportions count
-
 // "a.yaml mixes b.yaml mixes a.yaml", from where the circle begins.
 std::string describe_circle(const std::vector<fs::path>& chain, const fs::path& again) {
   std::string circle;
@@ -29,7 +27,7 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
     return false;
   };
   fs::path path;
-  const std::string fault = find_file_fault(name, find_folder(value), {".yaml", ".yml"}, path);
+  const std::string fault = find_file_fault(name, find_folder(value), kYamlEndings, path);
   if (!fault.empty()) return tell(fault);
   HeadSource inner = source;
   inner.chain.push_back(fs::weakly_canonical(path));
@@ -45,7 +43,7 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
   if (!document) return false;
   const YamlValue root = find_root(*document, findings);
-  const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+  const YamlMapping entries = load_section(root, find_sections().file);
   check_version(root, entries);
   if (const YamlValue* other = find_value(entries, "head")) head = load_head(*other, inner);
   return true;
@@ -114,12 +112,10 @@ std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
   return std::nullopt;
 }
 
-void load_mesh(const YamlValue& value, std::optional<FileReference>& into) {
-  load_file(value, {".obj"}, into);
-}
+void load_mesh(const YamlValue& value, std::optional<FileReference>& into) { load_file(value, into); }
 
 void load_scan(const YamlValue& value, std::optional<FileReference>& into) {
-  if (!load_file(value, {".obj", ".ply", ".stl"}, into) || find_landmark_file(into->path)) return;
+  if (!load_file(value, into) || find_landmark_file(into->path)) return;
   add_mistake(
       value,
       fmt::format("'{}' has no landmarks beside it; expected a file '{}' such as landmarks: {{prn: [x, "
@@ -143,7 +139,7 @@ void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& h
   for (const YamlEntry& entry : entries) {
     HeadShare share;
     const bool is_file = load_other_head(entry.value, entry.key, entry.spot, source, share.head);
-    if (!load_number(entry.value, 0, kMaxWeight, share.weight)) continue;
+    if (!load_number(entry.value, share.weight)) continue;
     if (share.weight == 0)
       add_mistake(entry.value,
                   describe_subject(entry.value) + " is 0; expected a weight above 0, or no such key");
@@ -158,9 +154,8 @@ void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& h
 }
 
 void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<SculptStroke>& into) {
-  constexpr const char* kExpected = "a mapping such as {at: chin, move: [0, -2mm, 3mm], radius: 25mm}";
   for (const YamlValue& item : load_list(value, "a list such as [{at: chin, move: [0, -2mm, 3mm]}]")) {
-    const YamlMapping entries = load_mapping(item, kSculptKeys, kExpected);
+    const YamlMapping entries = load_section(item);
     SculptStroke stroke;
     const YamlValue* at = find_required(entries, "at", item, "a place of the head such as chin");
     const YamlValue* move = find_required(entries, "move", item, "three lengths such as [0, -2mm, 3mm]");
@@ -168,14 +163,12 @@ void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<Scu
     if (at != nullptr && load_text(*at, "a place of the head such as chin", stroke.at) &&
         !find_bare_place(words, stroke.at, is_middle))
       add_mistake(*at, describe_unknown("place", stroke.at, list_places(words)));
-    if (move != nullptr && load_lengths(*move, kMostMove_mm, stroke.move_mm) && is_middle &&
-        stroke.move_mm.x != 0)
+    if (move != nullptr && load_lengths(*move, stroke.move_mm) && is_middle && stroke.move_mm.x != 0)
       add_mistake(*move,
                   fmt::format("'{}' lies in the middle and moves {:.7g}mm aside; expected 0, as one half "
                               "is the mirror image of the other",
                               stroke.at, stroke.move_mm.x));
-    if (const YamlValue* radius = find_value(entries, "radius"))
-      load_quantity(*radius, build_length_measure(), kLeastRadius_mm, kMostRadius_mm, stroke.radius_mm);
+    if (const YamlValue* radius = find_value(entries, "radius")) load_length(*radius, stroke.radius_mm);
     into.push_back(std::move(stroke));
   }
 }

@@ -4,17 +4,10 @@
 #include <tuple>
 
 #include "config/load_clip.hpp"
-#include "core/seeded.hpp"
 
 namespace mien {
 
 namespace {
-
-constexpr double kMaxPerMinute = 60;   // blinks; people come to 15 or 20
-constexpr double kMaxAsymmetry = 0.3;  // more is no life but contempt: say it with `brow.left` and the like
-constexpr double kMaxBreaths = 60;     // a minute: more is panting, which the head's turn says better
-constexpr double kMaxSide_deg = 90, kMaxUp_deg = 60;  // eyes and head together look no further
-constexpr double kFurthest_mm = 100'000;              // beyond, the two eyes look the same way
 
 // `look:` in one word. The angles are those of a plain look away: less reads as a slip, more as a stare.
 struct LookWord {
@@ -32,27 +25,24 @@ bool is_text(const YamlValue& value) { return find_node(value).kind == NodeKind:
 
 void load_seed(const YamlMapping& entries, std::uint64_t& into) {
   int seed = 0;
-  if (const YamlValue* number = find_value(entries, "seed");
-      number != nullptr && load_whole(*number, 0, kMaxSeed, seed))
+  if (const YamlValue* number = find_value(entries, "seed"); number != nullptr && load_whole(*number, seed))
     into = static_cast<std::uint64_t>(seed);
 }
 
 void load_share(const YamlMapping& entries, std::string_view key, double& into) {
-  if (const YamlValue* number = find_value(entries, key)) load_number(*number, 0, 1, into);
+  if (const YamlValue* number = find_value(entries, key)) load_number(*number, into);
 }
 
 void load_blink_style(const YamlValue& value, BlinkSpec& blink) {
   std::string name;
-  if (load_name(value, "blink", kBlinkStyles, name)) blink = name == "natural" ? kNaturalBlink : BlinkSpec{};
+  if (load_name(value, name)) blink = name == "natural" ? kNaturalBlink : BlinkSpec{};
 }
 
 void load_blink(const YamlValue& value, BlinkSpec& blink) {
   if (is_text(value)) return load_blink_style(value, blink);
-  const YamlMapping entries =
-      load_mapping(value, kBlinkKeys, "natural, none or a mapping such as {per_minute: 15, seed: 7}");
+  const YamlMapping entries = load_section(value);
   if (const YamlValue* style = find_value(entries, "style")) load_blink_style(*style, blink);
-  if (const YamlValue* rate = find_value(entries, "per_minute"))
-    load_number(*rate, 0, kMaxPerMinute, blink.per_minute, "blinks a minute");
+  if (const YamlValue* rate = find_value(entries, "per_minute")) load_number(*rate, blink.per_minute);
   load_seed(entries, blink.seed);
   load_share(entries, "doubles", blink.doubles);
   load_share(entries, "partial", blink.partial);
@@ -60,13 +50,10 @@ void load_blink(const YamlValue& value, BlinkSpec& blink) {
 }
 
 void load_direction(const YamlValue& value, GazeKey& key) {
-  const YamlMapping entries = load_mapping(
-      value, kDirectionKeys, "a word such as camera, a mapping such as {side: 20deg, up: -5deg} or a point");
+  const YamlMapping entries = load_section(value);
   key.look = LookAt::direction;
-  if (const YamlValue* side = find_value(entries, "side"))
-    load_quantity(*side, build_angle_measure(), -kMaxSide_deg, kMaxSide_deg, key.side_deg);
-  if (const YamlValue* up = find_value(entries, "up"))
-    load_quantity(*up, build_angle_measure(), -kMaxUp_deg, kMaxUp_deg, key.up_deg);
+  if (const YamlValue* side = find_value(entries, "side")) load_angle(*side, key.side_deg);
+  if (const YamlValue* up = find_value(entries, "up")) load_angle(*up, key.up_deg);
 }
 
 void load_point(const YamlValue& value, GazeKey& key) {
@@ -75,8 +62,9 @@ void load_point(const YamlValue& value, GazeKey& key) {
   const std::vector<YamlValue> items = load_list(value, kExpected);
   if (items.size() != 3) return add_unexpected(value, kExpected);
   key.look = LookAt::point;
+  const Form& form = find_form(value, FormKind::lengths);
   for (int i = 0; i < 3; ++i)
-    load_quantity(items[static_cast<std::size_t>(i)], build_length_measure(), -kFurthest_mm, kFurthest_mm,
+    load_quantity(items[static_cast<std::size_t>(i)], build_length_measure(), form.low, form.high,
                   key.point_mm[i]);
 }
 
@@ -100,7 +88,7 @@ std::vector<GazeKey> load_gaze_keys(const YamlValue& value, const ClipClock& clo
   std::vector<GazeKey> keys;
   std::optional<double> before_s;
   for (const YamlValue& item : load_list(value, "a list of keys such as [{at: 1s, look: left}]")) {
-    const YamlMapping entries = load_mapping(item, kGazeKeyKeys, "a key such as {at: 1s, look: left}");
+    const YamlMapping entries = load_section(item);
     GazeKey key;
     key.place = find_place(item.document->source, item.spot);
     load_key_time(entries, item, clock, before_s, key.at_s);
@@ -115,7 +103,7 @@ std::vector<GazeKey> load_gaze_keys(const YamlValue& value, const ClipClock& clo
 void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
   if (is_text(value)) {
     std::string name;
-    if (!load_name(value, "gaze", kGazeWords, name)) return;
+    if (!load_name(value, name)) return;
     if (name == "wander") gaze.wander = 1;
     if (name == "camera")
       gaze.keys = {{.look = LookAt::camera, .place = find_place(value.document->source, value.spot)}};
@@ -125,8 +113,7 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
     gaze.keys = load_gaze_keys(value, clock);
     return;
   }
-  const YamlMapping entries =
-      load_mapping(value, kGazeKeys, "wander, camera, a list of keys or a mapping such as {wander: 0.5}");
+  const YamlMapping entries = load_section(value);
   const YamlValue *keys = find_value(entries, "keys"), *look = find_value(entries, "look");
   if (keys != nullptr) gaze.keys = load_gaze_keys(*keys, clock);
   if (look != nullptr && keys == nullptr) {
@@ -141,17 +128,15 @@ void load_gaze(const YamlValue& value, const ClipClock& clock, GazeSpec& gaze) {
 
 // `drift` and `asymmetry`: a number, or a mapping of it and a seed.
 template <typename Dial>
-void load_dial(const YamlValue& value, double most, const Names& keys, std::string_view example, Dial& dial) {
+void load_dial(const YamlValue& value, Dial& dial) {
   if (is_text(value)) {
-    load_number(value, 0, most, dial.amount);
+    load_number(value, dial.amount);
     return;
   }
-  const YamlMapping entries =
-      load_mapping(value, keys, fmt::format("a number from 0 to {} or a mapping such as {}", most, example));
+  const YamlMapping entries = load_section(value);
   const YamlValue *amount = find_value(entries, "amount"), *stillness = find_value(entries, "stillness");
-  if (amount != nullptr) load_number(*amount, 0, most, dial.amount);
-  if (double still = 0; stillness != nullptr && load_number(*stillness, 0, most, still))
-    dial.amount = most - still;
+  if (amount != nullptr) load_number(*amount, dial.amount);
+  if (double still = 0; stillness != nullptr && load_number(*stillness, still)) dial.amount = 1 - still;
   if (amount != nullptr && stillness != nullptr)
     add_mistake(*stillness,
                 fmt::format("{} stands beside 'amount', which is its opposite; expected one of them",
@@ -159,20 +144,21 @@ void load_dial(const YamlValue& value, double most, const Names& keys, std::stri
   load_seed(entries, dial.seed);
   if constexpr (requires { dial.breaths_per_minute; })
     if (const YamlValue* breath = find_value(entries, "breath"))
-      load_number(*breath, 0, kMaxBreaths, dial.breaths_per_minute, "breaths a minute");
+      load_number(*breath, dial.breaths_per_minute);
 }
 
 // A word, a number, or a mapping; a seed alone asks for the natural amount.
 void load_asymmetry(const YamlValue& value, AsymmetrySpec& asymmetry) {
   if (is_text(value) && !parse_number(find_node(value).text)) {
     const std::string& name = find_node(value).text;
-    if (std::ranges::find(kAsymmetryWords, name) == kAsymmetryWords.end())
-      return add_unexpected(value, fmt::format("natural, none or a number from 0 to {}", kMaxAsymmetry));
+    if (std::ranges::find(kAsymmetryWords, name, &Word::name) == kAsymmetryWords.end())
+      return add_unexpected(value, fmt::format("natural, none or a number from 0 to {}",
+                                               find_form(value, FormKind::number).high));
     asymmetry.amount = name == "natural" ? kNaturalAsymmetry : 0;
     return;
   }
   asymmetry.amount = kNaturalAsymmetry;
-  load_dial(value, kMaxAsymmetry, kAsymmetryKeys, "{amount: 0.2, seed: 3}", asymmetry);
+  load_dial(value, asymmetry);
 }
 
 }  // namespace
@@ -184,8 +170,7 @@ void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& cli
       if (double at_s = 0; load_time(item, clock, at_s)) clip.blinks_s.push_back(at_s);
   std::ranges::sort(clip.blinks_s);
   if (const YamlValue* gaze = find_value(entries, "gaze")) load_gaze(*gaze, clock, clip.gaze);
-  if (const YamlValue* drift = find_value(entries, "drift"))
-    load_dial(*drift, 1, kDriftKeys, "{amount: 0.5, seed: 3}", clip.drift);
+  if (const YamlValue* drift = find_value(entries, "drift")) load_dial(*drift, clip.drift);
   if (const YamlValue* asymmetry = find_value(entries, "asymmetry"))
     load_asymmetry(*asymmetry, clip.asymmetry);
 }

@@ -61,7 +61,7 @@ Express load_posed(const YamlMapping& entries, const ExpressionBook& book, const
     if (formulas != nullptr && is_formula(*value))
       live_strength = load_formula(*value, *formulas);
     else
-      load_number(*value, 0, 1, strength);
+      load_number(*value, strength);
     if (named == nullptr)
       add_mistake(*value, "'strength' weakens nothing here; expected 'express' beside it");
     const bool is_mix = express.label.find('+') != std::string::npos;

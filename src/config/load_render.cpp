@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 
-#include "config/load_spec.hpp"
 #include "config/sections.hpp"
 
 namespace mien {
@@ -15,9 +14,10 @@ void load_size(const YamlValue& value, RenderSpec& render) {
     add_unexpected(value, "a width and a height such as 480x600");
     return;
   }
-  const auto is_right = [](int side_px) { return side_px >= kMinSide_px && side_px <= kMaxSide_px; };
+  const Form& form = find_form(value, FormKind::size);
+  const auto is_right = [&](int side_px) { return side_px >= form.low && side_px <= form.high; };
   if (!is_right(size->first) || !is_right(size->second)) {
-    add_unexpected(value, fmt::format("a width and a height from {} to {} pixels", kMinSide_px, kMaxSide_px));
+    add_unexpected(value, fmt::format("a width and a height from {} to {} pixels", form.low, form.high));
     return;
   }
   render.width_px = size->first;
@@ -28,14 +28,12 @@ void load_size(const YamlValue& value, RenderSpec& render) {
 
 RenderSpec load_render(const YamlValue& value) {
   RenderSpec render;
-  const YamlMapping entries = load_mapping(value, kRenderKeys, "a mapping such as {size: 480x600}");
+  const YamlMapping entries = load_section(value);
   if (const YamlValue* size = find_value(entries, "size")) load_size(*size, render);
   std::string quality;
-  if (const YamlValue* name = find_value(entries, "quality");
-      name != nullptr && load_name(*name, "quality", kQualities, quality))
+  if (const YamlValue* name = find_value(entries, "quality"); name != nullptr && load_name(*name, quality))
     render.quality = static_cast<Quality>(std::ranges::find(kQualities, quality) - kQualities.begin());
-  if (const YamlValue* name = find_value(entries, "background"))
-    load_name(*name, "background", kBackgrounds, render.background);
+  if (const YamlValue* name = find_value(entries, "background")) load_name(*name, render.background);
   return render;
 }
 

@@ -14,8 +14,6 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxTitleLength = 200;  // bytes; it is shown in one line
-
 // The files of expression libraries, by name.
 std::vector<std::filesystem::path> list_library_files(const std::filesystem::path& folder) {
   std::error_code error;
@@ -29,20 +27,20 @@ std::vector<std::filesystem::path> list_library_files(const std::filesystem::pat
 
 // One line of text: it is written into scenes, as a comment.
 void load_title(const YamlValue& value, std::string& title) {
-  constexpr const char* kExpected = "one line of text, 200 bytes at most";
+  const std::string expected = fmt::format("one line of text, {} bytes at most", kMaxTitleLength);
   std::string text;
-  if (!load_text(value, kExpected, text)) return;
+  if (!load_text(value, expected, text)) return;
   const bool is_one_line =
       std::ranges::none_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; });
   if (is_one_line && text.size() <= kMaxTitleLength)
     title = text;
   else
-    add_unexpected(value, kExpected);
+    add_unexpected(value, expected);
 }
 
 void load_library(const YamlValue& root, const std::string& name, ExpressionBook& book,
                   std::vector<ExpressionDraft>& drafts) {
-  const YamlMapping entries = load_mapping(root, kLibraryFileKeys, "a mapping that begins with 'mien: 1'");
+  const YamlMapping entries = load_section(root, find_sections().library_file);
   if (find_node(root).kind != NodeKind::mapping) return;
   check_version(root, entries);
   if (const YamlValue* library = find_required(entries, "library", root, "the file's name, '" + name + "'"))
@@ -123,7 +121,7 @@ Spec load_spec(const std::filesystem::path& file, const Language& language) {
   spec.name = build_name(file);
   if (const auto document = load_document(file, findings)) {
     const YamlValue root = find_root(*document, findings);
-    const YamlMapping entries = load_mapping(root, kFileKeys, "a mapping that begins with 'mien: 1'");
+    const YamlMapping entries = load_section(root, find_sections().file);
     if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
   }
   throw_mistakes(std::move(findings));

@@ -10,17 +10,13 @@ namespace mien {
 
 namespace {
 
-constexpr double kMostAim_mm = 5000;                    // as far off as an actor may stand
-constexpr double kShortest_mm = 28, kLongest_mm = 400;  // of lenses; shorter ones are inside the nose
-constexpr const char* kWholeFrame = "all";              // what the camera looks at without `look_at`
-constexpr double kMostBrightness = 2;                   // more only burns the skin out
+constexpr const char* kWholeFrame = "all";  // what the camera looks at without `look_at`
 
 void load_values(const YamlMapping& entries, LightKey& key) {
-  if (const YamlValue* set = find_value(entries, "set")) load_name(*set, "light set", kLightSets, key.set);
+  if (const YamlValue* set = find_value(entries, "set")) load_name(*set, key.set);
   if (const YamlValue* brightness = find_value(entries, "brightness"))
-    load_number(*brightness, 0, kMostBrightness, key.brightness);
-  if (const YamlValue* angle = find_value(entries, "angle"))
-    load_quantity(*angle, build_angle_measure(), -360, 360, key.angle_deg);
+    load_number(*brightness, key.brightness);
+  if (const YamlValue* angle = find_value(entries, "angle")) load_angle(*angle, key.angle_deg);
 }
 
 // A named background, or a colour.
@@ -31,7 +27,7 @@ void load_values(const YamlMapping& entries, BackgroundKey& key) {
   key.colour = node.kind == NodeKind::text ? parse_colour(node.text) : std::nullopt;
   if (key.colour) return;
   if (node.kind == NodeKind::text && !node.text.starts_with("#"))
-    load_name(*show, "background", kBackgrounds, key.name);
+    load_name(*show, key.name);
   else
     add_unexpected(*show, "a colour such as \"#203040\", or one of: " + join_names(kBackgrounds));
 }
@@ -41,7 +37,7 @@ void load_aim(const YamlValue& value, const AimWords& words, Aim& aim) {
   const NodeKind kind = find_node(value).kind;
   aim = {};
   if (kind == NodeKind::list) {
-    if (load_lengths(value, kMostAim_mm, aim.point_mm)) aim.kind = Aim::Kind::point;
+    if (load_lengths(value, aim.point_mm)) aim.kind = Aim::Kind::point;
     return;
   }
   std::string name;
@@ -81,7 +77,7 @@ void load_head_track(const YamlMapping& entries, const HeadWords& words, const H
   HeadKey start;
   start.head = first;
   clip.head = load_track<HeadKey>(
-      entries, "head", kHeadTrackKeys, "{at: 1s, age: child}", build_reader(clip, times),
+      entries, "head", "{at: 1s, age: child}", build_reader(clip, times),
       [&](const YamlMapping& key_entries, HeadKey& key) { load_growth(key_entries, words, key.head); },
       start);
   stretch_clip(entries, clip.head, clip);
@@ -100,8 +96,7 @@ void load_camera_sights(const YamlMapping& entries, const AimWords& words, ClipS
     if (find_node(items[i]).kind == NodeKind::mapping) {
       const YamlMapping own = load_free_mapping(items[i], "");
       if (const YamlValue* aim = find_value(own, "look_at")) load_aim(*aim, words, key.aim);
-      if (const YamlValue* lens = find_value(own, "lens"))
-        load_quantity(*lens, build_length_measure(), kShortest_mm, kLongest_mm, key.lens_mm);
+      if (const YamlValue* lens = find_value(own, "lens")) load_length(*lens, key.lens_mm);
     }
     before = key;
   }
@@ -110,10 +105,10 @@ void load_camera_sights(const YamlMapping& entries, const AimWords& words, ClipS
 void load_light_tracks(const YamlMapping& entries, const NamedTimes& times, ClipSpec& clip) {
   const ClipReader reader = build_reader(clip, times);
   clip.light = load_track<LightKey>(
-      entries, "light", kLightKeys, "{at: 1s, set: candle}", reader,
+      entries, "light", "{at: 1s, set: candle}", reader,
       [](const YamlMapping& key_entries, LightKey& key) { load_values(key_entries, key); });
   clip.background = load_track<BackgroundKey>(
-      entries, "background", kBackgroundKeys, "{at: 1s, show: dark}", reader,
+      entries, "background", "{at: 1s, show: dark}", reader,
       [](const YamlMapping& key_entries, BackgroundKey& key) { load_values(key_entries, key); });
   stretch_clip(entries, clip.light, clip);
   stretch_clip(entries, clip.background, clip);

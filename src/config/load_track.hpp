@@ -14,17 +14,15 @@ namespace mien {
 // The keys of one track, each a mapping with `at`, in rising time. `load_own` reads what else a key holds,
 // over the key before it; the first one's stands over `first`. Empty if there is no such track.
 template <typename Key, typename LoadOwn>
-std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, const Names& words,
-                            std::string_view example, const ClipReader& reader, const LoadOwn& load_own,
-                            const Key& first = {}) {
+std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, std::string_view example,
+                            const ClipReader& reader, const LoadOwn& load_own, const Key& first = {}) {
   std::vector<Key> keys;
   const YamlValue* track = find_value(clip, name);
   if (track == nullptr) return keys;
-  const std::string item = fmt::format("a key such as {}", example);
   std::optional<double> before_s;
   for (const YamlValue& value : load_list(*track, "a list of keys such as [" + std::string(example) + "]")) {
     Key key = keys.empty() ? first : keys.back();
-    const YamlMapping entries = load_mapping(value, words, item);
+    const YamlMapping entries = load_section(value);
     load_key_time(entries, value, reader.clock, before_s, key.at_s);
     if constexpr (requires { key.place; }) key.place = find_place(value.document->source, value.spot);
     Between between = Between::ease;

@@ -44,7 +44,8 @@ std::string find_file_fault(const std::string& name, const fs::path& folder, con
   return {};
 }
 
-bool load_file(const YamlValue& value, const Names& endings, std::optional<FileReference>& into) {
+bool load_file(const YamlValue& value, std::optional<FileReference>& into) {
+  const Names& endings = find_form(value, FormKind::file).endings;
   std::string name;
   if (!load_text(value, "a file that ends in " + join_names(endings), name)) return false;
   fs::path path;

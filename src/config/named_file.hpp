@@ -19,6 +19,6 @@ std::string find_file_fault(const std::string& name, const std::filesystem::path
                             const Names& endings, std::filesystem::path& path);
 
 // False, with a mistake told, if the value names no such file.
-bool load_file(const YamlValue& value, const Names& endings, std::optional<FileReference>& into);
+bool load_file(const YamlValue& value, std::optional<FileReference>& into);
 
 }  // namespace mien

@@ -11,8 +11,6 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxName = 40;  // letters; a name is a word, not a sentence
-
 constexpr std::size_t kMaxNodes = 2000;  // they are followed one from another; more are no director's note
 
 // One key or cue with a name or with a time that waits for one.
@@ -36,7 +34,7 @@ std::string build_full_name(const std::string& actor, const std::string& name) {
 }
 
 bool is_word(const std::string& name) {
-  return !name.empty() && name.size() <= kMaxName && std::ranges::all_of(name, [](char c) {
+  return !name.empty() && name.size() <= kMaxKeyName && std::ranges::all_of(name, [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
   });
 }
@@ -99,7 +97,7 @@ std::optional<double> resolve(Graph& graph, std::size_t number, std::vector<std:
     if (load_time(*node.at, graph.clock, at_s)) node.time_s = at_s;
     return node.time_s;
   }
-  const YamlMapping entries = load_mapping(*node.at, kWaitKeys, "a time");
+  const YamlMapping entries = load_section(*node.at, find_sections().wait);
   const YamlValue* after = find_required(entries, "after", *node.at, "the name of a key such as ann.hello");
   std::string name;
   if (after == nullptr || !load_text(*after, "the name of a key such as ann.hello", name)) return {};

@@ -38,6 +38,8 @@ Measure build_time_measure(int fps) {
   return {"a time", "1.5s, 36f or 500ms", {{"s"}, {"ms", 1, 1000}, {"f", 1, static_cast<double>(fps)}}, {}};
 }
 
+Measure build_seconds_measure() { return {"a time", "0.6s or 600ms", {{"s"}, {"ms", 1, 1000}}, {}}; }
+
 Measure build_length_measure() { return {"a length", "80mm or 8cm", {{"mm"}, {"cm", 10, 1}}, {}}; }
 
 Measure build_angle_measure() { return {"an angle", "20deg", {{"deg"}}, {}}; }

@@ -26,6 +26,7 @@ struct Measure {
 };
 
 Measure build_time_measure(int fps);  // s, ms, f: frames of 1 / fps
+Measure build_seconds_measure();      // s, ms: of what has no frames
 Measure build_length_measure();       // mm, cm
 Measure build_angle_measure();        // deg
 

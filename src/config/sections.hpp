@@ -11,7 +11,7 @@ namespace mien {
 
 HeadSpec load_head(const YamlValue& value, const HeadSource& source);
 
-// What of a head may change in a clip (kGrowthKeys), over what `head` has already.
+// What of a head may change in a clip (the keys of a head_key), over what `head` has already.
 void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& head);
 
 // `clip.head`: keys of a head that changes, from `first` on. Without a `length` the clip lasts until the

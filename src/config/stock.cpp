@@ -18,7 +18,6 @@ Templates load_templates(const fs::path& data_folder) {
     for (const auto& entry : fs::directory_iterator(folder / part))
       if (entry.is_regular_file()) add(entry.path());
   add(folder / "new.yaml");
-  add(folder / "mien.schema.json");
   return templates;
 }
 

@@ -1,7 +1,11 @@
-// Every fixed word of the YAML language: the names a value may have, and the keys of each mapping.
+// The fixed words that values of the YAML language may be, each with its meaning in one line. The keys of its
+// mappings and the ranges of its numbers are language.hpp's.
 #pragma once
 
+#include <array>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "config/areas.hpp"
@@ -10,99 +14,126 @@ namespace mien {
 
 using Names = std::vector<std::string>;
 
-// The keys of the first `count` parts of LeadPart.
-inline Names list_part_keys(std::size_t count) {
-  Names keys;
-  for (std::size_t part = 0; part < count; ++part) keys.emplace_back(find_part_key(part));
-  return keys;
-}
-
 inline constexpr int kLanguageVersion = 1;  // `mien: 1`
 
-// Names. Those of enums stand in the enum's order (spec.hpp).
-inline const Names kAges{"infant", "child", "teenager", "young_adult", "adult", "old"};
+// An empty meaning: the word says it itself, or the data that the word stands for does (data_words.hpp).
+struct Word {
+  std::string_view name, meaning = {};
+};
+
+inline Names list_names(std::span<const Word> words) {
+  Names names;
+  for (const Word& word : words) names.emplace_back(word.name);
+  return names;
+}
+
+// Names of enums stand in the enum's order (spec.hpp).
+inline constexpr std::array kAgeWords{Word{"infant", "about 1 year"},
+                                      Word{"child", "about 6 years"},
+                                      Word{"teenager", "about 12 years"},
+                                      Word{"young_adult", "about 17 years"},
+                                      Word{"adult", "what the other ages are told against"},
+                                      Word{"old", "about 70 years"}};
+inline constexpr std::array kSkullWords{
+    Word{"average", "between all others"}, Word{"square", "a broad jaw with corners"},
+    Word{"round", "a round skull and jaw"}, Word{"wide", "broad for its height"},
+    Word{"narrow", "high for its breadth"}};
+inline constexpr std::array kCharacterWords{Word{"female", "-1"}, Word{"male", "1"}};
+inline constexpr std::array kHairWords{Word{"none", "a bald head: the default"},
+                                       Word{"buzz"},
+                                       Word{"crop"},
+                                       Word{"side_part"},
+                                       Word{"pixie"},
+                                       Word{"bob"},
+                                       Word{"long"},
+                                       Word{"wavy"},
+                                       Word{"curls"},
+                                       Word{"ponytail"},
+                                       Word{"bun"}};  // cuts of templates/head/hair.yaml
+inline constexpr std::array kBeardWords{Word{"none", "no beard"}, Word{"stubble"}, Word{"moustache"},
+                                        Word{"short"}};  // beards of hair.yaml
+inline constexpr std::array kGuideWords{
+    Word{"mouth_line", "where the lips meet"}, Word{"nose_base", "the underside of the nose"},
+    Word{"eye_line", "the middle of the eyes"}, Word{"brow_line", "the brows"},
+    Word{"hairline", "where the hair begins"}};  // upward
+inline constexpr std::array kEarGuideWords{
+    Word{"ear_base", "the lower end of the ears"},
+    Word{"ear_top", "the upper end of the ears"}};  // beside the face's
+inline constexpr std::array kEasingWords{Word{"linear", "straight"},
+                                         Word{"in", "sets out slowly"},
+                                         Word{"out", "arrives slowly"},
+                                         Word{"in_out", "sets out and arrives slowly"},
+                                         Word{"hold", "stays, and jumps at the key's time"},
+                                         Word{"back", "passes the key and settles"},
+                                         Word{"bounce", "rebounds"}};
+inline constexpr std::array kBetweenWords{Word{"ease", "each way by itself, as its `ease` says"},
+                                          Word{"linear", "straight"},
+                                          Word{"smooth", "a curve through all keys that never passes them"},
+                                          Word{"spline", "the natural cubic spline, held at the limits"}};
+inline constexpr std::array kRuleWords{Word{"over", "this one, over those below"}, Word{"add", "their sum"},
+                                       Word{"max", "whoever moves it further from rest"},
+                                       Word{"share", "all that say so, by their weights"}};
+inline constexpr std::array kLeadWords{Word{"none", "all areas together"},
+                                       Word{"natural", "the eyes first, jaw and head last"}};
+inline constexpr std::array kBlinkWords{
+    Word{"none", "no blinks of their own"},
+    Word{"natural", "15 a minute with doubles, half blinks and blinks that go with great moves"}};
+inline constexpr std::array kGazeModeWords{Word{"wander", "small fixations about where the poses look"},
+                                           Word{"camera", "into the lens"}};
+inline constexpr std::array kLookWords{Word{"ahead", "straight out of the head, wherever it turns"},
+                                       Word{"camera", "into the lens"},
+                                       Word{"left", "to the character's left"},
+                                       Word{"right", "to the character's right"},
+                                       Word{"up", "upward"},
+                                       Word{"down", "downward"}};
+inline constexpr std::array kDrawWords{Word{"ones", "a new drawing each frame: smooth"},
+                                       Word{"twos", "each drawing for two frames"},
+                                       Word{"threes", "each drawing for three frames: choppy"}};
+inline constexpr std::array kQualityWords{
+    Word{"draft", "about 1 s a frame of 480x600 on one core: to see the timing"},
+    Word{"good", "about 3 s: the default"}, Word{"best", "about 10 s: for the last run"}};
+inline constexpr std::array kBackgroundWords{Word{"studio", "cool grey, lighter behind the head"},
+                                             Word{"light", "a bright wall"}, Word{"dark", "a black room"}};
+inline constexpr std::array kLightSetWords{
+    Word{"studio", "a portrait studio: a soft key, fill and rim"},
+    Word{"side", "one window in a dark room"},
+    Word{"low", "a lamp on the floor"},
+    Word{"candle", "one candle on the table"},
+    Word{"moon", "the moon high behind"},
+    Word{"rim", "a silhouette: light from behind on either side"}};  // of templates/povray
+inline constexpr std::array kAsymmetryWords{Word{"none", "both sides alike"},
+                                            Word{"natural", "0.2: as much as is seen in people"}};
+inline constexpr std::array kBaseWords{Word{"round", "a disc"}, Word{"square", "a block"},
+                                       Word{"plinth", "a moulded pedestal"},
+                                       Word{"none", "the chest is cut flat"}};
+inline constexpr std::array kTakeWords{Word{"keys"}, Word{"camera"}, Word{"turn"},    Word{"cues"},
+                                       Word{"laws"}, Word{"tracks"}, Word{"scripts"}, Word{"inputs"}};
+// As LeadPart; those before the head are the face's own.
+inline constexpr auto kPartWords = [] {
+  std::array<Word, kLeadCount> words{};
+  for (std::size_t part = 0; part < kLeadCount; ++part) words[part] = {find_part_key(part)};
+  return words;
+}();
+
+inline const Names kAges = list_names(kAgeWords);
 inline const std::string kAdult = "adult";  // what the other ages are told against
-inline const Names kSkulls{"average", "square", "round", "wide", "narrow"};
-inline const Names kCharacters{"female", "male"};
-inline const Names kHairs{
-    "none", "buzz", "crop",  "side_part", "pixie", "bob",
-    "long", "wavy", "curls", "ponytail",  "bun"};  // none, and the cuts of templates/head/hair.yaml
-inline const Names kBeards{"none", "stubble", "moustache", "short"};  // none, and the beards of hair.yaml
-inline const Names kGuides{"mouth_line", "nose_base", "eye_line", "brow_line", "hairline"};  // upward
-inline const Names kEarGuides{"ear_base", "ear_top"};  // beside the face's
-inline const Names kEasings{"linear", "in", "out", "in_out", "hold", "back", "bounce"};
-inline const Names kBetweens{"ease", "linear", "smooth", "spline"};
-inline const Names kRules{"over", "add", "max", "share"};
-inline const Names kLeads{"none", "natural"};
-inline const Names kBlinkStyles{"none", "natural"};
-inline const Names kGazeWords{"wander", "camera"};
-inline const Names kLooks{"ahead", "camera", "left", "right", "up", "down"};
-inline const Names kDraws{"ones", "twos", "threes"};  // held for 1, 2, 3 frames
-inline const Names kQualities{"draft", "good", "best"};
-inline const Names kBackgrounds{"studio", "light", "dark"};
-inline const Names kLightSets{"studio", "side", "low", "candle", "moon", "rim"};  // of templates/povray
+inline const Names kSkulls = list_names(kSkullWords);
+inline const Names kHairs = list_names(kHairWords);
+inline const Names kBeards = list_names(kBeardWords);
+inline const Names kGuides = list_names(kGuideWords);
+inline const Names kEarGuides = list_names(kEarGuideWords);
+inline const Names kEasings = list_names(kEasingWords);
+inline const Names kBetweens = list_names(kBetweenWords);
+inline const Names kRules = list_names(kRuleWords);
+inline const Names kLooks = list_names(kLookWords);
+inline const Names kDraws = list_names(kDrawWords);
+inline const Names kQualities = list_names(kQualityWords);
+inline const Names kBackgrounds = list_names(kBackgroundWords);
+inline const Names kTakes = list_names(kTakeWords);
+inline const Names kLeadKeys = list_names(kPartWords);
+inline const Names kReleaseKeys = list_names(std::span(kPartWords).first(kFacePartCount));
 
 // A plain expression name is looked up in the file, in its `library`, and then in these.
 inline const Names kEverydayLibraries{"mien", "mouths", "extras"};
-
-// Keys.
-inline const Names kFileKeys{"mien",        "title", "head",   "library", "exaggerate",
-                             "expressions", "clip",  "render", "busts",   "actors"};
-inline const Names kLibraryFileKeys{"mien", "library", "source", "expressions"};
-inline const Names kHeadKeys{"age",  "skull", "character", "guides", "features", "look",  "mesh",
-                             "scan", "mix",   "sculpt",    "hair",   "limits",   "random"};
-inline const Names kGrowthKeys{"age", "skull", "character", "guides", "features", "look"};
-inline const Names kSculptKeys{"at", "move", "radius"};
-inline const Names kLookKeys{"skin", "lips", "iris", "brow", "hair", "beard", "freckles", "age_spots"};
-inline const Names kExpressionKeys{"from",   "strength",  "exaggerate",
-                                   "attack", "dominance", "growth"};  // and every area's
-inline const Names kClipKeys{"fps",       "draw",    "keys",    "camera",    "turn", "blink",
-                             "blinks",    "length",  "between", "lead",      "cues", "laws",
-                             "tracks",    "scripts", "inputs",  "include",   "gaze", "drift",
-                             "asymmetry", "head",    "light",   "background"};
-inline const Names kPoseKeyKeys{"at",   "express", "strength", "exaggerate", "areas",
-                                "ease", "between", "name",     "release"};
-inline const Names kCameraKeys{"at", "angle", "height", "distance", "look_at", "lens", "ease", "between"};
-inline const Names kTurnKeys{"at", "turn", "nod", "tilt", "ease", "between", "name"};
-inline const Names kDrawKeys{"at", "on"};
-inline const Names kLeadKeys = list_part_keys(kLeadCount);         // as LeadPart
-inline const Names kReleaseKeys = list_part_keys(kFacePartCount);  // of the face, as LeadPart
-inline const Names kCueKeys{"from", "to",      "express",  "play",       "with",  "repeat", "attack",
-                            "hold", "release", "strength", "exaggerate", "areas", "rule",   "name"};
-inline const Names kLawKeys{"area", "move", "value", "from", "to", "range", "attack", "release", "rule"};
-inline const Names kTrackKeys{"csv", "at", "between", "attack", "release", "rule"};
-inline const Names kScriptKeys{"length", "parameters", "keys", "cues", "turn", "laws", "between"};
-inline const Names kIncludeKeys{"file", "at", "take"};
-inline const Names kTakes{"keys", "camera", "turn", "cues", "laws", "tracks", "scripts", "inputs"};
-inline const Names kHeadTrackKeys{"at",       "age",  "skull", "character", "guides",
-                                  "features", "look", "ease",  "name"};
-inline const Names kLightKeys{"at", "set", "brightness", "angle", "ease"};
-inline const Names kBackgroundKeys{"at", "show", "ease"};
-inline const Names kSharedClipKeys{"fps", "draw", "length", "camera", "light", "background"};  // with actors
-inline const Names kActorKeys{"head", "place", "clip"};
-inline const Names kPlaceKeys{"at", "turn"};
-inline const Names kWaitKeys{"after", "delay"};  // of a time that counts from another one
-inline const Names kBlinkKeys{"per_minute", "seed", "style", "doubles", "partial", "shifts"};
-inline const Names kGazeKeys{"keys", "look", "wander", "seed"};
-inline const Names kGazeKeyKeys{"at", "look"};
-inline const Names kDirectionKeys{"side", "up"};
-inline const Names kDriftKeys{"amount", "seed", "stillness", "breath"};
-inline const Names kAsymmetryWords{"none", "natural"};
-inline const Names kAsymmetryKeys{"amount", "seed"};
-inline const Names kRenderKeys{"size", "quality", "background"};
-inline const Names kBustKeys{"express", "strength", "exaggerate", "areas", "height", "base",
-                             "label",   "hollow",   "wall",       "drain", "magnet", "triangles"};
-inline const Names kBustSetKeys{"all",   "plate",  "strength", "exaggerate", "height", "base",
-                                "label", "hollow", "wall",     "drain",      "magnet", "triangles"};
-inline const Names kBases{"round", "square", "plinth", "none"};
-inline const Names kYesNo{"true", "false"};
-
-// Where a key belongs that was written in another place.
-struct Section {
-  std::string name;  // empty: the top of the file
-  Names keys;
-};
-inline const std::vector<Section> kSections{
-    {"", kFileKeys}, {"head", kHeadKeys}, {"clip", kClipKeys}, {"render", kRenderKeys}};
 
 }  // namespace mien

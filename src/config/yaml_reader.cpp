@@ -2,16 +2,35 @@
 
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <stdexcept>
 
 namespace mien {
 
 namespace {
 
-YamlValue build_value(const YamlValue& owner, std::uint32_t index, std::string path, bool is_item) {
+// What the language lets stand under a key of the value, or as an item of it; nullptr if it says nothing.
+const Forms* find_entry_forms(const YamlValue& owner, const std::string& key) {
+  if (owner.forms == nullptr) return nullptr;
+  if (const Form* form = find_form(*owner.forms, FormKind::section)) {
+    const Key* known = find_key(*form->section, key);
+    return known == nullptr ? nullptr : &known->forms;
+  }
+  const Form* form = find_form(*owner.forms, FormKind::map);
+  return form == nullptr ? nullptr : &form->items;
+}
+
+const Forms* find_item_forms(const YamlValue& owner) {
+  const Form* form = owner.forms == nullptr ? nullptr : find_form(*owner.forms, FormKind::list);
+  return form == nullptr ? nullptr : &form->items;
+}
+
+YamlValue build_value(const YamlValue& owner, std::uint32_t index, std::string path, bool is_item,
+                      const Forms* forms) {
   const YamlNode& node = owner.document->nodes[index];
   const std::uint32_t content = node.kind == NodeKind::alias ? node.target : index;
-  return {owner.document, owner.findings, content, node.spot, std::move(path), is_item};
+  return {owner.document, owner.findings, content, node.spot, std::move(path), is_item, forms};
 }
 
 std::string describe_found(const YamlNode& node) {
@@ -48,11 +67,12 @@ std::string describe_unknown_key(const YamlValue& owner, const std::string& key,
   if (key == "<<") return start + "there are no merge keys here";
   // "turn" is a brow's move, too.
   const bool is_of_face = noun != "key" || owner.path.starts_with("expressions");
-  for (const Section& section : kSections)
-    if (!is_of_face && section.name != owner.path &&
-        std::ranges::find(section.keys, key) != section.keys.end())
-      return start + (section.name.empty() ? std::string("it belongs at the top of the file")
-                                           : fmt::format("it belongs in '{}'", section.name));
+  const Sections& all = find_sections();
+  for (const auto& [path, section] : std::array<std::pair<std::string_view, const Section*>, 4>{
+           {{"", &all.file}, {"head", &all.head}, {"clip", &all.clip}, {"render", &all.render}}})
+    if (!is_of_face && path != owner.path && find_key(*section, key) != nullptr)
+      return start + (path.empty() ? std::string("it belongs at the top of the file")
+                                   : fmt::format("it belongs in '{}'", path));
   const std::string nearest = suggest_name(key, keys);
   if (!nearest.empty()) return start + fmt::format("did you mean '{}'?", nearest);
   const std::size_t colon = key.find(':');
@@ -64,7 +84,15 @@ std::string describe_unknown_key(const YamlValue& owner, const std::string& key,
 }  // namespace
 
 YamlValue find_root(const YamlDocument& document, Findings& findings) {
-  return {&document, &findings, document.root, document.nodes[document.root].spot, "", false};
+  return {&document, &findings, document.root, document.nodes[document.root].spot, "", false, nullptr};
+}
+
+const Form& find_form(const YamlValue& value, FormKind kind) {
+  const Form* form = value.forms == nullptr ? nullptr : find_form(*value.forms, kind);
+  if (form == nullptr)
+    throw std::logic_error(
+        fmt::format("the language has no form {} for {}", static_cast<int>(kind), describe_subject(value)));
+  return *form;
 }
 
 const YamlNode& find_node(const YamlValue& value) { return value.document->nodes[value.node]; }
@@ -92,7 +120,9 @@ YamlMapping load_free_mapping(const YamlValue& value, std::string_view expected)
     const YamlNode& key = value.document->nodes[children[i]];
     const std::string word = show_word(key.text);
     std::string path = value.path.empty() ? word : value.path + "." + word;
-    mapping.push_back({key.text, key.spot, build_value(value, children[i + 1], std::move(path), false)});
+    mapping.push_back(
+        {key.text, key.spot,
+         build_value(value, children[i + 1], std::move(path), false, find_entry_forms(value, key.text))});
   }
   return mapping;
 }
@@ -109,11 +139,21 @@ YamlMapping load_mapping(const YamlValue& value, const Names& keys, std::string_
   return mapping;
 }
 
+YamlMapping load_section(const YamlValue& value) {
+  return load_section(value, *find_form(value, FormKind::section).section);
+}
+
+YamlMapping load_section(const YamlValue& value, const Section& section) {
+  YamlMapping mapping = load_mapping(value, list_keys(section), section.expected, section.noun);
+  for (YamlEntry& entry : mapping) entry.value.forms = &find_key(section, entry.key)->forms;
+  return mapping;
+}
+
 std::vector<YamlValue> load_list(const YamlValue& value, std::string_view expected) {
   if (!is_kind(value, NodeKind::list, expected)) return {};
   std::vector<YamlValue> items;
   for (const std::uint32_t child : find_node(value).children)
-    items.push_back(build_value(value, child, value.path, true));
+    items.push_back(build_value(value, child, value.path, true, find_item_forms(value)));
   return items;
 }
 
@@ -169,8 +209,34 @@ bool load_quantity(const YamlValue& value, const Measure& measure, double low, d
   return is_right;
 }
 
-bool load_lengths(const YamlValue& value, double most_mm, glm::dvec3& into) {
+bool load_number(const YamlValue& value, double& into) {
+  const Form& form = find_form(value, FormKind::number);
+  return load_number(value, form.low, form.high, into, form.noun);
+}
+
+bool load_whole(const YamlValue& value, int& into) {
+  const Form& form = find_form(value, FormKind::whole);
+  return load_whole(value, static_cast<int>(form.low), static_cast<int>(form.high), into, form.noun);
+}
+
+bool load_seconds(const YamlValue& value, double& into_s) {
+  const Form& form = find_form(value, FormKind::seconds);
+  return load_quantity(value, build_seconds_measure(), form.low, form.high, into_s);
+}
+
+bool load_length(const YamlValue& value, double& into_mm) {
+  const Form& form = find_form(value, FormKind::length);
+  return load_quantity(value, build_length_measure(), form.low, form.high, into_mm);
+}
+
+bool load_angle(const YamlValue& value, double& into_deg) {
+  const Form& form = find_form(value, FormKind::angle);
+  return load_quantity(value, build_angle_measure(), form.low, form.high, into_deg);
+}
+
+bool load_lengths(const YamlValue& value, glm::dvec3& into_mm) {
   constexpr const char* kExpected = "three lengths, x y z, such as [0, -2mm, 3mm]";
+  const Form& form = find_form(value, FormKind::lengths);
   const std::vector<YamlValue> items = load_list(value, kExpected);
   if (find_node(value).kind != NodeKind::list) return false;
   if (items.size() != 3) {
@@ -180,8 +246,8 @@ bool load_lengths(const YamlValue& value, double most_mm, glm::dvec3& into) {
   }
   bool is_right = true;
   for (int axis = 0; axis < 3; ++axis)
-    is_right &= load_quantity(items[static_cast<std::size_t>(axis)], build_length_measure(), -most_mm,
-                              most_mm, into[axis]);
+    is_right &= load_quantity(items[static_cast<std::size_t>(axis)], build_length_measure(), form.low,
+                              form.high, into_mm[axis]);
   return is_right;
 }
 
@@ -202,6 +268,19 @@ bool load_colour(const YamlValue& value, glm::vec3& into) {
 bool load_text(const YamlValue& value, std::string_view expected, std::string& into) {
   if (!is_kind(value, NodeKind::text, expected)) return false;
   into = find_node(value).text;
+  return true;
+}
+
+bool load_name(const YamlValue& value, std::string& into) {
+  const Form& form = find_form(value, FormKind::word);
+  return load_name(value, form.noun, list_names(form.words), into);
+}
+
+bool load_yes_no(const YamlValue& value, bool& into) {
+  const Form& form = find_form(value, FormKind::yes_no);
+  std::string answer;
+  if (!load_name(value, form.noun, list_names(form.words), answer)) return false;
+  into = answer == form.words.front().name;
   return true;
 }
 

@@ -1,22 +1,33 @@
-// templates/mien.schema.json says what the code says: the same words, keys and moves.
-#include <nlohmann/json.hpp>
+// `mien schema` says what the table of the language and the data say, and a real validator takes it.
+#include "config/schema.hpp"
+#include "shipped.hpp"
 
+#include <fmt/format.h>
+
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "config/areas.hpp"
 #include "config/config_fixture.hpp"
-#include "config/limits.hpp"
-#include "config/words.hpp"
+#include "config/language.hpp"
+#include "config/validator.hpp"
 
 namespace mien {
 namespace {
 
 using nlohmann::json;
 
+const json& find_schema() {
+  static const json schema = json::parse(build_schema(list_data_words(shipped_stock())));
+  return schema;
+}
+
 Names list_properties(const json& object) {
   EXPECT_EQ(object.at("additionalProperties"), false);
   Names keys;
-  for (const auto& [key, value] : object.at("properties").items()) {
-    keys.push_back(key);
-    EXPECT_TRUE(value.contains("description") || value.contains("$ref")) << key;
-  }
+  for (const auto& [key, value] : object.at("properties").items()) keys.push_back(key);
   return keys;
 }
 
@@ -25,100 +36,72 @@ Names sort(Names names) {
   return names;
 }
 
-TEST(schema, has_the_keys_and_names_of_the_language) {
-  const json schema = json::parse(read_file(kData / "templates/mien.schema.json"));
-  const json& file = schema.at("properties");
-  const json& defs = schema.at("$defs");
-  EXPECT_EQ(list_properties(schema), sort(kFileKeys));
-  EXPECT_EQ(file.at("mien").at("const"), kLanguageVersion);
-
-  const json& head = file.at("head");
-  EXPECT_EQ(list_properties(head), sort(kHeadKeys));
-  EXPECT_EQ(list_properties(head.at("properties").at("look")), sort(kLookKeys));
-  Names limits;
-  for (const LimitName& limit : list_limits()) {
-    limits.push_back(limit.name);
-    if (!limit.plural.empty()) limits.push_back(limit.plural);
+TEST(schema, has_every_mapping_with_its_keys_and_a_line_of_help_for_each) {
+  for (const Section* section : list_sections()) {
+    if (section->name == "library_file") continue;
+    const json& object =
+        section->name == "file" ? find_schema() : find_schema().at("$defs").at(section->name);
+    Names keys = list_keys(*section);
+    if (section->name == "file") keys.push_back("source");  // of a library
+    EXPECT_EQ(list_properties(object), sort(keys)) << section->name;
+    for (const auto& [key, value] : object.at("properties").items())
+      EXPECT_GT(value.at("description").get<std::string>().size(), 2u) << section->name << "." << key;
   }
-  limits = sort(limits);
-  limits.erase(std::unique(limits.begin(), limits.end()), limits.end());
-  EXPECT_EQ(list_properties(head.at("properties").at("limits")), limits);
-  EXPECT_EQ(list_properties(head.at("properties").at("guides")), sort(kGuides));
-  EXPECT_EQ(head.at("properties").at("age").at("anyOf")[0].at("enum").get<Names>(), kAges);
-  EXPECT_EQ(list_properties(head.at("properties").at("age").at("anyOf")[1]), sort(kAges));
-  EXPECT_EQ(head.at("properties").at("skull").at("anyOf")[0].at("enum").get<Names>(), kSkulls);
-  EXPECT_EQ(head.at("properties").at("character").at("anyOf")[0].at("enum").get<Names>(), kCharacters);
-
-  const json& clip = file.at("clip");
-  EXPECT_EQ(list_properties(clip), sort(kClipKeys));
-  const json& blink = clip.at("properties").at("blink").at("anyOf");
-  EXPECT_EQ(blink[0].at("enum").get<Names>(), kBlinkStyles);
-  EXPECT_EQ(list_properties(blink[1]), sort(kBlinkKeys));
-  const json& gaze = clip.at("properties").at("gaze").at("anyOf");
-  EXPECT_EQ(gaze[0].at("enum").get<Names>(), kGazeWords);
-  EXPECT_EQ(list_properties(gaze[2]), sort(kGazeKeys));
-  EXPECT_EQ(list_properties(defs.at("gaze_key")), sort(kGazeKeyKeys));
-  const json& look = defs.at("look").at("anyOf");
-  EXPECT_EQ(look[0].at("enum").get<Names>(), kLooks);
-  EXPECT_EQ(list_properties(look[1]), sort(kDirectionKeys));
-  EXPECT_EQ(list_properties(clip.at("properties").at("drift").at("anyOf")[1]), sort(kDriftKeys));
-  EXPECT_EQ(list_properties(clip.at("properties").at("asymmetry").at("anyOf")[2]), sort(kAsymmetryKeys));
-  EXPECT_EQ(clip.at("properties").at("asymmetry").at("anyOf")[0].at("enum").get<Names>(), kAsymmetryWords);
-  EXPECT_EQ(clip.at("properties").at("draw").at("anyOf")[0].at("enum").get<Names>(), kDraws);
-  EXPECT_EQ(list_properties(defs.at("pose_key")), sort(kPoseKeyKeys));
-  EXPECT_EQ(list_properties(defs.at("pose_key").at("properties").at("release").at("anyOf")[2]),
-            sort(kReleaseKeys));
-  EXPECT_EQ(list_properties(defs.at("camera_key")), sort(kCameraKeys));
-  EXPECT_EQ(list_properties(defs.at("turn_key")), sort(kTurnKeys));
-  EXPECT_EQ(list_properties(defs.at("head_key")), sort(kHeadTrackKeys));
-  EXPECT_EQ(list_properties(defs.at("light_key")), sort(kLightKeys));
-  EXPECT_EQ(defs.at("light_key").at("properties").at("set").at("enum").get<Names>(), kLightSets);
-  EXPECT_EQ(list_properties(defs.at("background_key")), sort(kBackgroundKeys));
-  EXPECT_EQ(list_properties(defs.at("wait")), sort(kWaitKeys));
-  EXPECT_EQ(list_properties(defs.at("actor")), sort(kActorKeys));
-  EXPECT_EQ(list_properties(defs.at("actor").at("properties").at("place")), sort(kPlaceKeys));
-  EXPECT_EQ(defs.at("ease").at("anyOf")[0].at("enum").get<Names>(), kEasings);
-  EXPECT_EQ(defs.at("between").at("enum").get<Names>(), kBetweens);
-  EXPECT_EQ(defs.at("rule").at("enum").get<Names>(), kRules);
-  EXPECT_EQ(list_properties(defs.at("cue")), sort(kCueKeys));
-  EXPECT_EQ(list_properties(defs.at("law")), sort(kLawKeys));
-  EXPECT_EQ(list_properties(defs.at("script")), sort(kScriptKeys));
-  const json& parts = clip.at("properties");
-  EXPECT_EQ(parts.at("lead").at("anyOf")[0].at("enum").get<Names>(), kLeads);
-  EXPECT_EQ(list_properties(parts.at("lead").at("anyOf")[1]), sort(kLeadKeys));
-  EXPECT_EQ(list_properties(parts.at("draw").at("anyOf")[2].at("items")), sort(kDrawKeys));
-  EXPECT_EQ(list_properties(parts.at("tracks").at("items")), sort(kTrackKeys));
-  const json& include = parts.at("include").at("anyOf")[1];
-  EXPECT_EQ(list_properties(include), sort(kIncludeKeys));
-  EXPECT_EQ(include.at("properties").at("take").at("items").at("enum").get<Names>(), kTakes);
-
-  EXPECT_EQ(list_properties(file.at("render")), sort(kRenderKeys));
-  EXPECT_EQ(file.at("render").at("properties").at("quality").at("enum").get<Names>(), kQualities);
-  EXPECT_EQ(file.at("render").at("properties").at("background").at("enum").get<Names>(), kBackgrounds);
-  EXPECT_EQ(list_properties(file.at("busts").at("items")), sort(kBustKeys));
-  EXPECT_EQ(list_properties(file.at("busts")), sort(kBustSetKeys));
-
-  Names libraries;
-  for (const auto& entry : std::filesystem::directory_iterator(kData / "configs/expressions"))
-    libraries.push_back(entry.path().stem());
-  EXPECT_EQ(file.at("library").at("enum").get<Names>(), sort(libraries));
 }
 
-TEST(schema, has_every_area_and_the_range_of_every_move) {
-  const json defs = json::parse(read_file(kData / "templates/mien.schema.json")).at("$defs");
-  Names area_keys, expression_keys = kExpressionKeys;
-  for (const AreaKey& key : kAreaKeys) area_keys.emplace_back(key.key);
-  expression_keys.insert(expression_keys.end(), area_keys.begin(), area_keys.end());
-  EXPECT_EQ(list_properties(defs.at("areas")), sort(area_keys));
-  EXPECT_EQ(list_properties(defs.at("expression")), sort(expression_keys));
-  for (const AreaKey& key : kAreaKeys)
-    EXPECT_EQ(defs.at("areas").at("properties").at(std::string(key.key)).at("$ref"),
-              "#/$defs/" + std::string(key.area));
+TEST(schema, has_the_range_of_every_move) {
   for (const MoveInfo& move : kMoves) {
-    const json& number = defs.at(std::string(move.area)).at("properties").at(std::string(move.move));
+    const json& number =
+        find_schema().at("$defs").at(std::string(move.area)).at("properties").at(std::string(move.move));
     EXPECT_EQ(number.at("minimum"), kMaxExaggerate * move.low) << move.area << move.move;
     EXPECT_EQ(number.at("maximum"), kMaxExaggerate * move.high) << move.area << move.move;
   }
+}
+
+TEST(schema, knows_expressions_features_and_words_with_their_meanings) {
+  const json& defs = find_schema().at("$defs");
+  std::map<std::string, std::string> expressions;
+  for (const json& word : defs.at("expressions").at("oneOf"))
+    expressions[word.at("const")] = word.at("description");
+  for (const Expression& expression : load_expression_libraries(kData / "configs/expressions"))
+    EXPECT_TRUE(expressions.contains(expression.library + "/" + expression.name)) << expression.name;
+  EXPECT_EQ(expressions.at("smile"), expressions.at("mien/smile"));
+  EXPECT_NE(expressions.at("smile").find("corner"), std::string::npos);
+  EXPECT_FALSE(expressions.contains("/smile"));
+  const json& features = defs.at("head").at("properties").at("features").at("properties");
+  EXPECT_EQ(features.at("nose_length").at("description"), "tip and base of the nose 3 mm lower");
+  const json& qualities = defs.at("render").at("properties").at("quality").at("oneOf");
+  EXPECT_EQ(qualities.size(), kQualities.size());
+  EXPECT_EQ(qualities[0].at("const"), "draft");
+  EXPECT_NE(qualities[0].at("description"), "");
+}
+
+Names list_files(const std::filesystem::path& folder) {
+  Names files;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+    if (entry.path().extension() == ".yaml") files.push_back(entry.path().string());
+  return sort(files);
+}
+
+TEST(schema, lets_a_validator_accept_every_example_and_library) {
+  for (const char* folder : {"configs", "configs/expressions"}) {
+    const auto said = judge(list_files(kData / folder));
+    if (said.empty()) GTEST_SKIP() << "python3-jsonschema or python3-yaml is not installed";
+    for (const auto& [name, judgement] : said) EXPECT_EQ(judgement, "accepted") << name;
+  }
+}
+
+// What no schema can see stands in schema_accepts.txt, each group below its reason.
+TEST(schema, lets_a_validator_refuse_every_wrong_file_but_those_listed) {
+  const auto said = judge(list_files(kData / "tests/bad_yaml"));
+  if (said.empty()) GTEST_SKIP() << "python3-jsonschema or python3-yaml is not installed";
+  std::set<std::string> accepted, listed;
+  for (const auto& [name, judgement] : said)
+    if (judgement == "accepted") accepted.insert(std::filesystem::path(name).stem().string());
+  std::istringstream lines(read_file(kData / "tests/config/schema_accepts.txt"));
+  for (std::string line; std::getline(lines, line);)
+    if (!line.empty() && line[0] != '#') listed.insert(line);
+  EXPECT_EQ(accepted, listed);
 }
 
 }  // namespace

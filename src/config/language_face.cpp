@@ -1,0 +1,112 @@
+// The table of language.hpp: areas, their moves, and expressions.
+#include <fmt/format.h>
+
+#include <cctype>
+
+#include "config/areas.hpp"
+#include "config/language_forms.hpp"
+#include "config/ledger.hpp"
+#include "config/spec.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kMaxAttack_s = 10;                     // nothing that comes more slowly is seen to come
+constexpr double kMaxDominance = 10;                    // more leaves nothing to see of the other
+constexpr double kLeastGrowth = 0.25, kMostGrowth = 4;  // beyond, half a strength is all or nothing
+
+std::string begin_great(std::string_view text) {
+  std::string sentence(text);
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence + ".";
+}
+
+// The moves of one area; those of one side where it has two.
+void fill_moves(const AreaInfo& area, bool is_live, Section& section) {
+  section.name = fmt::format("{}{}", is_live ? "live_" : "", area.name);
+  section.help = fmt::format(
+      "Moves of {}, as fractions of its limit: 1 is the limit, 0 is rest; further, up to {:g}, is held there "
+      "and "
+      "told by `mien check`.{}",
+      area.in_words, kMaxExaggerate, is_live ? " Each may be a formula of t, in quotes." : "");
+  section.expected = "moves such as {up: 0.5}";
+  section.noun = "move";
+  for (const MoveInfo& move : kMoves) {
+    if (move.of != area.area || move.side == Side::right) continue;
+    Forms forms{as_number(kMaxExaggerate * move.low, kMaxExaggerate * move.high, "times its limit")};
+    if (is_live) forms.push_back(as_formula());
+    section.keys.push_back({std::string(move.move), forms, begin_great(move.meaning)});
+  }
+}
+
+std::string describe_side(const AreaKey& key) {
+  if (key.is_both) return fmt::format("Both sides; {0}.left and {0}.right override one.", key.area);
+  if (key.side == Side::none) return fmt::format("Moves of the {}.", key.area);
+  return fmt::format("The character's own {} side.", key.side == Side::left ? "left" : "right");
+}
+
+std::vector<Key> build_area_keys(const std::array<Section, kAreas.size()>& moves) {
+  std::vector<Key> keys;
+  for (const AreaKey& key : kAreaKeys)
+    for (std::size_t i = 0; i < kAreas.size(); ++i)
+      if (kAreas[i].name == key.area)
+        keys.push_back({std::string(key.key), {as_section(moves[i])}, describe_side(key)});
+  return keys;
+}
+
+void fill_areas(const std::array<Section, kAreas.size()>& moves, bool is_live, Section& areas) {
+  areas.name = is_live ? "live_areas" : "areas";
+  areas.help = is_live ? "Areas of the face, set on top of the expression." : "Areas of the face.";
+  areas.expected = "areas such as {brows: {up: 0.5}}";
+  areas.noun = "area";
+  areas.keys = build_area_keys(moves);
+}
+
+void fill_numbers(std::string name, std::string help, double low, double high, Section& section) {
+  section.name = std::move(name);
+  section.help = std::move(help);
+  section.expected = "areas such as {brows: 0.5}";
+  section.noun = "area";
+  for (const AreaKey& key : kAreaKeys)
+    section.keys.push_back({std::string(key.key), {as_number(low, high)}, "For all its moves.", "1"});
+}
+
+}  // namespace
+
+void fill_face_sections(Sections& all) {
+  for (std::size_t i = 0; i < kAreas.size(); ++i) {
+    fill_moves(kAreas[i], false, all.moves[i]);
+    fill_moves(kAreas[i], true, all.live_moves[i]);
+  }
+  fill_areas(all.moves, false, all.areas);
+  fill_areas(all.live_moves, true, all.live_areas);
+  fill_numbers("dominance",
+               "How much each area has to say where another expression wants the opposite, in a mix.", 0,
+               kMaxDominance, all.dominance);
+  fill_numbers("growth",
+               "The power of the strength that each area goes with: late if over 1, early if under.",
+               kLeastGrowth, kMostGrowth, all.growth);
+
+  Section& expression = all.expression;
+  expression.name = "expression";
+  expression.help = "An expression of your own: another one as a start, and the areas you change.";
+  expression.expected = "areas such as {brows: {up: 0.5}}";
+  expression.keys = {
+      {"from",
+       {as_tag(build_expression_name_pattern(), "expressions")},
+       "The expression to start from.",
+       "neutral"},
+      build_strength_key("How much of what it starts from.", false),
+      build_exaggerate_key("How far past their limits its areas may go: every value times this."),
+      {"attack",
+       {as_seconds(0, kMaxAttack_s)},
+       "How long it takes to come, as a cue.",
+       say(kDefaultAttack_s, "s")},
+      {"dominance", {as_section(all.dominance)}, all.dominance.help},
+      {"growth", {as_section(all.growth)}, all.growth.help}};
+  for (Key& key : build_area_keys(all.moves)) expression.keys.push_back(std::move(key));
+  expression.rules = {{KeyRule::Kind::needs, {"strength", "from"}}};
+}
+
+}  // namespace mien

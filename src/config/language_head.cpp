@@ -1,0 +1,173 @@
+// The table of language.hpp: `head` and what stands in it.
+#include <fmt/format.h>
+
+#include "config/head_spec.hpp"
+#include "config/language_forms.hpp"
+#include "config/limits.hpp"
+#include "core/seeded.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kLowestGuide = 0.05, kHighestGuide = 0.95;  // further out a line would leave the face
+constexpr double kMaxLimit = 2;                              // of the head's own; further the skin folds over
+constexpr double kLeastRadius_mm = 5, kMostRadius_mm = 150;  // of a sculpting stroke
+constexpr double kMostMove_mm = 50;                          // of a sculpting stroke, each way
+
+std::string say_colour(const glm::vec3& colour) {
+  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
+}
+
+void fill_look(Section& look) {
+  look.name = "look";
+  look.help = "Colours, a beard, and spots. A colour stands in quotes: an unquoted `#` begins a comment.";
+  look.expected = "colours such as {skin: \"#dcae8f\"}";
+  const Look plain;
+  const std::string dial = say(0);
+  look.keys = {
+      {"skin",
+       {as_data_word("skin", "looks"), as_colour()},
+       "The skin: a name, which brings brows, hair and irises with it (`mien list looks`), or a colour.",
+       say_colour(plain.skin)},
+      {"lips", {as_colour()}, "The lips; without it they are made from the skin's colour."},
+      {"iris", {as_colour()}, "The irises.", say_colour(plain.iris)},
+      {"brow",
+       {as_data_word("hair", "hair_colours"), as_colour()},
+       "Brows and lashes, by a hair's name or as a colour.",
+       say_colour(plain.brow)},
+      {"hair",
+       {as_data_word("hair", "hair_colours"), as_colour()},
+       "Hair on the head, if it has any: a name, which brings brows with it (`mien list looks`), or a "
+       "colour.",
+       say_colour(plain.hair)},
+      {"beard",
+       {as_word("beard", kBeardWords)},
+       "A beard, of the hair's and the brows' colour. It grows with the head: a child has none.",
+       plain.beard},
+      {"freckles",
+       {as_number(0, 1)},
+       "Freckles on nose, cheeks and forehead: 0 none, 1 as many as a face has.",
+       dial},
+      {"age_spots",
+       {as_number(0, 1)},
+       "The brown spots of old skin on temples, forehead and cheekbones: 0 none, 1 many. Without it an old "
+       "head "
+       "has some.",
+       dial}};
+  look.keys[5].forms[0].data = "beards";
+}
+
+void fill_sculpt(Section& sculpt) {
+  sculpt.name = "sculpt";
+  sculpt.help =
+      "A local edit. The head stays its own mirror image: what is done to one side is done to both.";
+  sculpt.expected = "a mapping such as {at: chin, move: [0, -2mm, 3mm], radius: 25mm}";
+  sculpt.keys = {{"at",
+                  {as_data_word("place", "places")},
+                  "A place: a landmark of `mien list landmarks`, or an everyday word such as chin or cheek.",
+                  "",
+                  true},
+                 {"move",
+                  {as_lengths(kMostMove_mm)},
+                  "How far the place goes: x outward (0 in the middle), y up, z forward.",
+                  "",
+                  true},
+                 {"radius",
+                  {as_length(kLeastRadius_mm, kMostRadius_mm)},
+                  "How far along the skin the edit reaches.",
+                  say(SculptStroke{}.radius_mm, "mm")}};
+}
+
+void fill_guides(Section& guides) {
+  guides.name = "guides";
+  guides.help =
+      "Guide lines moved from where the age has them (`mien list guides`): fractions of the head's height "
+      "above "
+      "the chin, each above the one before.";
+  guides.expected = "guide lines such as {eye_line: 0.49}";
+  guides.noun = "guide line";
+  for (const auto words : {std::span<const Word>(kGuideWords), std::span<const Word>(kEarGuideWords)})
+    for (const Word& word : words)
+      guides.keys.push_back({std::string(word.name),
+                             {as_number(kLowestGuide, kHighestGuide, "of the head's height")},
+                             fmt::format("Height of {}.", word.meaning)});
+}
+
+void fill_limits(Section& limits) {
+  limits.name = "limits";
+  limits.help =
+      "How far the areas of this head go: each limit times the head's own, with 1 as it is, 0.5 half as far, "
+      "0 "
+      "not at all. `mien list limits` names and measures them.";
+  limits.expected = "limits such as {brow.left.up: 0.8}";
+  limits.noun = "limit";
+  const Form share = as_number(0, kMaxLimit, "times the head's own");
+  for (const LimitName& limit : list_limits())
+    if (const std::string& name = limit.plural.empty() ? limit.name : limit.plural;
+        find_key(limits, name) == nullptr)
+      limits.keys.push_back(
+          {name,
+           {share},
+           limit.plural.empty() ? "Times the head's own limit." : "Both sides; a sided name overrides one.",
+           "1"});
+  for (const LimitName& limit : list_limits())
+    if (!limit.plural.empty())
+      limits.keys.push_back({limit.name, {share}, "Times the head's own limit.", "1"});
+}
+
+}  // namespace
+
+void fill_head_sections(Sections& all) {
+  fill_look(all.look);
+  fill_sculpt(all.sculpt);
+  fill_guides(all.guides);
+  fill_limits(all.limits);
+
+  Form features = as_map("", {as_number(-1, 1)});
+  features.noun = "feature";
+  features.data = "features";
+  Section& head = all.head;
+  head.name = "head";
+  head.help = "Whose face it is.";
+  head.expected = "a mapping such as {age: adult}";
+  head.keys = {
+      {"age", as_mix("age", kAgeWords), "An age, or weights of several.", std::string(kAdult)},
+      {"skull", as_mix("skull", kSkullWords), "The shape of the skull, or weights of several.",
+       HeadSpec{}.skull.begin()->first},
+      {"character",
+       {as_word("character", kCharacterWords), as_number(-1, 1)},
+       "female (-1), male (1), or anything between.",
+       say(HeadSpec{}.character)},
+      {"guides", {as_section(all.guides)}, all.guides.help},
+      {"features", {features}, "Features of the face: 0 is the head's own. `mien list features` names them."},
+      {"look", {as_section(all.look)}, "Colours, a beard, and spots."},
+      {"mesh",
+       {as_file({".obj"})},
+       "Your own half head instead of the shipped one: templates/head/half.obj (or `mien mesh FILE --half`) "
+       "with "
+       "its points moved, in millimetres; or half a head of any other mesh with landmarks in a YAML file "
+       "beside "
+       "it. The path is seen from this file."},
+      {"scan",
+       {as_file({".obj", ".ply", ".stl"})},
+       "A digitised head, which the shipped one is wrapped around, with its landmarks in a YAML file beside "
+       "it. "
+       "One half is kept and mirrored."},
+      {"mix", as_mix("", {}),
+       "Heads of other files, mixed: each file's `head` with a weight; only the weights' proportions count."},
+      {"sculpt", {as_list({as_section(all.sculpt)})}, "Local edits after all else, in this order."},
+      {"hair", {as_word("cut of hair", kHairWords)}, "A cut of hair: `mien list hair`.", HeadSpec{}.hair},
+      {"limits", {as_section(all.limits)}, all.limits.help},
+      {"random",
+       {as_whole(0, kMaxSeed)},
+       "A seed: one of a crowd. Skull, character, features, look and hair are drawn as people differ; what "
+       "stands "
+       "beside it holds instead."}};
+  head.keys[8].forms[0].pattern = build_file_pattern(kYamlEndings);
+  head.keys[10].forms[0].data = "hair";
+  head.rules = {{KeyRule::Kind::apart, {"mesh", "scan", "mix"}}, {KeyRule::Kind::apart, {"scan", "mix"}}};
+}
+
+}  // namespace mien
