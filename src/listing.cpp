@@ -196,11 +196,9 @@ constexpr std::array kKinds{
 };
 
 Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
-  Names names;
-  for (const Kind& known : kKinds) {
+  for (const Kind& known : kKinds)
     if (known.name == kind) return known.list(data);
-    names.emplace_back(known.name);
-  }
+  const Names names = list_word_kinds();
   const std::string near = find_nearest(kind, names);
   throw InputError(near.empty()
                        ? fmt::format("unknown kind '{}'; expected one of: {}", kind, join_names(names))
@@ -208,6 +206,12 @@ Rows list_rows(const std::string& kind, const std::filesystem::path& data) {
 }
 
 }  // namespace
+
+std::vector<std::string> list_word_kinds() {
+  Names names;
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
 
 void list_kind(const std::string& kind, const Options& options) {
   const Rows rows = list_rows(kind, find_data_folder());

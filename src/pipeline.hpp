@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 #include <utility>
 
 #include "config/spec.hpp"
@@ -49,6 +50,7 @@ void check_file(const Options& options);    // every mistake, or one line that s
 void explain_pose(const Options& options);  // who moves what, and which limit held it
 void list_kind(const std::string& kind,
                const Options& options);      // ages, skulls, features, areas, expressions, ...
+std::vector<std::string> list_word_kinds();  // the kinds that list_kind knows
 void write_starter(const Options& options);  // a commented file to begin with; refuses to overwrite
 void print_schema();                         // the JSON Schema of the YAML file
 

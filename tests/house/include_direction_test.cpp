@@ -27,6 +27,7 @@ const std::map<std::string, Rooms> kMayUse{
     {"render", {"config", "core"}},
     {"pipeline", {"render", "scene", "print", "frames", "timeline", "face", "head", "config", "core"}},
     {"command_line", {"pipeline", "config", "core"}},
+    {"mien_pages", {"command_line", "pipeline", "config", "core"}},
     {"main", {"command_line", "pipeline", "render", "core"}},
 };
 
