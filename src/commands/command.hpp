@@ -1,7 +1,9 @@
 // What a command is: its words for the help, the options it takes, and what it does.
 #pragma once
 
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "options.hpp"
 
@@ -19,7 +21,8 @@ struct CommandInfo {
   // standard error. Throws InputError (exit 2) before anything is written, RunError (exit 1) or Interrupted
   // (exit 130).
   void (*run)(const Options& options);
-  std::string_view kind_without_file = {};  // the KIND that needs no FILE
+  std::vector<std::string> (*list_kinds)() = nullptr;  // what KIND may be
+  std::string_view kind_without_file = {};             // the KIND that needs no FILE
 };
 
 }  // namespace mien

@@ -185,12 +185,16 @@ constexpr std::array kKinds{
     Kind{"qualities", list_qualities},
 };
 
-Rows list_rows(const std::string& kind) {
+Names list_kinds() {
   Names names;
-  for (const Kind& known : kKinds) {
+  for (const Kind& kind : kKinds) names.emplace_back(kind.name);
+  return names;
+}
+
+Rows list_rows(const std::string& kind) {
+  for (const Kind& known : kKinds)
     if (known.name == kind) return known.list(load_stock(find_data_folder()));
-    names.emplace_back(known.name);
-  }
+  const Names names = list_kinds();
   const std::string near = find_nearest(kind, names);
   throw InputError(near.empty()
                        ? fmt::format("unknown kind '{}'; expected one of: {}", kind, join_names(names))
@@ -221,6 +225,6 @@ const CommandInfo command_list{
     "landmarks or qualities; people tells how far random heads differ and what of them goes together.",
     "",
     "mien list expressions\nmien list areas --json",
-    run_list};
+    run_list, list_kinds};
 
 }  // namespace mien

@@ -46,6 +46,7 @@ const CommandInfo command_sheet{
     "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
     "mien sheet expressions tezuka\nmien sheet heads smile\nmien sheet people --seed 13",
     run_sheet,
-    "people"};
+    list_sheet_kinds,
+    kPeopleSheet};
 
 }  // namespace mien

@@ -36,13 +36,6 @@ const SheetKind* find_kind(const std::string& name) {
   return kind == kKinds.end() ? nullptr : &*kind;
 }
 
-std::vector<std::string> list_kinds() {
-  std::vector<std::string> names;
-  for (const SheetKind& kind : kKinds) names.emplace_back(kind.name);
-  names.insert(names.end(), kClipSheets.begin(), kClipSheets.end());
-  return names;
-}
-
 // "views, details or ages".
 std::string join_kinds(const std::vector<std::string>& names) {
   std::string words;
@@ -58,9 +51,16 @@ std::string build_caption(std::string word) {
   return word;
 }
 
+std::vector<std::string> list_sheet_kinds() {
+  std::vector<std::string> names;
+  for (const SheetKind& kind : kKinds) names.emplace_back(kind.name);
+  names.insert(names.end(), kClipSheets.begin(), kClipSheets.end());
+  return names;
+}
+
 void check_sheet_kind(const std::string& kind) {
   if (find_kind(kind)) return;
-  const std::vector<std::string> names = list_kinds();
+  const std::vector<std::string> names = list_sheet_kinds();
   const std::string near = find_nearest(kind, names);
   throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, join_kinds(names))
                                 : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));

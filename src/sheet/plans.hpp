@@ -98,6 +98,9 @@ inline constexpr std::array<std::string_view, 2> kClipSheets{"strip", "exposure"
 // The one that needs no file.
 inline constexpr std::string_view kPeopleSheet = "people";
 
+// All kinds, those of the clip too.
+std::vector<std::string> list_sheet_kinds();
+
 // Throws InputError as build_sheet_plan does for a word that is no kind.
 void check_sheet_kind(const std::string& kind);
 

@@ -51,7 +51,7 @@ TEST(house, every_example_of_the_readme_loads) {
 
 TEST(house, documents_link_to_what_is_there) {
   static const std::regex kLink(R"re(\]\(([^)#:]+)\)|src="([^":]+)")re");
-  for (const char* name : {"README.md", "CHANGELOG.md"}) {
+  for (const char* name : {"README.md", "CHANGELOG.md", "CONTRIBUTING.md"}) {
     const std::string text = read_file(kRoot / name);
     for (std::sregex_iterator found(text.begin(), text.end(), kLink), end; found != end; ++found) {
       const std::string target = (*found)[1].matched ? (*found)[1].str() : (*found)[2].str();

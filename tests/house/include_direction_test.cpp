@@ -33,6 +33,7 @@ const std::map<std::string, Rooms> kMayUse{
      {"sheet", "bust", "clip", "options", "render", "scene", "frames", "timeline", "face", "head", "config",
       "core"}},
     {"command_line", {"commands", "options", "config", "core"}},
+    {"mien_pages", {"command_line", "commands", "options", "config", "core"}},
     {"main", {"command_line", "render", "core"}},
 };
 

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <numeric>
 #include <regex>
 #include <set>
+#include <sstream>
 
+#include "core/text.hpp"
 #include "house/sources.hpp"
 #include "places.hpp"
 
@@ -25,7 +29,8 @@ TEST(house, only_main_ends_the_program_and_few_print) {
   static const std::regex kEnds(R"re((^|[^\w.>:])(std::|::)?(exit|_exit|quick_exit|abort|terminate)\s*\()re");
   static const std::regex kPrints(
       R"re(std::c(out|err|log)\b|(^|[^\w.>])(std::|fmt::|::)?(f?printf|f?puts|putchar|print|println)\s*\()re");
-  const std::set<std::string> printers{"src/main.cpp", "src/render/progress.cpp"};  // and the commands
+  const std::set<std::string> printers{"src/main.cpp", "src/mien_pages.cpp",
+                                       "src/render/progress.cpp"};  // and the commands
   for (const SourceFile& source : load_sources("src"))
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       const std::string code = source.lines[i].substr(0, source.lines[i].find("//"));
@@ -52,6 +57,45 @@ TEST(house, scripts_are_clean) {
   const std::string command =
       fmt::format("cd '{}' && shellcheck run .ci/run bench/busts docs/make_pictures", source_folder());
   EXPECT_EQ(std::system(command.c_str()), 0);
+}
+
+// A checkout with one commit after the first, and the sources that `./run tidy --changed` would read of it.
+std::string list_changed(const std::string& change) {
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_changed";
+  const std::string command = fmt::format(
+      "rm -rf '{0}' && mkdir -p '{0}/src' && cp '{1}/run' '{0}' && cd '{0}' && exec >log 2>&1 && "
+      "export GIT_AUTHOR_NAME=a GIT_AUTHOR_EMAIL=a GIT_COMMITTER_NAME=a GIT_COMMITTER_EMAIL=a && "
+      "touch .clang-tidy src/a.cpp src/a.hpp src/b.cpp src/c.hpp src/d.hpp && "
+      "echo '#include \"c.hpp\"' >src/e.cpp && git init -q -b main . && git add . && git commit -qm first && "
+      "{{ {2}\n}} && ./run changed >changed",
+      folder.string(), source_folder(), change);
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_file(folder / "log");
+  return read_file(folder / "changed");
+}
+
+TEST(house, changed_sources_are_those_since_the_branch_began) {
+  if (std::system("command -v git >/dev/null") != 0) GTEST_SKIP() << "git is not installed";
+  const std::string all = "src/a.cpp\nsrc/b.cpp\nsrc/e.cpp\n";
+  const auto sort_lines = [](const std::string& text) {
+    std::istringstream in(text);
+    std::set<std::string> lines;
+    for (std::string line; std::getline(in, line);) lines.insert(line + "\n");
+    return std::accumulate(lines.begin(), lines.end(), std::string());
+  };
+  const std::string commit = " && git add . && git commit -qm next";
+  // Nothing to compare with.
+  EXPECT_EQ(sort_lines(list_changed("true")), all);
+  // The last commit, where no origin/main is.
+  EXPECT_EQ(list_changed("echo x >>src/b.cpp" + commit), "src/b.cpp\n");
+  // A header stands for its source, or for one that includes it; nobody includes d.hpp.
+  EXPECT_EQ(list_changed("echo x | tee -a src/a.hpp src/d.hpp >src/c.hpp" + commit),
+            "src/a.cpp\nsrc/e.cpp\n");
+  // All that the branch did, and what is not committed or not yet added.
+  EXPECT_EQ(list_changed("git update-ref refs/remotes/origin/main HEAD; echo x >>src/a.cpp" + commit +
+                         "; rm src/b.cpp" + commit + "; echo x >>src/e.cpp; touch src/f.cpp"),
+            "src/a.cpp\nsrc/e.cpp\nsrc/f.cpp\n");
+  // Other rules judge everything.
+  EXPECT_EQ(sort_lines(list_changed("echo x >.clang-tidy" + commit)), all);
 }
 
 TEST(house, the_workbench_says_what_it_can_do) {
