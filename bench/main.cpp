@@ -123,7 +123,7 @@ void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
   const double scenes = measure_rate([&](int i) {
     deform_figure(figure, poses[i % kPoses], {}, buffers, drawing);
     text.clear();
-    append_povray_frame(text, figure.model, drawing, find_view(figure, {}, {}));
+    append_povray_frame(text, figure.model, drawing, compute_view(figure, {}, {}));
     write_file(folder / fmt::format("f{}.pov", i % 8), text);
   });
   print_row("scenes written", fmt::format("{:.0f} /s", scenes),

@@ -90,7 +90,7 @@ void measure_timeline(const std::filesystem::path& data, const std::filesystem::
   double sum = 0;  // so that the work is not left out
   const double sampled_s = time_s([&] {
     for (int frame = 0; frame < frames; ++frame)
-      sum += sample_performance(performance, find_drawing_time_s(spec.clip, frame)).pose.values[0];
+      sum += sample_performance(performance, compute_drawing_time_s(spec.clip, frame)).pose.values[0];
   });
   print("poses sampled", fmt::format("{:.0f} /s", frames / sampled_s),
         fmt::format("one core, all layers (target 100000; the mean of a brow is {:.2f})", sum / frames / 3));

@@ -47,7 +47,7 @@ int count_triangles(const BustSpec& bust) {
   return bust.triangles > 0 ? bust.triangles : int(std::clamp(kAt80mm * bust.height_mm / 80, kFewest, kMost));
 }
 
-BustSize find_size(const BustSpec& bust) {
+BustSize compute_size(const BustSpec& bust) {
   BustSize size;
   size.stand = bust.base == "none" ? Stand::flat : Stand::foot;
   size.whole_mm = bust.height_mm;
@@ -69,7 +69,7 @@ void thicken(const BustCache& cache, BustBody& body) {
   static const std::size_t kChinDown = find_move(Area::chin, Side::none, "down").value();
   const std::vector<bool> is_fixed = list_fixed(body);
   const std::vector<glm::vec3> rest = place_bust(body, cache.figure, Pose{});
-  std::vector<glm::vec3> moves = find_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
+  std::vector<glm::vec3> moves = compute_thickening(build_figure_mesh(body, rest, 0), kLeastFeature_mm);
   for (std::size_t v = 0; v < moves.size(); ++v)
     if (is_fixed[v]) moves[v] = glm::vec3(0);
   for (const NamedPose& named : cache.menu) {
@@ -81,7 +81,7 @@ void thicken(const BustCache& cache, BustBody& body) {
       positions[v] += moves[v];
     }
     const std::vector<glm::vec3> more =
-        find_thickening(build_figure_mesh(body, std::move(positions), 0), kLeastFeature_mm);
+        compute_thickening(build_figure_mesh(body, std::move(positions), 0), kLeastFeature_mm);
     for (std::size_t v = 0; v < moves.size(); ++v)
       if (is_posed[v] && !is_fixed[v]) moves[v] += more[v];
   }
@@ -93,7 +93,7 @@ void thicken(const BustCache& cache, BustBody& body) {
 }
 
 BustCache::Body& find_body(BustCache& cache, const BustSpec& bust) {
-  const BustSize size = find_size(bust);
+  const BustSize size = compute_size(bust);
   for (BustCache::Body& entry : cache.bodies)
     if (entry.size == size) return entry;
   BustCache::Body& entry = cache.bodies.emplace_back();
@@ -133,14 +133,14 @@ const CavityPlan& find_cavity_plan(BustCache::Body& entry, double wall_mm) {
   return place->second = plan_cavity(entry.surfaces, request);
 }
 
-Hollow find_hollow(const BustSpec& bust, const Base& base) {
+Hollow compute_hollow(const BustSpec& bust, const Base& base) {
   Hollow hollow{bust.wall_mm, bust.drain_mm, base.height_mm};
   hollow.pocket_mm = base.magnet_diameter_mm;
   hollow.pocket_depth_mm = base.magnet_diameter_mm > 0 ? base.magnet_depth_mm : 0;
   return hollow;
 }
 
-glm::vec3 find_colour(const Model& model, std::string_view part, const glm::vec3& otherwise) {
+glm::vec3 compute_colour(const Model& model, std::string_view part, const glm::vec3& otherwise) {
   for (const Part& p : model.parts)
     if (p.name == part) return p.palette.front().srgb;
   return otherwise;
@@ -161,9 +161,9 @@ ColourRange find_range(const BustBody& body, const Patch& patch, std::string nam
 }
 
 std::vector<ColourRange> list_colours(const BustBody& body, const Model& model) {
-  const glm::vec3 white = find_colour(model, "eye_left", glm::vec3(0.92f));
-  const glm::vec3 red = find_colour(model, "tongue", {0.55f, 0.2f, 0.2f});
-  std::vector<ColourRange> ranges{{"skin", find_colour(model, "skin", glm::vec3(0.8f)), 0, 0},
+  const glm::vec3 white = compute_colour(model, "eye_left", glm::vec3(0.92f));
+  const glm::vec3 red = compute_colour(model, "tongue", {0.55f, 0.2f, 0.2f});
+  std::vector<ColourRange> ranges{{"skin", compute_colour(model, "skin", glm::vec3(0.8f)), 0, 0},
                                   find_range(body, body.eyes[0], "eye left", white),
                                   find_range(body, body.eyes[1], "eye right", white),
                                   find_range(body, body.mouth, "mouth", red)};
@@ -221,8 +221,8 @@ void hollow_out(const BustBody& body, const std::vector<glm::vec3>& positions, c
 }
 
 // What was left of a label that is too long for its base.
-void tell_label(const Base& base, const BustBody& body, const std::vector<glm::vec3>& positions,
-                const Letters& letters, PrintReport& report) {
+void report_label(const Base& base, const BustBody& body, const std::vector<glm::vec3>& positions,
+                  const Letters& letters, PrintReport& report) {
   std::vector<glm::vec3> foot;
   for (const std::uint32_t v : body.foot)
     foot.push_back(positions[v] + glm::vec3(0, 0, static_cast<float>(base.height_mm)));
@@ -231,7 +231,7 @@ void tell_label(const Base& base, const BustBody& body, const std::vector<glm::v
 }
 
 // Hair is threads: no print bears it.
-void tell_hair(const Model& model, PrintReport& report) {
+void report_hair(const Model& model, PrintReport& report) {
   const auto has = [&](std::string_view name) {
     return std::any_of(model.parts.begin(), model.parts.end(),
                        [&](const Part& part) { return part.name.starts_with(name); });
@@ -272,7 +272,7 @@ std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2&
   std::vector<glm::dvec2> footprints;
   std::vector<Box> boxes;
   for (const Mesh& bust : busts) {
-    boxes.push_back(find_bounds(bust.positions));
+    boxes.push_back(compute_bounds(bust.positions));
     footprints.emplace_back(glm::dvec3(boxes.back().high) - glm::dvec3(boxes.back().low));
   }
   std::vector<Mesh> plates;
@@ -306,9 +306,9 @@ MadeBust make_bust(BustCache& cache, const BustSpec& bust) {
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
   if (bust.is_hollow)
     hollow_out(entry.body, positions, base, cache.letters,
-               build_cavity(made.source.cavity, find_hollow(bust, base)), bust.drain_mm, made);
-  tell_label(base, entry.body, positions, cache.letters, made.report);
-  tell_hair(cache.figure.model, made.report);
+               build_cavity(made.source.cavity, compute_hollow(bust, base)), bust.drain_mm, made);
+  report_label(base, entry.body, positions, cache.letters, made.report);
+  report_hair(cache.figure.model, made.report);
   return made;
 }
 

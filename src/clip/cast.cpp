@@ -30,7 +30,7 @@ void add_places(const Clip& clip, const Actor& actor, const Figure& figure, Fram
   for (const CameraKey& key : clip.spec.clip.camera)
     if (key.aim.kind == Aim::Kind::landmark && key.aim.actor == actor.name)
       framing.places[{actor.name, key.aim.landmark}] = glm::dvec3(
-          find_place(actor.place) * glm::dvec4(find_resting_place(figure.head, key.aim.landmark), 1));
+          find_place(actor.place) * glm::dvec4(compute_resting_place(figure.head, key.aim.landmark), 1));
 }
 
 // Throws InputError unless every head that the actor has between its keys can be built.
@@ -41,9 +41,9 @@ void check_heads(const Clip& clip, const Actor& actor, const HeadStock& stock) {
   const int frames = clip.frame_count, step = 1 + frames / kMostChecks;
   std::set<std::string> seen;
   for (int frame = 0; frame < frames; frame += step) {
-    const double time_s = find_drawing_time_s(clip.spec.clip, frame);
-    const HeadSpec head = find_head(actor, time_s);
-    if (!seen.insert(find_head_key(head)).second) continue;
+    const double time_s = compute_drawing_time_s(clip.spec.clip, frame);
+    const HeadSpec head = compute_head(actor, time_s);
+    if (!seen.insert(compute_head_key(head)).second) continue;
     try {
       build_form(stock, head);
     } catch (const InputError& error) {
@@ -67,7 +67,7 @@ Cast build_cast(const Clip& clip, const HeadStock& stock) {
     std::vector<const Figure*> framed;
     for (const HeadSpec& head : heads) {
       throw_if_interrupted();
-      if (!seen.insert(find_head_key(head)).second) continue;
+      if (!seen.insert(compute_head_key(head)).second) continue;
       figures.push_back(build_actor_figure(actor, head, stock));
       framed.push_back(figures.back().get());
       add_places(clip, actor, *figures.back(), cast.framing);
@@ -85,12 +85,12 @@ Heads build_heads(const Clip& clip, const Cast& cast, double time_s, const HeadS
     const Actor& actor = clip.actors[i];
     glm::dmat4& place = heads.places.emplace_back(find_place(actor.place));
     if (!heads.figures[i]) {
-      heads.figures[i] = build_actor_figure(actor, find_head(actor, time_s), stock);
+      heads.figures[i] = build_actor_figure(actor, compute_head(actor, time_s), stock);
       heads.changing.push_back(heads.figures[i]);
-      place[3].y += find_lowering_mm(*heads.figures[i], place, cast.framing, render);
+      place[3].y += compute_lowering_mm(*heads.figures[i], place, cast.framing, render);
     }
     heads.performances.push_back(actor.performance);
-    heads.performances.back().idle.eyes = find_eyes(*heads.figures[i], place, cast.framing, render);
+    heads.performances.back().idle.eyes = compute_eyes(*heads.figures[i], place, cast.framing, render);
   }
   return heads;
 }
@@ -103,10 +103,10 @@ DrawingGroups group_drawings(const Clip& clip) {
   DrawingGroups groups;
   std::map<std::string, std::size_t> known;
   for (const int frame : clip.plan.drawings) {
-    const double time_s = find_drawing_time_s(clip.spec.clip, frame - 1);
+    const double time_s = compute_drawing_time_s(clip.spec.clip, frame - 1);
     std::string key;
     for (const Actor& actor : clip.actors)
-      if (is_growing(actor)) key += find_head_key(find_head(actor, time_s));
+      if (is_growing(actor)) key += compute_head_key(compute_head(actor, time_s));
     const std::size_t drawing = groups.group.size();
     groups.group.push_back(known.emplace(key, known.size()).first->second);
     if (groups.group.back() == groups.first.size()) groups.first.push_back(drawing);

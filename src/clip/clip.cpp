@@ -47,7 +47,7 @@ Clip plan_clip(const Options& options, const Language& language) {
   Clip clip = open_clip(options, language);
   std::vector<std::vector<std::string>> keys;
   for (const Performance* performance : list_players(clip)) keys.push_back(list_drawing_keys(*performance));
-  clip.plan = plan_frames(find_drawings(clip.spec.clip, keys), options.frames);
+  clip.plan = plan_frames(compute_drawings(clip.spec.clip, keys), options.frames);
   clip.files = {find_output(options, clip.spec), clip.spec.name};
   clip.frame_count = count_frames(clip.spec.clip);
   return clip;
@@ -79,17 +79,17 @@ Spec load_actor_request(const Options& options, const Language& language) {
   return spec;
 }
 
-double find_time_s(const Clip& clip, const Options& options) {
+double compute_time_s(const Clip& clip, const Options& options) {
   return options.at_frames ? *options.at_frames / clip.spec.clip.fps : options.at_s.value_or(0);
 }
 
-HeadSpec find_head(const Actor& actor, double time_s) {
+HeadSpec compute_head(const Actor& actor, double time_s) {
   const std::vector<HeadKey>& keys = actor.performance.clip.head;
   return keys.empty() ? actor.head : sample_head(keys, time_s);
 }
 
 HeadSpec find_asked_head(const Clip& clip, const Actor& actor, const Options& options) {
-  return options.express ? actor.head : find_head(actor, find_time_s(clip, options));
+  return options.express ? actor.head : compute_head(actor, compute_time_s(clip, options));
 }
 
 }  // namespace mien

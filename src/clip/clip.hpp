@@ -55,10 +55,10 @@ Clip plan_clip(const Options& options, const Language& language);
 const Actor& find_actor(const Clip& clip, const Options& options);
 
 // --at in seconds, else the clip's beginning.
-double find_time_s(const Clip& clip, const Options& options);
+double compute_time_s(const Clip& clip, const Options& options);
 
 // The head of an actor at a time; a head that does not change is the same at every time.
-HeadSpec find_head(const Actor& actor, double time_s);
+HeadSpec compute_head(const Actor& actor, double time_s);
 
 // The head that a command about one moment is for: that of the moment, or with --express the file's own.
 HeadSpec find_asked_head(const Clip& clip, const Actor& actor, const Options& options);

@@ -5,17 +5,17 @@
 
 namespace mien {
 
-Moment find_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure,
-                   std::vector<Held>& held) {
+Moment compute_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure,
+                      std::vector<Held>& held) {
   if (options.express) {
     const Expression expression = take_expression(clip.spec, *options.express);
     held = expression.held;
     return {expression.pose, {}, {}};
   }
   Performance performance = actor.performance;
-  performance.idle.eyes = find_eyes(figure, clip.spec.render);
-  held = list_held_at(performance, find_time_s(clip, options));
-  return sample_performance(performance, find_time_s(clip, options));
+  performance.idle.eyes = compute_eyes(figure, clip.spec.render);
+  held = list_held_at(performance, compute_time_s(clip, options));
+  return sample_performance(performance, compute_time_s(clip, options));
 }
 
 Drawing draw_moment(const Figure& figure, const Moment& moment) {

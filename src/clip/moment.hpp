@@ -10,8 +10,8 @@ namespace mien {
 
 // The pose that --express asks for, else the actor's at --at or at the clip's beginning; `held` becomes what
 // limits hold back of it. `figure` is the actor's.
-Moment find_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure,
-                   std::vector<Held>& held);
+Moment compute_moment(const Options& options, const Clip& clip, const Actor& actor, const Figure& figure,
+                      std::vector<Held>& held);
 
 Drawing draw_moment(const Figure& figure, const Moment& moment);
 

@@ -61,7 +61,7 @@ StageSets list_sets(const ClipSpec& clip) {
 
 FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
                        const StageMoment& stage) {
-  return {{}, stage.lights, stage.backgrounds, find_view(cast.framing, camera, stage, clip.spec.render)};
+  return {{}, stage.lights, stage.backgrounds, compute_view(cast.framing, camera, stage, clip.spec.render)};
 }
 
 // The heads of one group of drawings, and the file of those parts that are not in head.inc.
@@ -73,7 +73,7 @@ struct WrittenHeads {
 
 WrittenHeads write_heads(const Clip& clip, const Cast& cast, int first_frame, const Resources& resources) {
   WrittenHeads written;
-  const double time_s = find_drawing_time_s(clip.spec.clip, first_frame - 1);
+  const double time_s = compute_drawing_time_s(clip.spec.clip, first_frame - 1);
   written.heads = build_heads(clip, cast, time_s, resources.heads);
   const std::string parts = build_parts(written.heads.changing, resources.stock.templates);
   if (parts.empty()) return written;
@@ -134,7 +134,7 @@ std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const 
     const auto heads = share_thing<WrittenHeads>(
         cache, group, [&] { return write_heads(clip, cast, drawings[groups.first[group]], resources); });
     SceneBuffers& mine = buffers[static_cast<std::size_t>(worker)];
-    build_scene(clip, cast, *heads, find_drawing_time_s(clip.spec.clip, drawings[drawing] - 1), mine);
+    build_scene(clip, cast, *heads, compute_drawing_time_s(clip.spec.clip, drawings[drawing] - 1), mine);
     write_file(clip.files.scene(drawings[drawing]), mine.text);
     keys[drawing] = hash_hex(settings_key + heads->key + mine.text);
     written(drawings[drawing]);

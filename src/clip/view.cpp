@@ -19,19 +19,19 @@ constexpr double kAside = 1.08;    // from one side of the head to the other, wi
 constexpr double kNeckEnd = 0.08;  // above its lowest place the neck is still whole
 
 // The picture's own x.
-glm::dvec3 find_right(const CameraView& view) {
+glm::dvec3 compute_right(const CameraView& view) {
   const double angle = view.angle_deg * kRadiansPerDegree;
   return {std::cos(angle), 0, -std::sin(angle)};
 }
 
 // How far the points reach to the left (below 0) and to the right of the picture's middle, mm in the plane of
 // the middle: what is nearer to the camera counts for more.
-glm::dvec2 find_reach(const std::vector<glm::vec3>& points, const CameraView& view) {
-  const glm::dvec3 right = find_right(view);
+glm::dvec2 compute_reach(const std::vector<glm::vec3>& points, const CameraView& view) {
+  const glm::dvec3 right = compute_right(view);
   const double height = view.height_deg * kRadiansPerDegree;
   const glm::dvec3 level = glm::cross(right, glm::dvec3(0, 1, 0));  // toward the camera, were it level
   const glm::dvec3 toward = level * std::cos(height) + glm::dvec3(0, std::sin(height), 0);
-  const double distance_mm = find_camera_distance_mm(view);
+  const double distance_mm = compute_camera_distance_mm(view);
   glm::dvec2 reach(0);
   for (const glm::vec3& point : points) {
     const glm::dvec3 p = glm::dvec3(point) - glm::dvec3(view.look_at);
@@ -49,17 +49,18 @@ struct NeckAndCrown {
 
 NeckAndCrown measure_ends(const Figure& figure) {
   const NeutralHead& head = figure.head;
-  const Box skin = find_bounds(head.skin.positions);
+  const Box skin = compute_bounds(head.skin.positions);
   const double crown = skin.high.y;
   const double chin = head.skin.positions[head.cage.index.find("m12_D1")->second].y;
   double top = crown;
   for (const Part& part : figure.model.parts)
-    if (part.name.starts_with("hair")) top = std::max<double>(top, find_bounds(part.rest.positions).high.y);
+    if (part.name.starts_with("hair"))
+      top = std::max<double>(top, compute_bounds(part.rest.positions).high.y);
   return {crown, top, chin, skin.low.y + (crown - chin) * kNeckEnd};
 }
 
 // What the picture holds from top to bottom at distance 1.
-double find_tall_mm(const CameraView& view, const RenderSpec& render) {
+double compute_tall_mm(const CameraView& view, const RenderSpec& render) {
   return std::max(view.frame_height_mm, view.frame_width_mm * render.height_px / render.width_px);
 }
 
@@ -91,14 +92,14 @@ void add_growing_figure(const std::vector<const Figure*>& figures, const glm::dm
   framing.floor_mm = is_first ? all.floor + rise_mm : std::max(framing.floor_mm, all.floor + rise_mm);
 }
 
-double find_lowering_mm(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
-                        const RenderSpec& render) {
-  const CameraView view = find_view(framing, {}, render);
-  const double bottom_mm = view.look_at.y - find_tall_mm(view, render) / 2;
+double compute_lowering_mm(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
+                           const RenderSpec& render) {
+  const CameraView view = compute_view(framing, {}, render);
+  const double bottom_mm = view.look_at.y - compute_tall_mm(view, render) / 2;
   return std::min(0.0, bottom_mm - (measure_ends(figure).floor + world_from_figure[3].y));
 }
 
-glm::dvec3 find_resting_place(const NeutralHead& head, const std::string& name) {
+glm::dvec3 compute_resting_place(const NeutralHead& head, const std::string& name) {
   const bool is_left = name.ends_with("_l"), is_right = name.ends_with("_r");
   const std::string bare = is_left || is_right ? name.substr(0, name.size() - 2) : name;
   const SkinSpot spot = find_place(head, bare);
@@ -109,11 +110,11 @@ glm::dvec3 find_resting_place(const NeutralHead& head, const std::string& name) 
   return place;
 }
 
-CameraView find_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
-                     const RenderSpec& render) {
+CameraView compute_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
+                        const RenderSpec& render) {
   CameraKey seen = camera;
   seen.lens_mm = stage.lens_mm;
-  CameraView view = find_view(framing, seen, render);
+  CameraView view = compute_view(framing, seen, render);
   glm::dvec3 look_at{0};
   bool is_shifted = false;
   for (const AimShare& share : stage.aims) {
@@ -128,7 +129,7 @@ CameraView find_view(const Framing& framing, const CameraKey& camera, const Stag
   return view;
 }
 
-CameraView find_view(const Framing& framing, const CameraKey& camera, const RenderSpec& render) {
+CameraView compute_view(const Framing& framing, const CameraKey& camera, const RenderSpec& render) {
   const double crown = framing.crown_mm, height = crown - framing.chin_mm;
   CameraView view;
   view.angle_deg = camera.angle_deg;
@@ -139,23 +140,23 @@ CameraView find_view(const Framing& framing, const CameraKey& camera, const Rend
   view.frame_height_mm = height * (1 + kBelow) + above_mm;
   view.look_at = glm::vec3(0, crown + above_mm - view.frame_height_mm / 2, 0);
 
-  const glm::dvec3 right = find_right(view);
-  const glm::dvec2 reach = find_reach(framing.points, view);
+  const glm::dvec3 right = compute_right(view);
+  const glm::dvec2 reach = compute_reach(framing.points, view);
   view.look_at += glm::vec3(right * ((reach.x + reach.y) / 2));
   view.frame_width_mm = std::max(height * kWide, (reach.y - reach.x) * kAside);
 
   // A frame that grew to be wide enough would show where the neck ends.
-  view.look_at.y =
-      static_cast<float>(std::max<double>(view.look_at.y, framing.floor_mm + find_tall_mm(view, render) / 2));
+  view.look_at.y = static_cast<float>(
+      std::max<double>(view.look_at.y, framing.floor_mm + compute_tall_mm(view, render) / 2));
   return view;
 }
 
-EyeRig find_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
-                 const RenderSpec& render) {
+EyeRig compute_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
+                    const RenderSpec& render) {
   EyeRig rig;
   rig.left_mm = figure.head.eye.centre;
   rig.pivot_mm = figure.face.turn_pivot;
-  const auto find_reach = [&](Side side) {
+  const auto compute_reach = [&](Side side) {
     const std::size_t across = *find_move(Area::eye, side, "side"), up = *find_move(Area::eye, side, "up");
     const Face& face = figure.face;
     return EyeReach{figure.limits.plus[across] * face.eye_side_rad / kRadiansPerDegree,
@@ -163,24 +164,24 @@ EyeRig find_eyes(const Figure& figure, const glm::dmat4& world_from_figure, cons
                     figure.limits.plus[up] * face.eye_up_rad / kRadiansPerDegree,
                     figure.limits.minus[up] * face.eye_down_rad / kRadiansPerDegree};
   };
-  rig.left = find_reach(Side::left);
-  rig.right = find_reach(Side::right);
-  const CameraView view = find_view(framing, {}, render);
+  rig.left = compute_reach(Side::left);
+  rig.right = compute_reach(Side::right);
+  const CameraView view = compute_view(framing, {}, render);
   rig.camera_target_mm = glm::dvec3(glm::inverse(world_from_figure) * glm::dvec4(view.look_at, 1));
-  rig.camera_mm = find_camera_distance_mm(view);
+  rig.camera_mm = compute_camera_distance_mm(view);
   return rig;
 }
 
-EyeRig find_eyes(const Figure& figure, const RenderSpec& render) {
+EyeRig compute_eyes(const Figure& figure, const RenderSpec& render) {
   Framing framing;
   add_figure(figure, glm::dmat4(1), framing);
-  return find_eyes(figure, glm::dmat4(1), framing, render);
+  return compute_eyes(figure, glm::dmat4(1), framing, render);
 }
 
-CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render) {
+CameraView compute_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render) {
   Framing framing;
   add_figure(figure, glm::dmat4(1), framing);
-  return find_view(framing, camera, render);
+  return compute_view(framing, camera, render);
 }
 
 }  // namespace mien

@@ -27,36 +27,36 @@ struct Framing {
 void add_figure(const Figure& figure, const glm::dmat4& world_from_figure, Framing& framing);
 
 // Adds one who is all of these figures in turn: the camera stays where it is, and the head is seen to grow.
-// Where necks end is the longest one's affair; the others are lowered (find_lowering_mm).
+// Where necks end is the longest one's affair; the others are lowered (compute_lowering_mm).
 void add_growing_figure(const std::vector<const Figure*>& figures, const glm::dmat4& world_from_figure,
                         Framing& framing);
 
 // How far a head of one who grows must be lowered, so that its neck does not end inside the picture: 0 or
 // less. An infant has hardly a neck; it stands lower in the picture than the adult that it becomes.
-double find_lowering_mm(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
-                        const RenderSpec& render);
+double compute_lowering_mm(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
+                           const RenderSpec& render);
 
 // The camera of one moment. Distance 1 frames whole faces and necks, whatever their size and whatever the
 // angle: a long head from the side is framed wider than from the front. Between two angles the frame changes
 // as smoothly as they do.
-CameraView find_view(const Framing& framing, const CameraKey& camera, const RenderSpec& render);
+CameraView compute_view(const Framing& framing, const CameraKey& camera, const RenderSpec& render);
 
 // The same through the lens of a moment and with its own aim: the frame keeps its size and is shifted.
-CameraView find_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
-                     const RenderSpec& render);
+CameraView compute_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
+                        const RenderSpec& render);
 
 // What a gaze must know of a figure where it stands and of the camera that looks at the stage.
-EyeRig find_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
-                 const RenderSpec& render);
+EyeRig compute_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,
+                    const RenderSpec& render);
 
 // The same of one figure alone.
-EyeRig find_eyes(const Figure& figure, const RenderSpec& render);
+EyeRig compute_eyes(const Figure& figure, const RenderSpec& render);
 
 // Where a landmark or everyday word of templates/head/landmarks.yaml lies on the neutral figure, mm; of a
 // sided one without _l or _r the middle between both.
-glm::dvec3 find_resting_place(const NeutralHead& head, const std::string& name);
+glm::dvec3 compute_resting_place(const NeutralHead& head, const std::string& name);
 
 // The same for one figure alone.
-CameraView find_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render);
+CameraView compute_view(const Figure& figure, const CameraKey& camera, const RenderSpec& render);
 
 }  // namespace mien

@@ -30,8 +30,8 @@ std::vector<BustSpec> find_busts(const Options& options, const Clip& clip, const
   if (options.express) {
     busts = {build_bust_spec(take_expression(spec, *options.express))};
   } else if (has_time(options)) {
-    Expression moment{fmt::format("{:.4g}s", find_time_s(clip, options)), "", {}, 1, {}};
-    moment.pose = find_moment(options, clip, actor, figure, moment.held).pose;
+    Expression moment{fmt::format("{:.4g}s", compute_time_s(clip, options)), "", {}, 1, {}};
+    moment.pose = compute_moment(options, clip, actor, figure, moment.held).pose;
     busts = {build_bust_spec(std::move(moment))};
   } else if (busts.empty()) {
     busts = {build_bust_spec(find_expression(spec, "neutral"))};

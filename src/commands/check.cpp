@@ -23,7 +23,7 @@ namespace {
 constexpr int kPlainWidth = 80;    // columns, of a pipe or a file
 constexpr int kWidestChart = 200;  // wider, the rows are hard to follow
 
-MoveReach find_reach(const Figure& figure) {
+MoveReach compute_reach(const Figure& figure) {
   MoveReach reach;
   for (const Limit& limit : measure_limits(figure.head, figure.face, figure.limits))
     (limit.name->sign > 0 ? reach.plus_mm : reach.minus_mm)[limit.name->move] = limit.mm;
@@ -42,7 +42,7 @@ std::string format_json(const Diagnostic& advice) {
 // A line each: "file:line:col: warning: ..." or JSON.
 void report_advice(const Options& options, const Performance& performance, const Rehearsal& rehearsal,
                    const Figure& figure) {
-  for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, find_reach(figure)))
+  for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, compute_reach(figure)))
     fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
 }
 
@@ -76,16 +76,16 @@ bool has_scan(const HeadSpec& head) {
 // knows what will read it and the same clip shall be the same text.
 void report_chart(const ClipSpec& clip, const Rehearsal& rehearsal) {
   ChartStyle style{kPlainWidth, true};
-  if (is_terminal(stdout)) style = {find_terminal_width(stdout, kWidestChart), !has_utf8()};
+  if (is_terminal(stdout)) style = {compute_terminal_width(stdout, kWidestChart), !has_utf8()};
   fmt::print("\n{}", build_chart(clip, rehearsal.shown, style));
 }
 
 // As plan_clip finds them.
-std::vector<int> find_clip_drawings(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
+std::vector<int> compute_clip_drawings(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
   std::vector<std::vector<std::string>> keys;
   for (const Rehearsal& rehearsal : rehearsals) keys.push_back(rehearsal.drawings);
   if (!clip.spec.actors.empty()) keys.push_back(list_drawing_keys(clip.performance));
-  return find_drawings(clip.spec.clip, keys);
+  return compute_drawings(clip.spec.clip, keys);
 }
 
 // What the file holds, in one line.
@@ -119,7 +119,7 @@ void run_check(const Options& options) {
   const std::vector<Performance> performances = list_performances(clip, cast, stock);
   std::vector<Rehearsal> rehearsals;
   for (const Performance& performance : performances) rehearsals.push_back(rehearse(performance));
-  clip.plan = plan_frames(find_clip_drawings(clip, rehearsals), options.frames);
+  clip.plan = plan_frames(compute_clip_drawings(clip, rehearsals), options.frames);
   report_held(options, list_held(clip.spec, rehearsals));
   if (options.is_quiet) return;
   for (const Actor& actor : clip.actors)

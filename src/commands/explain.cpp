@@ -65,7 +65,7 @@ Story build_story(const Spec& spec, const Performance& performance, double at_s)
   const Moment moment = sample_performance(performance, at_s);
   story.pose = moment.pose;
   story.breath_mm = moment.turn.breath_mm;
-  story.blink = find_blink_closure(performance.idle.blinks, at_s);
+  story.blink = compute_blink_closure(performance.idle.blinks, at_s);
   story.parts = list_parts(performance, at_s);
   for (const MomentPart& part : story.parts) story.reach = std::max(story.reach, part.reach);
   story.held = list_held_at(performance, at_s);
@@ -215,9 +215,9 @@ void run_explain(const Options& options) {
     throw InputError(describe_unknown("area", *options.area, areas));
   const Figure figure = build_figure(resources.heads, find_asked_head(clip, actor, options));
   Performance performance = actor.performance;
-  performance.idle.eyes = find_eyes(figure, spec.render);
+  performance.idle.eyes = compute_eyes(figure, spec.render);
   Story story = options.express ? build_story(spec, *options.express)
-                                : build_story(spec, performance, find_time_s(clip, options));
+                                : build_story(spec, performance, compute_time_s(clip, options));
   const auto limits = measure_limits(figure.head, figure.face, figure.limits);
   const auto landmarks = find_landmarks(figure.head);
   sort_ledger(story.held);

@@ -225,6 +225,7 @@ const CommandInfo command_list{
     "landmarks or qualities; people tells how far random heads differ and what of them goes together.",
     "",
     "mien list expressions\nmien list areas --json",
-    run_list, list_kinds};
+    run_list,
+    list_kinds};
 
 }  // namespace mien

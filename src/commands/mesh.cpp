@@ -28,7 +28,7 @@ void check_ending(const Options& options, const fs::path& path) {
 std::string build_half_text(const HeadStock& stock, const HeadSpec& head) {
   std::string text;
   append_wavefront(
-      text, find_half_places(stock, build_form(stock, head).points), find_half_quads(stock), "half",
+      text, compute_half_places(stock, build_form(stock, head).points), compute_half_quads(stock), "half",
       {"The left half of a head (x >= 0): millimetres; x to the character's left, y up, z forward.",
        "Move its points, keep their order and the faces, and name the file: head: {mesh: my_half.obj}"});
   return text;
@@ -48,7 +48,7 @@ void run_mesh(const Options& options) {
   }
   const Figure figure = build_figure(resources.heads, head);
   std::vector<Held> held;
-  const Drawing drawing = draw_moment(figure, find_moment(options, clip, actor, figure, held));
+  const Drawing drawing = draw_moment(figure, compute_moment(options, clip, actor, figure, held));
   report_held(options, std::move(held));
   write_file(path, build_mesh_file(path.extension().string(), figure.model, drawing,
                                    spec.title.empty() ? spec.name : spec.title));

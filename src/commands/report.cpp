@@ -71,7 +71,7 @@ double round_to(double value, int decimals) {
 }
 
 Progress start_progress(const Options& options, const char* label, std::size_t total) {
-  return Progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), label,
+  return Progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), label,
                   static_cast<int>(total));
 }
 

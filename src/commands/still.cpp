@@ -15,7 +15,7 @@ namespace {
 // The moment that is asked for, and who is in it: with --actor or --express one alone, in the middle. What
 // limits hold back of an expression is added to `held`.
 Still stage_still(const Options& options, Clip& clip, std::vector<Held>& held) {
-  Still still{find_time_s(clip, options), {}, {}, {}};
+  Still still{compute_time_s(clip, options), {}, {}, {}};
   still.camera = sample_performance(clip.performance, still.time_s).camera;
   still.stage = sample_stage(clip.spec.clip, still.time_s);
   if (options.actor || options.express) {

@@ -12,7 +12,7 @@ namespace {
 // The first frame at a time or later.
 int find_first_frame(double at_s, int fps) {
   int frame = static_cast<int>(std::floor(at_s * fps));
-  while (find_frame_ticks(frame, fps) < find_ticks(at_s)) ++frame;
+  while (compute_frame_ticks(frame, fps) < compute_ticks(at_s)) ++frame;
   return frame;
 }
 
@@ -21,7 +21,7 @@ struct Pace {
   int first = 0, draw = 1;
 };
 
-Pace find_pace(const ClipSpec& clip, int frame) {
+Pace compute_pace(const ClipSpec& clip, int frame) {
   Pace pace{0, clip.draw};
   for (const DrawChange& change : clip.draw_changes) {
     const int at = find_first_frame(change.at_s, clip.fps);
@@ -38,10 +38,10 @@ int count_frames(const ClipSpec& clip) {
   return std::max(1, static_cast<int>(std::lround(clip.length_s * clip.fps)));
 }
 
-int find_draw(const ClipSpec& clip, int frame) { return find_pace(clip, frame).draw; }
+int find_draw(const ClipSpec& clip, int frame) { return compute_pace(clip, frame).draw; }
 
-int find_drawn_frame(const ClipSpec& clip, int frame) {
-  const auto [first, draw] = find_pace(clip, frame);
+int compute_drawn_frame(const ClipSpec& clip, int frame) {
+  const auto [first, draw] = compute_pace(clip, frame);
   return frame - (frame - first) % draw;
 }
 

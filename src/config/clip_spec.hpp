@@ -221,6 +221,6 @@ int count_frames(const ClipSpec& clip);
 int find_draw(const ClipSpec& clip, int frame);
 
 // The frame (from 0) whose drawing frame `frame` shows: itself, or an earlier one where drawings are held.
-int find_drawn_frame(const ClipSpec& clip, int frame);
+int compute_drawn_frame(const ClipSpec& clip, int frame);
 
 }  // namespace mien

@@ -18,7 +18,7 @@ namespace mien {
 namespace {
 
 double clamp_between(double value, double low, double high) { return std::min(std::max(value, low), high); }
-double find_remainder(double value, double period) { return value - period * std::floor(value / period); }
+double compute_remainder(double value, double period) { return value - period * std::floor(value / period); }
 
 // One reader of a formula: muParser keeps its variables and its stack in the object, so that each thread that
 // evaluates needs its own.
@@ -29,7 +29,7 @@ struct Reader {
   Reader(const std::string& text, const Inputs& inputs) : values(inputs.size() + 1, 0) {
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineFun("clamp", clamp_between);
-    parser.DefineFun("mod", find_remainder);
+    parser.DefineFun("mod", compute_remainder);
     parser.DefineVar("t", values.data());
     for (std::size_t i = 0; i < inputs.size(); ++i) parser.DefineVar(inputs[i].name, &values[i + 1]);
     parser.SetExpr(text);
@@ -248,7 +248,7 @@ FormulaPointer shift_formula(const Formula& formula, double more) {
   return shifted;
 }
 
-double find_start_s(const Formula& formula) { return formula.start_s; }
+double compute_start_s(const Formula& formula) { return formula.start_s; }
 
 double evaluate_held(const Formula& formula, double time_s) {
   const double value = evaluate(formula, time_s);

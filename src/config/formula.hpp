@@ -42,7 +42,7 @@ double evaluate_held(const Formula& formula, double time_s);
 FormulaPointer shift_formula(const Formula& formula, double more);
 
 // When its `t` is 0.
-double find_start_s(const Formula& formula);
+double compute_start_s(const Formula& formula);
 
 // The first time of `times_s` at which it has none; empty if it has one at all of them.
 const double* find_undefined(const Formula& formula, const std::vector<double>& times_s);

@@ -2,7 +2,7 @@
 
 namespace mien {
 
-Look find_aged_look(const Look& look, const Mix& age) {
+Look compute_aged_look(const Look& look, const Mix& age) {
   const auto found = age.find("old");
   const auto old = static_cast<float>(found == age.end() ? 0 : found->second);
   Look aged = look;

@@ -33,7 +33,7 @@ struct Look {
 };
 
 // The same with brow, hair and age spots as they are at an age.
-Look find_aged_look(const Look& look, const Mix& age);
+Look compute_aged_look(const Look& look, const Mix& age);
 
 // A file that another file names, as found from the folder of the file that names it.
 struct FileReference {

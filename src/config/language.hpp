@@ -56,7 +56,7 @@ struct Form {
   Names endings = {};
   Forms items = {};
   const Section* section = nullptr;
-  Names lacks = {};  // keys of the section that do not stand here
+  Names excluded = {};  // keys of the section that do not stand here
 };
 
 struct Key {
@@ -90,7 +90,7 @@ struct Section {
 struct Sections {
   Section file, library_file;
   Section head, guides, look, sculpt, limits;
-  Section areas, live_areas;                          // areas of a pose; in a clip with formulas
+  Section areas, live_areas;                             // areas of a pose; in a clip with formulas
   std::array<Section, kAreas.size()> moves, live_moves;  // of an area
   Section expression, dominance, growth;
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;

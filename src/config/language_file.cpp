@@ -32,7 +32,7 @@ void fill_actors(Sections& all) {
   actor.keys = {{"head", {as_section(all.head), as_file(kYamlEndings)}, "A head, or a file with one."},
                 {"place", {as_section(place)}, "Where the actor stands."},
                 {"clip", {as_section(all.clip)}, "What this one does."}};
-  actor.keys[2].forms[0].lacks = kSharedClipKeys;
+  actor.keys[2].forms[0].excluded = kSharedClipKeys;
 }
 
 void fill_render(Section& render) {

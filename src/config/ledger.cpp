@@ -70,9 +70,9 @@ std::string name_move(std::size_t move, bool is_both) {
 
 std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {
   std::vector<HeldNote> notes;
-  std::vector<bool> is_told(ledger.size(), false);
+  std::vector<bool> is_reported(ledger.size(), false);
   for (std::size_t i = 0; i < ledger.size(); ++i) {
-    if (is_told[i]) continue;
+    if (is_reported[i]) continue;
     const MoveInfo& info = kMoves[ledger[i].move];
     bool is_both = false;
     if (info.side == Side::left) {
@@ -80,7 +80,7 @@ std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {
       other.move = *find_move(info.area, Side::right, info.move);
       const auto twin = std::ranges::find(ledger, other);
       is_both = twin != ledger.end();
-      if (is_both) is_told[static_cast<std::size_t>(twin - ledger.begin())] = true;
+      if (is_both) is_reported[static_cast<std::size_t>(twin - ledger.begin())] = true;
     }
     const std::string name = name_move(ledger[i].move, is_both);
     notes.push_back({ledger[i], name, describe(ledger[i], name)});

@@ -108,7 +108,7 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
 }
 
 // From a place of the stage to how one sees it who stands at `place`.
-glm::dvec3 find_seen(const PlaceSpec& place, const glm::dvec3& at_mm) {
+glm::dvec3 compute_seen(const PlaceSpec& place, const glm::dvec3& at_mm) {
   const double turn = place.turn_deg * kRadiansPerDegree;
   const glm::dvec3 p = at_mm - place.at_mm;
   return {p.x * std::cos(turn) - p.z * std::sin(turn), p.y, p.x * std::sin(turn) + p.z * std::cos(turn)};
@@ -124,7 +124,7 @@ void place_looks(std::vector<ActorSpec>& actors) {
         const double turn = other->place.turn_deg * kRadiansPerDegree;
         key.point_mm = other->place.at_mm + kEyes_mm * glm::dvec3(std::sin(turn), 0, std::cos(turn));
       }
-      key.point_mm = find_seen(actor.place, key.point_mm);
+      key.point_mm = compute_seen(actor.place, key.point_mm);
     }
 }
 

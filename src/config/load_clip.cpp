@@ -31,7 +31,8 @@ std::vector<double> list_times(double from_s, double to_s, int fps) {
   std::vector<double> times_s;
   for (int i = 0; i < count; ++i) {
     const double at_s = from_s + (to_s - from_s) * i / count;
-    times_s.push_back(count < kMaxChecks ? find_seconds(find_ticks(std::round(at_s * fps) / fps)) : at_s);
+    times_s.push_back(count < kMaxChecks ? compute_seconds(compute_ticks(std::round(at_s * fps) / fps))
+                                         : at_s);
   }
   times_s.front() = from_s;
   times_s.push_back(to_s);
@@ -96,7 +97,7 @@ bool load_waiting_time(const YamlValue& value, const ClipClock& clock, double& i
                                    format_quantity(clock.end_s, clock.measure), clock.measure.note));
     return false;
   }
-  into = find_seconds(find_ticks(at_s));
+  into = compute_seconds(compute_ticks(at_s));
   return true;
 }
 
@@ -116,17 +117,17 @@ bool load_time(const YamlValue& value, const ClipClock& clock, double& into) {
   if (clock.times != nullptr && find_node(value).kind == NodeKind::mapping)
     return load_waiting_time(value, clock, into);
   if (!load_duration(value, clock, into)) return false;
-  into = find_seconds(find_ticks(clock.start_s) + find_ticks(into));
+  into = compute_seconds(compute_ticks(clock.start_s) + compute_ticks(into));
   return true;
 }
 
 bool load_duration(const YamlValue& value, const ClipClock& clock, double& into) {
   if (!load_quantity(value, clock.measure, 0, clock.end_s, into)) return false;
-  into = find_seconds(find_ticks(into));
+  into = compute_seconds(compute_ticks(into));
   return true;
 }
 
-double find_last_s(const ClipSpec& clip) {
+double compute_last_s(const ClipSpec& clip) {
   double last_s = 0;
   for (const PoseKey& key : clip.keys) last_s = std::max(last_s, key.at_s);
   for (const CameraKey& key : clip.camera) last_s = std::max(last_s, key.at_s);
@@ -154,7 +155,7 @@ void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec&
     return std::pair(a.layer, a.from_s) < std::pair(b.layer, b.from_s);
   });
   into.lead = reader.lead;
-  into.length_s = find_last_s(into);
+  into.length_s = compute_last_s(into);
   if (const YamlValue* length = find_value(entries, "length"))
     load_duration(*length, reader.clock, into.length_s);
   check_formulas(into, reader);

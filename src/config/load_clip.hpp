@@ -116,7 +116,7 @@ void load_includes(const YamlMapping& clip, ClipReader& reader, ClipSpec& into);
 void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec& into);
 
 // The last time of any key, and of any cue that ends.
-double find_last_s(const ClipSpec& clip);
+double compute_last_s(const ClipSpec& clip);
 
 // `draw:` and `lead:`.
 void load_draw(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);

@@ -110,7 +110,7 @@ struct Draft {
   bool is_open = false;  // until the next one on its areas
 };
 
-double add_s(double a_s, double b_s) { return find_seconds(find_ticks(a_s) + find_ticks(b_s)); }
+double add_s(double a_s, double b_s) { return compute_seconds(compute_ticks(a_s) + compute_ticks(b_s)); }
 
 void load_times(const YamlMapping& entries, const ClipReader& reader, double attack_s, int times,
                 Draft& draft) {
@@ -125,7 +125,8 @@ void load_times(const YamlMapping& entries, const ClipReader& reader, double att
   cue.full_s = add_s(cue.from_s, attack_s);
   double hold_s = 0;
   if (is_script)
-    cue.ebb_s = std::max(cue.full_s, find_seconds(find_ticks(cue.from_s) + times * find_ticks(script_s)));
+    cue.ebb_s =
+        std::max(cue.full_s, compute_seconds(compute_ticks(cue.from_s) + times * compute_ticks(script_s)));
   else if (load_duration(entries, "hold", reader.clock, hold_s))
     cue.ebb_s = add_s(cue.full_s, hold_s);
   else

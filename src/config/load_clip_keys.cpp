@@ -118,7 +118,7 @@ void check_releases(const std::vector<PoseKey>& keys, const std::vector<PartRele
       add_mistake(value,
                   fmt::format("{} is of a way that is '{}' for all areas; expected one with an 'ease'",
                               describe_subject(value), kBetweens[static_cast<std::size_t>(next.between)]));
-    else if (find_ticks(keys[key].release[part]) > find_ticks(way_s))
+    else if (compute_ticks(keys[key].release[part]) > compute_ticks(way_s))
       add_mistake(
           value, fmt::format("{} is {}; expected {} at most, when the next key comes",
                              describe_subject(value), format_quantity(keys[key].release[part], clock.measure),

@@ -64,9 +64,9 @@ void load_times(const YamlMapping& entries, const ClipReader& reader, CueSpec& c
   load_duration(entries, "release", reader.clock, release_s);
   const double fades_s = attack_s + release_s,
                share = fades_s > to_s - cue.from_s ? (to_s - cue.from_s) / fades_s : 1;
-  cue.full_s = find_seconds(find_ticks(cue.from_s + share * attack_s));
+  cue.full_s = compute_seconds(compute_ticks(cue.from_s + share * attack_s));
   cue.end_s = to_s;
-  cue.ebb_s = std::isfinite(to_s) ? find_seconds(find_ticks(to_s - share * release_s)) : to_s;
+  cue.ebb_s = std::isfinite(to_s) ? compute_seconds(compute_ticks(to_s - share * release_s)) : to_s;
 }
 
 }  // namespace

@@ -23,7 +23,7 @@ struct CsvFile {
   Findings* findings = nullptr;
 };
 
-void tell(const CsvFile& file, Spot spot, std::string message) {
+void report(const CsvFile& file, Spot spot, std::string message) {
   add_mistake(*file.findings, file.source, spot, std::move(message));
 }
 
@@ -96,12 +96,12 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
       if (seen[move]) mistake = fmt::format("'{}' has a column already", name_move(move));
       seen.set(move);
     }
-    if (!mistake.empty()) tell(file, cell.spot, mistake);
+    if (!mistake.empty()) report(file, cell.spot, mistake);
     is_right &= mistake.empty();
   }
-  if (!has_time) tell(file, {1, 0}, "no column is the time; expected 'time' in seconds, or 'frame'");
+  if (!has_time) report(file, {1, 0}, "no column is the time; expected 'time' in seconds, or 'frame'");
   if (has_time && seen.none() && is_right)
-    tell(file, {1, 0}, "no column is a move; expected one such as lips.upper");
+    report(file, {1, 0}, "no column is a move; expected one such as lips.upper");
   return is_right && has_time && seen.any();
 }
 
@@ -112,26 +112,26 @@ bool load_cell(const CsvFile& file, const Cell& cell, double low, double high, c
     into = *number;
     return true;
   }
-  tell(file, cell.spot,
-       fmt::format("'{}' is '{}'; expected a number from {:.7g} to {:.7g}", what, show_word(cell.text), low,
-                   high));
+  report(file, cell.spot,
+         fmt::format("'{}' is '{}'; expected a number from {:.7g} to {:.7g}", what, show_word(cell.text), low,
+                     high));
   return false;
 }
 
 void load_row(const CsvFile& file, const std::vector<Cell>& cells, const std::vector<Cell>& head,
               const Columns& columns, int fps, TimeTable& table) {
   if (cells.size() != head.size())
-    return tell(file, cells.front().spot,
-                fmt::format("this line has {} cell{}; expected {} as in the first line", cells.size(),
-                            cells.size() == 1 ? "" : "s", head.size()));
+    return report(file, cells.front().spot,
+                  fmt::format("this line has {} cell{}; expected {} as in the first line", cells.size(),
+                              cells.size() == 1 ? "" : "s", head.size()));
   double at_s = 0;
   const double most = columns.is_frames ? kMaxTime_s * fps : kMaxTime_s;
   if (!load_cell(file, cells[columns.time], 0, most, head[columns.time].text, at_s)) return;
   if (columns.is_frames) at_s /= fps;
-  at_s = find_seconds(find_ticks(at_s));
+  at_s = compute_seconds(compute_ticks(at_s));
   if (!table.at_s.empty() && at_s <= table.at_s.back())
-    return tell(file, cells[columns.time].spot,
-                "this time is not after the one of the line before; expected rising times");
+    return report(file, cells[columns.time].spot,
+                  "this time is not after the one of the line before; expected rising times");
   table.at_s.push_back(at_s);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (columns.moves[i].empty()) continue;
@@ -168,7 +168,7 @@ std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& pa
     }
   }
   if (table.at_s.empty() && findings.mistakes.size() + findings.untold == before)
-    tell(file, {1, 0}, "there are no rows; expected a line of names and a line for each time");
+    report(file, {1, 0}, "there are no rows; expected a line of names and a line for each time");
   if (findings.mistakes.size() + findings.untold != before) return {};
   return std::make_shared<const TimeTable>(std::move(table));
 }
@@ -198,9 +198,9 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     if (!table) continue;
     TimeTable timed = *table;
     timed.between = between;
-    const Ticks start = find_ticks(cue.start_s);
-    cue.full_s = find_seconds(start + find_ticks(timed.at_s.front()));
-    cue.ebb_s = find_seconds(start + find_ticks(timed.at_s.back()));
+    const Ticks start = compute_ticks(cue.start_s);
+    cue.full_s = compute_seconds(start + compute_ticks(timed.at_s.front()));
+    cue.ebb_s = compute_seconds(start + compute_ticks(timed.at_s.back()));
     cue.from_s = cue.full_s - attack_s;
     cue.end_s = cue.ebb_s + release_s;
     for (const std::size_t move : timed.moves) cue.owns.set(move);

@@ -66,7 +66,7 @@ void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
   if (found != reader.found->end())
     add_fault(found->second,
               fmt::format("it has no value at t = {:.7g}{}; expected a number at every time",
-                          *time_s - find_start_s(*formula), name_frame(*time_s, reader.fps)),
+                          *time_s - compute_start_s(*formula), name_frame(*time_s, reader.fps)),
               0);
 }
 

@@ -22,22 +22,22 @@ std::string describe_circle(const std::vector<fs::path>& chain, const fs::path& 
 // The head of the file that `name` names at `spot`. Its other sections are not looked at.
 bool load_other_head(const YamlValue& value, const std::string& name, Spot spot, const HeadSource& source,
                      HeadSpec& head) {
-  const auto tell = [&](const std::string& message) {
+  const auto report = [&](const std::string& message) {
     add_mistake(*value.findings, value.document->source, spot, message);
     return false;
   };
   fs::path path;
   const std::string fault = find_file_fault(name, find_folder(value), kYamlEndings, path);
-  if (!fault.empty()) return tell(fault);
+  if (!fault.empty()) return report(fault);
   HeadSource inner = source;
   inner.chain.push_back(fs::weakly_canonical(path));
   if (std::ranges::find(source.chain, inner.chain.back()) != source.chain.end())
-    return tell(fmt::format("heads mix each other in a circle: {}; expected none",
-                            describe_circle(source.chain, inner.chain.back())));
+    return report(fmt::format("heads mix each other in a circle: {}; expected none",
+                              describe_circle(source.chain, inner.chain.back())));
   if (inner.chain.size() > static_cast<std::size_t>(kMaxMixDepth) + 1)
-    return tell(fmt::format("heads are mixed more than {} deep; expected fewer", kMaxMixDepth));
+    return report(fmt::format("heads are mixed more than {} deep; expected fewer", kMaxMixDepth));
   if (++*source.head_count > kMaxMixedHeads)
-    return tell(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
+    return report(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
   Findings& findings = *value.findings;
   auto text = load_source(path, findings);
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
@@ -58,7 +58,7 @@ void mix_looks(HeadSpec& head) {
     const auto weight = static_cast<float>(share);
     sum.skin += weight * other.look.skin;
     sum.iris += weight * other.look.iris;
-    const Look aged = find_aged_look(other.look, other.age);
+    const Look aged = compute_aged_look(other.look, other.age);
     sum.brow += weight * aged.brow;
     sum.hair += weight * aged.hair;
     sum.is_brow_given = sum.is_brow_given || aged.is_brow_given;

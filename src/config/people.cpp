@@ -71,7 +71,7 @@ std::string draw_name(const std::map<std::string, double>& weights, std::mt19937
 }
 
 // The share of people whose skin is lighter: of a standard normal number.
-double find_rank(double normal) { return 0.5 * std::erfc(-normal / std::sqrt(2.0)); }
+double compute_rank(double normal) { return 0.5 * std::erfc(-normal / std::sqrt(2.0)); }
 
 // Where a rank lies among the skins: 0.5 is half way from the first to the second one.
 double find_skin(const People& people, double rank) {
@@ -89,7 +89,7 @@ double find_skin(const People& people, double rank) {
 
 Look draw_look(const People& people, std::uint64_t seed, double tone) {
   std::mt19937_64 random = build_random(seed, use_look);
-  const double at = find_skin(people, find_rank(tone));
+  const double at = find_skin(people, compute_rank(tone));
   const auto lighter = static_cast<std::size_t>(at);
   const std::size_t darker = std::min(lighter + 1, people.skins.size() - 1);
   const double share = at - static_cast<double>(lighter);
@@ -128,7 +128,7 @@ std::string draw_beard(const People& people, std::uint64_t seed, double characte
 
 double draw_freckles(const People& people, std::uint64_t seed, double tone) {
   std::mt19937_64 random = build_random(seed, use_freckles);
-  const auto nearest = static_cast<std::size_t>(std::lround(find_skin(people, find_rank(tone))));
+  const auto nearest = static_cast<std::size_t>(std::lround(find_skin(people, compute_rank(tone))));
   if (sample_uniform(random) >= people.skins[nearest].freckled) return 0;
   return round_hundredths(sample_uniform(random, people.least_freckles, people.most_freckles));
 }

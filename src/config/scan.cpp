@@ -87,7 +87,7 @@ class TreeBuilder : public YAML::EventHandler {
     if (++aliases_ > kMaxAliases) end_scan(spot, fmt::format("more than {} aliases", kMaxAliases));
     const std::uint32_t target = anchors_.at(anchor);
     const bool is_open = std::find(open_.begin(), open_.end(), target) != open_.end();
-    if (is_open) tell(spot, "this alias stands inside of what it repeats");
+    if (is_open) report(spot, "this alias stands inside of what it repeats");
     YamlNode& node = document_.nodes[append_node(is_open ? NodeKind::broken : NodeKind::alias, mark, "", 0)];
     node.target = target;
   }
@@ -106,27 +106,27 @@ class TreeBuilder : public YAML::EventHandler {
   }
 
  private:
-  void tell(Spot spot, std::string message) {
+  void report(Spot spot, std::string message) {
     add_mistake(findings_, document_.source, spot, std::move(message));
   }
   [[noreturn]] void end_scan(Spot spot, std::string message) {
-    tell(spot, std::move(message));
+    report(spot, std::move(message));
     throw ScanEnd{};
   }
 
-  void tell_tag(Spot spot) {
+  void report_tag(Spot spot) {
     std::string_view rest =
         find_line(document_.source, spot.line).substr(static_cast<std::size_t>(spot.byte));
     rest.remove_prefix(std::min(rest.find('!'), rest.size()));  // an anchor may stand before it
     const std::string word = show_word(rest.substr(0, rest.find_first_of(" \t,]}")));
-    tell(spot, fmt::format("tag '{}'; expected a value without a tag", word));
+    report(spot, fmt::format("tag '{}'; expected a value without a tag", word));
   }
 
   std::uint32_t append_node(NodeKind kind, const YAML::Mark& mark, const std::string& tag,
                             YAML::anchor_t anchor) {
     const Spot spot = find_spot(mark);
     // yaml-cpp itself tags plain values "?" and quoted ones "!".
-    if (!tag.empty() && tag != "?" && tag != "!") tell_tag(spot);
+    if (!tag.empty() && tag != "?" && tag != "!") report_tag(spot);
     const std::uint32_t index = static_cast<std::uint32_t>(document_.nodes.size());
     YamlNode node;
     node.kind = kind;
@@ -160,12 +160,12 @@ class TreeBuilder : public YAML::EventHandler {
     for (std::size_t i = 0; i + 1 < mapping.children.size(); i += 2) {
       const YamlNode& key = document_.nodes[mapping.children[i]];
       if (key.kind == NodeKind::nothing) {
-        tell(key.spot, "a key is missing; expected a word before ':'");
+        report(key.spot, "a key is missing; expected a word before ':'");
       } else if (key.kind != NodeKind::text) {
-        tell(key.spot, "a key is no word; expected a plain word before ':'");
+        report(key.spot, "a key is no word; expected a plain word before ':'");
       } else if (const auto [first, is_new] = first_lines.emplace(key.text, key.spot.line); !is_new) {
-        tell(key.spot, fmt::format("duplicate key '{}'; it stands on line {} already", show_word(key.text),
-                                   first->second));
+        report(key.spot, fmt::format("duplicate key '{}'; it stands on line {} already", show_word(key.text),
+                                     first->second));
       } else {
         kept.insert(kept.end(), {mapping.children[i], mapping.children[i + 1]});
       }

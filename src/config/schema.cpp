@@ -96,9 +96,9 @@ Json build_map(const Form& form, const DataWords& data) {
 
 Json build_section_reference(const Form& form) {
   Json reference = build_reference(form.section->name);
-  if (form.lacks.empty()) return reference;
+  if (form.excluded.empty()) return reference;
   reference["type"] = "object";
-  for (const std::string& key : form.lacks) reference["properties"][key] = false;
+  for (const std::string& key : form.excluded) reference["properties"][key] = false;
   return reference;
 }
 

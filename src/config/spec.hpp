@@ -32,7 +32,7 @@ struct Expression {
 struct BustSpec {
   Expression expression;       // what `express` and `areas` come to; library and name for file names
   double height_mm = 80;       // whole print, base included
-  std::string base = "round";  // a word of kBases
+  std::string base = "round";  // a word of kBaseWords
   std::string label;           // raised on the base's front
   bool is_hollow = false;
   double wall_mm = 2;       // of a hollow one

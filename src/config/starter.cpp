@@ -24,7 +24,7 @@ std::string format_mix(const Mix& mix) {
 }
 
 std::string format_look(const Look& given, const Mix& age) {
-  const Look look = find_aged_look(given, age);
+  const Look look = compute_aged_look(given, age);
   std::string text = "skin: " + format_colour(look.skin);
   if (look.lips) text += ", lips: " + format_colour(*look.lips);
   text += fmt::format(", iris: {}, brow: {}, hair: {}", format_colour(look.iris), format_colour(look.brow),

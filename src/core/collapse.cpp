@@ -68,7 +68,7 @@ void join_vertices(CollapseNet& net, std::uint32_t drop, std::uint32_t keep) {
   net.around[drop].clear();
 }
 
-std::vector<bool> find_open_vertices(const std::vector<Triangle>& triangles, std::size_t count) {
+std::vector<bool> compute_open_vertices(const std::vector<Triangle>& triangles, std::size_t count) {
   std::vector<std::array<std::uint32_t, 2>> edges;
   edges.reserve(3 * triangles.size());
   for (const Triangle& t : triangles)

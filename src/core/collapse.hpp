@@ -49,7 +49,7 @@ bool keeps_surface(const CollapseNet& net, std::uint32_t drop, std::uint32_t kee
 void join_vertices(CollapseNet& net, std::uint32_t drop, std::uint32_t keep);
 
 // The vertices on edges that are not used once in each direction; of `count` vertices.
-std::vector<bool> find_open_vertices(const std::vector<Triangle>& triangles, std::size_t count);
+std::vector<bool> compute_open_vertices(const std::vector<Triangle>& triangles, std::size_t count);
 
 // Twice a triangle's area along its normal.
 template <typename Vector>

@@ -2,9 +2,13 @@
 //
 // Names     snake_case functions and variables, UpperCamel types, kConstants. A function begins with its
 // verb:
-//           load_ (file to value)   build_ (value to bigger value)   sample_ (value at a time)
-//           deform_ (pose to shape)  append_ (onto a text)            write_ (to a file)
-//           find_ (may be absent)    is_ (a yes or no)
+//           load_ (file to value)      build_ (values to a bigger value)  sample_ (value at a time)
+//           compute_, measure_ (a number or a place from values)          list_ (several, in order)
+//           find_ (looks up by name or place: may be absent, and is empty or an error then)
+//           deform_ (pose to shape)    append_ (onto a text)              write_ (to a file)
+//           read_, parse_ (part of a text to value)                       check_ (throws or adds mistakes)
+//           describe_, format_ (value to words)                           report_ (to who runs the program)
+//           is_, has_ (a yes or no)
 // Units     A number that has a unit wears it: _mm _s _deg _px. Without a suffix it is a fraction or a count.
 // Space     Right-handed, millimetres: x to the character's left, y up, z forward (out of the face).
 //           Origin: the mid-plane, at pupil height, at the depth of the ear canals.

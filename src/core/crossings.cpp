@@ -17,7 +17,7 @@ constexpr double kGrid_mm = 1e-6;
 constexpr float kCell = 2;  // of the search grid, in mean sides of a triangle's box
 
 // The sign of the volume of a b c d: six products of three differences of 32 bits are within 128.
-int find_side(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
+int compute_side(const Whole& a, const Whole& b, const Whole& c, const Whole& d) {
   std::array<Whole, 3> e{};
   for (int i = 0; i < 3; ++i) e[0][i] = b[i] - a[i], e[1][i] = c[i] - a[i], e[2][i] = d[i] - a[i];
   const auto sum = [&]<typename Number>(Number) {
@@ -41,7 +41,7 @@ using Corners = std::array<const Whole*, 3>;
 bool is_pierced(const Corners& t, const Whole& p, const Whole& q) {
   int low = 0, high = 0;
   for (int i = 0; i < 3; ++i) {
-    const int side = find_side(p, q, *t[i], *t[(i + 1) % 3]);
+    const int side = compute_side(p, q, *t[i], *t[(i + 1) % 3]);
     low = std::min(low, side);
     high = std::max(high, side);
   }
@@ -55,7 +55,7 @@ bool is_pierced_by(const std::vector<Whole>& places, const Triangle& t, const Tr
   const Corners corners{&places[t[0]], &places[t[1]], &places[t[2]]};
   std::array<int, 3> sides{};
   for (int i = 0; i < 3; ++i)
-    sides[i] = has(t, by[i]) ? 0 : find_side(*corners[0], *corners[1], *corners[2], places[by[i]]);
+    sides[i] = has(t, by[i]) ? 0 : compute_side(*corners[0], *corners[1], *corners[2], places[by[i]]);
   for (int i = 0; i < 3; ++i) {
     const int next = (i + 1) % 3;
     if (sides[i] * sides[next] < 0 && is_pierced(corners, places[by[i]], places[by[next]])) return true;
@@ -89,7 +89,7 @@ struct Grid {
   }
 };
 
-Box find_box(const std::vector<glm::vec3>& positions, const Triangle& t) {
+Box compute_box(const std::vector<glm::vec3>& positions, const Triangle& t) {
   const glm::vec3 &a = positions[t[0]], &b = positions[t[1]], &c = positions[t[2]];
   return {glm::min(a, glm::min(b, c)), glm::max(a, glm::max(b, c))};
 }
@@ -110,7 +110,7 @@ Grid build_grid(const std::vector<glm::vec3>& positions, const std::vector<Trian
   Box all{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
   float sides_mm = 0;
   for (const Triangle& t : triangles) {
-    const Box& box = grid.boxes.emplace_back(find_box(positions, t));
+    const Box& box = grid.boxes.emplace_back(compute_box(positions, t));
     all = {glm::min(all.low, box.low), glm::max(all.high, box.high)};
     const glm::vec3 extent = box.high - box.low;
     sides_mm += (extent.x + extent.y + extent.z) / 3;
@@ -169,7 +169,7 @@ std::vector<glm::vec3> list_crossed_places(const std::vector<glm::vec3>& positio
                                            const std::vector<Crossing>& crossings) {
   std::vector<glm::vec3> places;
   for (const auto& [one, two] : crossings) {
-    const Box a = find_box(positions, triangles[one]), b = find_box(positions, triangles[two]);
+    const Box a = compute_box(positions, triangles[one]), b = compute_box(positions, triangles[two]);
     places.push_back(0.5f * (glm::max(a.low, b.low) + glm::min(a.high, b.high)));
   }
   return places;

@@ -20,7 +20,7 @@ namespace {
 }
 
 // For each vertex on an open edge the next one of its loop.
-std::map<std::uint32_t, std::uint32_t> find_open_steps(const std::vector<Triangle>& triangles) {
+std::map<std::uint32_t, std::uint32_t> compute_open_steps(const std::vector<Triangle>& triangles) {
   std::uint32_t count = 0;
   for (const Triangle& t : triangles) count = std::max({count, t[0] + 1, t[1] + 1, t[2] + 1});
   std::vector<std::uint32_t> first(count + 1, 0),
@@ -48,7 +48,7 @@ std::map<std::uint32_t, std::uint32_t> find_open_steps(const std::vector<Triangl
   return next;
 }
 
-double find_smallest_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+double compute_smallest_angle(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
   const auto angle = [](const glm::dvec3& at, const glm::dvec3& p, const glm::dvec3& q) {
     return std::atan2(glm::length(glm::cross(p - at, q - at)), glm::dot(p - at, q - at));
   };
@@ -79,7 +79,7 @@ double rate_ear(const std::vector<glm::vec3>& positions, const Loop& walk, std::
   const std::uint32_t before = walk[(at + n - 1) % n], here = walk[at], after = walk[(at + 1) % n];
   const glm::dvec3 a(positions[before]), b(positions[here]), c(positions[after]);
   const double turn = glm::dot(glm::cross(b - a, c - b), normal);
-  const double angle = find_smallest_angle(a, b, c);
+  const double angle = compute_smallest_angle(a, b, c);
   if (turn <= 0) return -2 - std::abs(turn);
   for (const std::uint32_t other : walk) {
     if (other == before || other == here || other == after) continue;
@@ -91,7 +91,7 @@ double rate_ear(const std::vector<glm::vec3>& positions, const Loop& walk, std::
 }  // namespace
 
 std::vector<Loop> find_boundary_loops(const std::vector<Triangle>& triangles) {
-  std::map<std::uint32_t, std::uint32_t> next = find_open_steps(triangles);
+  std::map<std::uint32_t, std::uint32_t> next = compute_open_steps(triangles);
   std::vector<Loop> loops;
   while (!next.empty()) {
     Loop& loop = loops.emplace_back();
@@ -108,7 +108,7 @@ std::vector<Loop> find_boundary_loops(const std::vector<Triangle>& triangles) {
   return loops;
 }
 
-glm::vec3 find_loop_centre(const std::vector<glm::vec3>& positions, const Loop& loop) {
+glm::vec3 compute_loop_centre(const std::vector<glm::vec3>& positions, const Loop& loop) {
   glm::dvec3 sum{0};
   double length = 0;
   for (std::size_t i = 0; i < loop.size(); ++i) {

@@ -18,7 +18,7 @@ using Loop = std::vector<std::uint32_t>;
 std::vector<Loop> find_boundary_loops(const std::vector<Triangle>& triangles);
 
 // The mean of the loop's edges, each counted by its length, so that crowded vertices do not pull it aside.
-glm::vec3 find_loop_centre(const std::vector<glm::vec3>& positions, const Loop& loop);
+glm::vec3 compute_loop_centre(const std::vector<glm::vec3>& positions, const Loop& loop);
 
 // A cap of one new vertex, `apex`, and a triangle for each edge of the loop. Right for loops that see the
 // apex. Normals, if the mesh has any, are dropped by every cap: call update_normals again.

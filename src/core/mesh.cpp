@@ -5,7 +5,7 @@
 
 namespace mien {
 
-Box find_bounds(const std::vector<glm::vec3>& positions) {
+Box compute_bounds(const std::vector<glm::vec3>& positions) {
   if (positions.empty()) return {};
   Box box{positions.front(), positions.front()};
   for (const glm::vec3& p : positions) {

@@ -25,7 +25,7 @@ struct Box {
 };
 
 // The smallest box around all vertices; a box of zeros for an empty mesh.
-Box find_bounds(const std::vector<glm::vec3>& positions);
+Box compute_bounds(const std::vector<glm::vec3>& positions);
 
 // Area-weighted vertex normals of `mesh.triangles`, written to `mesh.normals`. A vertex whose triangles have
 // no area gets (0, 0, 1), so that a normal is always finite and of unit length.

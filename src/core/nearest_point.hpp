@@ -9,7 +9,7 @@ namespace mien {
 // Barycentric coordinates of the place of triangle a b c that is nearest to p; a corner's if the triangle has
 // no area.
 template <typename Vector>
-Vector find_nearest_barycentric(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
+Vector compute_nearest_barycentric(const Vector& p, const Vector& a, const Vector& b, const Vector& c) {
   using Number = typename Vector::value_type;
   const Vector ab = b - a, ac = c - a, ap = p - a;
   const Number d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);

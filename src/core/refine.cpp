@@ -31,7 +31,7 @@ std::map<Edge, std::uint32_t> split_edges(Mesh& mesh, std::vector<bool>& marks) 
     const glm::vec3 normal = mesh.normals[a] + mesh.normals[b];
     middle = static_cast<std::uint32_t>(mesh.positions.size());
     mesh.positions.push_back(
-        find_middle(mesh.positions[a], mesh.positions[b], mesh.normals[a], mesh.normals[b]));
+        compute_middle(mesh.positions[a], mesh.positions[b], mesh.normals[a], mesh.normals[b]));
     mesh.normals.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : mesh.normals[a]);
     marks.push_back(marks[a] && marks[b]);
   }
@@ -59,8 +59,8 @@ void append_split(std::vector<Triangle>& out, const Triangle& t,
 
 }  // namespace
 
-glm::vec3 find_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal_a,
-                      const glm::vec3& normal_b) {
+glm::vec3 compute_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal_a,
+                         const glm::vec3& normal_b) {
   const glm::vec3 flat = 0.5f * (a + b);
   return glm::mix(flat, 0.5f * (project(flat, a, normal_a) + project(flat, b, normal_b)), kRoundness);
 }

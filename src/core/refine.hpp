@@ -17,7 +17,7 @@ namespace mien {
 std::vector<std::array<std::uint32_t, 2>> refine_marked(Mesh& mesh, std::vector<bool>& marks);
 
 // Where a new vertex stands between two ends with unit normals.
-glm::vec3 find_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal_a,
-                      const glm::vec3& normal_b);
+glm::vec3 compute_middle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& normal_a,
+                         const glm::vec3& normal_b);
 
 }  // namespace mien

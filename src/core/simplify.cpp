@@ -89,7 +89,7 @@ Simplifier build_simplifier(const Mesh& mesh, double tolerance_mm) {
   s.net = build_collapse_net(mesh.triangles, mesh.positions.size());
   s.quadrics.resize(mesh.positions.size());
   s.version.resize(mesh.positions.size());
-  s.is_fixed = find_open_vertices(mesh.triangles, mesh.positions.size());
+  s.is_fixed = compute_open_vertices(mesh.triangles, mesh.positions.size());
   for (const Triangle& t : s.net.triangles) {
     const auto& [a, b, c] = t;
     const glm::dvec3 area = find_area_vector(s.positions[a], s.positions[b], s.positions[c]);

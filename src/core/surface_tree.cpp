@@ -25,7 +25,7 @@ void leave_out_flat(SurfaceTree& tree) {
   });
 }
 
-void find_rims(SurfaceTree& tree) {
+void compute_rims(SurfaceTree& tree) {
   std::vector<std::uint64_t> edges;  // whatever their direction, so that a wrongly wound face opens nothing
   edges.reserve(3 * tree.triangles.size());
   for (const Triangle& t : tree.triangles)
@@ -44,7 +44,7 @@ void find_rims(SurfaceTree& tree) {
   }
 }
 
-void find_normals(SurfaceTree& tree) {
+void compute_normals(SurfaceTree& tree) {
   tree.normals.assign(tree.positions.size(), glm::dvec3(0));
   for (const Triangle& t : tree.triangles) {
     const glm::dvec3 area =
@@ -130,8 +130,8 @@ std::uint32_t build_node(Builder& builder, std::uint32_t first, std::uint32_t co
 }
 
 // Barycentric coordinates of the place of triangle a b c that is nearest to p.
-glm::dvec3 find_nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                                    const glm::dvec3& c) {
+glm::dvec3 compute_nearest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
+                                       const glm::dvec3& c) {
   const glm::dvec3 ab = b - a, ac = c - a, ap = p - a;
   const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
   if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
@@ -164,7 +164,7 @@ Spot spread(const glm::dvec3& p) {
 }
 
 // At most the squares of the distances to what is inside the four boxes.
-Float4 find_square_distances(const SurfaceTree::Node& node, const Spot& p) {
+Float4 compute_square_distances(const SurfaceTree::Node& node, const Spot& p) {
   const auto outside = [](const Float4& low, const Float4& high, const Float4& at) {
     const Float4 below = low - at, above = at - high, most = below > above ? below : above;
     return most > 0.0f ? most : Float4{};
@@ -200,8 +200,8 @@ SurfaceTree build_surface_tree(std::vector<glm::dvec3> positions, std::vector<Tr
   tree.positions = std::move(positions);
   tree.triangles = std::move(triangles);
   leave_out_flat(tree);
-  find_rims(tree);
-  find_normals(tree);
+  compute_rims(tree);
+  compute_normals(tree);
   Builder builder = prepare(tree);
   if (!tree.triangles.empty()) build_node(builder, 0, static_cast<std::uint32_t>(tree.triangles.size()));
   return tree;
@@ -221,13 +221,13 @@ NearestPlace find_nearest(const SurfaceTree& tree, const glm::dvec3& point, doub
     if (distance > least) continue;
     if (!(child & SurfaceTree::kIsTriangle)) {
       const SurfaceTree::Node& node = tree.nodes[child];
-      add_children(node, find_square_distances(node, spot), least, open, count);
+      add_children(node, compute_square_distances(node, spot), least, open, count);
       continue;
     }
     const std::uint32_t index = child & ~SurfaceTree::kIsTriangle;
     const Triangle& t = tree.triangles[index];
     const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
-    const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
+    const glm::dvec3 at = compute_nearest_barycentric(point, a, b, c);
     const glm::dvec3 place = at.x * a + at.y * b + at.z * c, way = place - point;
     const double square = glm::dot(way, way);
     if (square > least || (square == least && best.distance < 1e9)) continue;
@@ -264,12 +264,12 @@ bool is_within(const SurfaceTree& tree, const glm::dvec3& point, double distance
     const std::uint32_t child = open[--count].child;
     if (!(child & SurfaceTree::kIsTriangle)) {
       const SurfaceTree::Node& node = tree.nodes[child];
-      add_children(node, find_square_distances(node, spot), square, open, count);
+      add_children(node, compute_square_distances(node, spot), square, open, count);
       continue;
     }
     const Triangle& t = tree.triangles[child & ~SurfaceTree::kIsTriangle];
     const glm::dvec3 &a = tree.positions[t[0]], &b = tree.positions[t[1]], &c = tree.positions[t[2]];
-    const glm::dvec3 at = find_nearest_barycentric(point, a, b, c);
+    const glm::dvec3 at = compute_nearest_barycentric(point, a, b, c);
     const glm::dvec3 way = at.x * a + at.y * b + at.z * c - point;
     if (glm::dot(way, way) < square) return true;
   }

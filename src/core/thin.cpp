@@ -149,7 +149,7 @@ Thinner build_thinner(const std::vector<std::vector<glm::vec3>>& poses, std::vec
   const std::size_t count = poses.front().size();
   Thinner s;
   s.pose_count = poses.size();
-  s.is_locked = find_open_vertices(triangles, count);
+  s.is_locked = compute_open_vertices(triangles, count);
   for (std::size_t v = 0; v < count; ++v)
     if (is_locked[v]) s.is_locked[v] = true;
   s.net = build_collapse_net(std::move(triangles), count);

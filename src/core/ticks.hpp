@@ -16,19 +16,19 @@ inline constexpr Ticks kTicksPerSecond = 705'600'000;
 inline constexpr Ticks kEndless = Ticks{1} << 60;  // later than any clip; two of them can be added
 
 // `time_s` may be infinite.
-inline Ticks find_ticks(double time_s) {
+inline Ticks compute_ticks(double time_s) {
   const double ticks = time_s * static_cast<double>(kTicksPerSecond);
   constexpr auto kMost = static_cast<double>(kEndless);
   return ticks >= kMost ? kEndless : ticks <= -kMost ? -kEndless : std::llround(ticks);
 }
 
 // The nearest number to the exact time: 16 frames of 48 a second are 8.0 / 24 to the last bit.
-inline double find_seconds(Ticks ticks) {
+inline double compute_seconds(Ticks ticks) {
   return static_cast<double>(ticks) / static_cast<double>(kTicksPerSecond);
 }
 
 // When frame `frame` (from 0) begins.
-inline Ticks find_frame_ticks(std::int64_t frame, int fps) {
+inline Ticks compute_frame_ticks(std::int64_t frame, int fps) {
   return (2 * frame * kTicksPerSecond + fps) / (2 * std::int64_t{fps});
 }
 

@@ -19,7 +19,7 @@ namespace mien {
 namespace {
 
 // This head's face units over the adult's.
-double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std::string& unit) {
+double compute_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std::string& unit) {
   if (unit == "eye_separation") return here.eye_separation / adult.eye_separation;
   if (unit == "eye_nose") return here.eye_nose / adult.eye_nose;
   if (unit == "mouth_nose") return here.mouth_nose / adult.mouth_nose;
@@ -31,7 +31,7 @@ double find_unit_ratio(const FaceUnits& here, const FaceUnits& adult, const std:
 // The points that a table's fields leave where they are, by the word that names them.
 using Anchors = std::map<std::string, std::vector<bool>>;
 
-Anchors find_anchors(const Cage& cage, const AreaData& data) {
+Anchors compute_anchors(const Cage& cage, const AreaData& data) {
   Anchors anchors;
   for (const auto& [name, own] : data.anchors) {
     PointPatterns patterns = data.anchors.at("always");
@@ -46,7 +46,7 @@ struct Scales {
 
   Handles apply(const MoveTable& table, const Handles& handles) const {
     glm::dvec3 scale;
-    for (int axis = 0; axis < 3; ++axis) scale[axis] = find_unit_ratio(here, adult, table.units[axis]);
+    for (int axis = 0; axis < 3; ++axis) scale[axis] = compute_unit_ratio(here, adult, table.units[axis]);
     Handles scaled = handles;
     for (auto& [name, move] : scaled) move *= scale;
     return scaled;
@@ -108,7 +108,7 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
 std::vector<DrivenField> build_fields(const Cage& cage, const AreaData& data, const Scales& scales) {
-  const Anchors anchors = find_anchors(cage, data);
+  const Anchors anchors = compute_anchors(cage, data);
   std::vector<std::function<DrivenField(const FieldSolver&)>> works;
   for (const MoveTable& table : data.moves)
     for (const int sign : {1, -1})
@@ -189,8 +189,8 @@ std::vector<LipColumn> build_lips(const Cage& cage, const AreaData& data) {
       column.lower_edge = {point("M0", 12 - i), point("M1", 12 - i), point("M2", 12 - i)};
       column.inward = point("M1", std::max(i - 1, 0));
       column.outward = point("M1", i == 0 ? 0 : i + 1);
-      column.rest_skin_gap_mm = find_skin_gap_mm(column, cage.points);
-      column.rest_leaning_gap_mm = column.rest_skin_gap_mm + find_lean_mm(column, cage.points);
+      column.rest_skin_gap_mm = compute_skin_gap_mm(column, cage.points);
+      column.rest_leaning_gap_mm = column.rest_skin_gap_mm + compute_lean_mm(column, cage.points);
       lips.push_back(std::move(column));
     }
   return lips;

@@ -59,11 +59,11 @@ struct LipColumn {
 };
 
 // The upper lip's skin above the lower's, where both come out of the mouth.
-double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
+double compute_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
 
 // What is added to it above one place, because the lower lip's point lies aside of the upper's on a line that
 // is not level.
-double find_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
+double compute_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points);
 
 // A column of the upper lip under the base of the nose.
 struct PhiltrumColumn {
@@ -117,9 +117,9 @@ Pose stiffen_pose(const Face& face, const Pose& pose);
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& pose, std::vector<glm::dvec3>& points);
 
 // Where an eyeball looks: a rotation about its centre.
-glm::dmat3 find_gaze(const Face& face, const Pose& pose, Side side);
+glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side);
 
 // The jaw bone's motion for the parts that sit in it: world from rest.
-glm::dmat4 find_jaw(const Face& face, const Pose& pose);
+glm::dmat4 compute_jaw(const Face& face, const Pose& pose);
 
 }  // namespace mien

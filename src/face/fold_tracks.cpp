@@ -22,8 +22,8 @@ glm::vec3 find_place(const NeutralHead& head, const std::vector<glm::vec3>& skin
   return glm::mix(from, to, static_cast<float>(point.share));
 }
 
-glm::vec3 find_normal(const NeutralHead& head, const std::vector<glm::vec3>& normals,
-                      const FoldPoint& point) {
+glm::vec3 compute_normal(const NeutralHead& head, const std::vector<glm::vec3>& normals,
+                         const FoldPoint& point) {
   return glm::normalize(find_place(head, normals, point));
 }
 
@@ -35,7 +35,7 @@ Track build_track(const NeutralHead& head, const Mesh& adult, const FoldSet& set
   float length_mm = 0;
   for (const FoldPoint& point : line.through) {
     through.push_back(find_place(head, adult.positions, point));
-    normals.push_back(find_normal(head, adult.normals, point));
+    normals.push_back(compute_normal(head, adult.normals, point));
     if (through.size() > 1) length_mm += glm::distance(through.back(), through[through.size() - 2]);
   }
   std::vector<double> knots;
@@ -50,7 +50,7 @@ Track build_track(const NeutralHead& head, const Mesh& adult, const FoldSet& set
     track.normals.push_back(sample_curve(normals, t));
     track.depths.push_back(static_cast<float>(sample_stations(knots, line.depths, share)));
   }
-  track.box = find_bounds(track.points);
+  track.box = compute_bounds(track.points);
   track.box.low -= track.reach_mm;
   track.box.high += track.reach_mm;
   return track;
@@ -67,13 +67,13 @@ struct Beside {
   float along_mm = 0;
 };
 
-float find_square(const glm::vec3& v) { return glm::dot(v, v); }
+float compute_square(const glm::vec3& v) { return glm::dot(v, v); }
 
-Beside find_beside(const Track& track, const glm::vec3& p) {
+Beside compute_beside(const Track& track, const glm::vec3& p) {
   std::size_t nearest = 0;
   float least = 1e18f;
   for (std::size_t i = 0; i < track.points.size(); ++i)
-    if (const float square = find_square(p - track.points[i]); square < least) {
+    if (const float square = compute_square(p - track.points[i]); square < least) {
       least = square;
       nearest = i;
     }
@@ -85,7 +85,7 @@ Beside find_beside(const Track& track, const glm::vec3& p) {
        ++i) {
     const glm::vec3 way = track.points[i + 1] - track.points[i], to = p - track.points[i];
     const float t = std::clamp(glm::dot(to, way) / glm::dot(way, way), 0.0f, 1.0f);
-    const float square = find_square(to - t * way);
+    const float square = compute_square(to - t * way);
     if (square >= least) continue;
     least = square;
     segment = i;
@@ -130,7 +130,7 @@ double sample_chance(std::uint32_t series, std::uint32_t channel, double along) 
 }
 
 // A fold's height where a side has its own share `apart` of chance; on the mid-line both have the left's.
-double find_height_mm(const Track& track, const Beside& beside, std::uint32_t side, double apart) {
+double compute_height_mm(const Track& track, const Beside& beside, std::uint32_t side, double apart) {
   const FoldSet& set = *track.set;
   const FoldUnevenness& uneven = *track.uneven;
   const auto chance = [&](std::uint32_t channel, double lumps) {
@@ -165,14 +165,15 @@ std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, cons
   return tracks;
 }
 
-std::array<double, 2> find_heights_mm(const std::vector<Track>& tracks, const FoldSet& set,
-                                      const glm::vec3& place) {
+std::array<double, 2> compute_heights_mm(const std::vector<Track>& tracks, const FoldSet& set,
+                                         const glm::vec3& place) {
   std::array<double, 2> heights_mm{};
   for (const Track& track : tracks) {
     if (track.set != &set || !is_inside(track.box, place)) continue;
-    const Beside beside = find_beside(track, place);
+    const Beside beside = compute_beside(track, place);
     const double apart = smooth_step(0, track.uneven->shared_mm, static_cast<double>(place.x));
-    for (const std::uint32_t side : {0U, 1U}) heights_mm[side] += find_height_mm(track, beside, side, apart);
+    for (const std::uint32_t side : {0U, 1U})
+      heights_mm[side] += compute_height_mm(track, beside, side, apart);
   }
   return heights_mm;
 }
@@ -185,7 +186,7 @@ EdgeLimit limit_edges(const std::vector<Track>& tracks, double edge) {
     for (const Track& track : tracks) {
       if (!is_inside(track.box, p)) continue;
       const double short_mm = edge * track.set->width_mm;
-      const double away = std::abs(find_beside(track, p).away_mm) / track.set->width_mm;
+      const double away = std::abs(compute_beside(track, p).away_mm) / track.set->width_mm;
       if (away < kGroove) limit_mm = std::min(limit_mm, short_mm);
       if (away < kSwelling * track.set->spread) limit_mm = std::min(limit_mm, kSofter * short_mm);
     }

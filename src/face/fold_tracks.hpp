@@ -28,8 +28,8 @@ std::vector<Track> build_tracks(const NeutralHead& head, const Mesh& adult, cons
 
 // The height of a set's whole folds at a place of the left half and at its mirror image, mm; negative in a
 // groove. They differ as `uneven` says, and on the mid-line not at all.
-std::array<double, 2> find_heights_mm(const std::vector<Track>& tracks, const FoldSet& set,
-                                      const glm::vec3& place);
+std::array<double, 2> compute_heights_mm(const std::vector<Track>& tracks, const FoldSet& set,
+                                         const glm::vec3& place);
 
 // How long edges may be: short in a groove, longer in the softer swellings beside it. `tracks` must outlive
 // it.

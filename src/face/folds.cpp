@@ -20,7 +20,7 @@ constexpr float kRelief = 0.5f;
 constexpr float kNothing_mm = 0.002f;  // a height below it is none
 
 // What part of a fold at x belongs to the left side; the rest is the right side's.
-double find_left_share(const FoldSet& set, double x_mm) {
+double compute_left_share(const FoldSet& set, double x_mm) {
   if (set.across_mm == 0) return x_mm >= 0 ? 1 : 0;
   return smooth_step(-set.across_mm, set.across_mm, x_mm);
 }
@@ -30,10 +30,10 @@ FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
   FoldField field{set.drives, set.from, set.to, rest, {}};
   for (std::uint32_t v = 0; v < skin.vertex_count(); ++v) {
     if (adult[v].x < 0) continue;
-    const auto [left, right] = find_heights_mm(tracks, set, adult[v]);
+    const auto [left, right] = compute_heights_mm(tracks, set, adult[v]);
     if (scale * std::max(std::abs(left), std::abs(right)) < kNothing_mm) continue;
     const bool is_middle = skin.mirror[v] == v;
-    const double own = is_middle ? 0.5 : find_left_share(set, adult[v].x);
+    const double own = is_middle ? 0.5 : compute_left_share(set, adult[v].x);
     const auto of = [&](double height, double share) { return static_cast<float>(scale * height * share); };
     field.vertices.push_back({v, v, of(left, own), of(left, 1 - own), of(right, own), of(right, 1 - own)});
   }
@@ -51,16 +51,16 @@ double mix_ages(const std::map<std::string, double>& table, double other, const 
 }
 
 // How much of the lines at rest the head has: its own age's, or those of the heads that it is mixed of.
-double find_rest(const FoldData& data, const HeadSpec& spec) {
+double compute_rest(const FoldData& data, const HeadSpec& spec) {
   double rest = mix_ages(data.ages_at_rest, 0, spec);
-  for (const HeadShare& share : spec.mix) rest += share.weight * find_rest(data, share.head);
+  for (const HeadShare& share : spec.mix) rest += share.weight * compute_rest(data, share.head);
   return std::min(rest, 1.0);
 }
 
-double find_strength(const FoldData& data, const HeadSpec& spec) {
+double compute_strength(const FoldData& data, const HeadSpec& spec) {
   const double ages = mix_ages(data.ages, 1, spec);
   double mixed = spec.mix.empty() ? 1 : 0;
-  for (const HeadShare& share : spec.mix) mixed += share.weight * find_strength(data, share.head);
+  for (const HeadShare& share : spec.mix) mixed += share.weight * compute_strength(data, share.head);
   const double other = spec.character < 0 ? data.female : data.male;
   return ages * mixed * (1 + std::abs(spec.character) * (other - 1));
 }
@@ -108,8 +108,8 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   Folds folds;
   folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
   append_fine_points(folds.skin, adult.positions, adult.normals);
-  const double scale = find_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
-  const double rest = find_rest(data, spec);
+  const double scale = compute_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
+  const double rest = compute_rest(data, spec);
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (const FoldSet& set : data.sets) {
     folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale, rest * set.rest));
@@ -119,7 +119,7 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   return folds;
 }
 
-double find_fold_amount(const FoldField& field, const Pose& pose, Side side) {
+double compute_fold_amount(const FoldField& field, const Pose& pose, Side side) {
   double sum = 0;
   for (const FoldDrive& drive : field.drives) {
     double product = drive.share;
@@ -135,8 +135,8 @@ void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
   heights.assign(2 * folds.vertices.size(), 0);
   bool is_smooth = true;
   for (const FoldField& field : folds.fields) {
-    const auto left = static_cast<float>(find_fold_amount(field, pose, Side::left));
-    const auto right = static_cast<float>(find_fold_amount(field, pose, Side::right));
+    const auto left = static_cast<float>(compute_fold_amount(field, pose, Side::left));
+    const auto right = static_cast<float>(compute_fold_amount(field, pose, Side::right));
     if (left == 0 && right == 0) continue;
     is_smooth = false;
     for (const FoldedVertex& folded : field.vertices) {

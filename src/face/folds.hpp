@@ -43,7 +43,7 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec);
 
 // How much of a set's folds there is on one side: from what is there at rest to 1, of slope 0 where it begins
 // and ends.
-double find_fold_amount(const FoldField& field, const Pose& pose, Side side);
+double compute_fold_amount(const FoldField& field, const Pose& pose, Side side);
 
 // Folds the skin of `pose`: `positions` and `normals` are those of folds.skin, smooth. Nothing is changed
 // where there is no fold, nor anything at all in the neutral pose of a head without lines at rest. Where

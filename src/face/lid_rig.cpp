@@ -61,9 +61,9 @@ LidEdge build_edge(const NeutralHead& head, const std::vector<LidRing>& rings, c
 
 void measure_edge(const LidRig& rig, const RingPoints& points, LidEdge& edge) {
   for (int column = 0; column < kLidColumns; ++column) {
-    const glm::dvec3 on_skin = find_on_skin(edge, column, points);
+    const glm::dvec3 on_skin = compute_on_skin(edge, column, points);
     const LidPlace place = find_place(rig, on_skin);
-    edge.clear_mm[column] = std::min(kClear_mm, find_standoff_mm(rig.eye_numbers, rig.eye, on_skin));
+    edge.clear_mm[column] = std::min(kClear_mm, compute_standoff_mm(rig.eye_numbers, rig.eye, on_skin));
     const auto set = [&](int row, LidRow& height, LidRow& along, LidRow& radius) {
       height[row] = place.height_rad;
       along[row] = place.along_mm;
@@ -85,7 +85,7 @@ LidRig build_lid_rig(const NeutralHead& head, const LidData& data) {
   RingPoints rest;
   for (const LidRing& ring : rig.rings) rest.push_back(ring.rest);
   for (std::size_t e = 0; e < 2; ++e) rig.edges[e] = build_edge(head, rig.rings, kEdgeRings[e]);
-  const glm::dvec3 across = find_on_skin(rig.edges[1], 8, rest) - find_on_skin(rig.edges[1], 0, rest);
+  const glm::dvec3 across = compute_on_skin(rig.edges[1], 8, rest) - compute_on_skin(rig.edges[1], 0, rest);
   rig.axis = glm::normalize(glm::dvec3(across.x, across.y, 0));
   for (LidEdge& edge : rig.edges) measure_edge(rig, rest, edge);
   const auto find_ring = [&](const std::string& name) {

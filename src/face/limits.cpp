@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-double find_unit_mm(const FaceUnits& units, const std::string& name) {
+double compute_unit_mm(const FaceUnits& units, const std::string& name) {
   if (name == "eye_separation") return units.eye_separation;
   if (name == "eye_nose") return units.eye_nose;
   if (name == "mouth_nose") return units.mouth_nose;
@@ -26,7 +26,7 @@ struct Ways {
 };
 
 // How far a point of the cage goes with one move alone, and the skin that it has under it.
-Ways find_ways(const NeutralHead& head, const Face& face, const Pose& pose, const std::string& point) {
+Ways compute_ways(const NeutralHead& head, const Face& face, const Pose& pose, const std::string& point) {
   std::vector<glm::dvec3> points;
   pose_cage(head, face, pose, points);
   const auto found = head.cage.index.find(point);
@@ -40,7 +40,7 @@ Ways find_ways(const NeutralHead& head, const Face& face, const Pose& pose, cons
   return {glm::distance(points[i], head.cage.points[i]), glm::length(skin)};
 }
 
-double find_angle_deg(const Face& face, const LimitName& name) {
+double compute_angle_deg(const Face& face, const LimitName& name) {
   const MoveInfo& info = kMoves[name.move];
   double angle = face.jaw.open_rad;
   if (info.area == "lid") angle = info.move == "upper" ? face.lids.wide_rad : face.lids.raised_rad;
@@ -51,13 +51,13 @@ double find_angle_deg(const Face& face, const LimitName& name) {
 
 Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& name, double share,
                    const Pose& lifted, const std::string& point) {
-  Limit limit{&name, "deg", share * find_angle_deg(face, name), 0, 0, point, -1};
+  Limit limit{&name, "deg", share * compute_angle_deg(face, name), 0, 0, point, -1};
   if (kMoves[name.move].area == "eye") {
     // The pupil's way is the chord of its turn about the eye's centre.
     limit.mm = limit.skin_mm = 2 * head.eye.radius_mm * std::sin(limit.value * kRadiansPerDegree / 2);
     return limit;
   }
-  const Ways ways = find_ways(head, face, lifted, point);
+  const Ways ways = compute_ways(head, face, lifted, point);
   limit.mm = ways.point_mm;
   limit.skin_mm = ways.skin_mm;
   return limit;
@@ -70,7 +70,7 @@ LimitShares::LimitShares() {
   minus.fill(1);
 }
 
-LimitShares find_limit_shares(const std::map<std::string, double>& limits) {
+LimitShares compute_limit_shares(const std::map<std::string, double>& limits) {
   LimitShares shares;
   for (const LimitName& name : list_limits())
     if (const auto found = limits.find(name.name); found != limits.end())
@@ -100,9 +100,9 @@ std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, con
       continue;
     }
     const double adult_mm = name.sign > 0 ? place.plus_mm : place.minus_mm;
-    const double value = share * adult_mm / find_unit_mm(adult, place.unit);
-    limits.push_back({&name, place.unit, value, value * find_unit_mm(face.units, place.unit),
-                      find_ways(head, face, lifted, point).skin_mm, point, place.axis});
+    const double value = share * adult_mm / compute_unit_mm(adult, place.unit);
+    limits.push_back({&name, place.unit, value, value * compute_unit_mm(face.units, place.unit),
+                      compute_ways(head, face, lifted, point).skin_mm, point, place.axis});
   }
   return limits;
 }

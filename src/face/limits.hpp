@@ -18,7 +18,7 @@ struct LimitShares {
 };
 
 // `limits` by the names of config/limits.hpp.
-LimitShares find_limit_shares(const std::map<std::string, double>& limits);
+LimitShares compute_limit_shares(const std::map<std::string, double>& limits);
 
 // The pose of this head's areas: each value times the share of its limit. Without shares it is the same to
 // the last bit.

@@ -11,7 +11,7 @@ namespace mien {
 
 namespace {
 
-double find_drive(const std::vector<SignedMove>& drivers, const Pose& pose) {
+double compute_drive(const std::vector<SignedMove>& drivers, const Pose& pose) {
   double product = drivers.empty() ? 0 : 1, most = 1;
   for (const auto& [move, sign] : drivers) {
     const double value = std::max(0.0, sign * pose.values[move]);
@@ -22,7 +22,7 @@ double find_drive(const std::vector<SignedMove>& drivers, const Pose& pose) {
 }
 
 void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dvec3>& points) {
-  const double here = find_drive(driven.drivers, pose), there = find_drive(driven.mirror_drivers, pose);
+  const double here = compute_drive(driven.drivers, pose), there = compute_drive(driven.mirror_drivers, pose);
   if (here != 0 && there != 0)
     for (std::size_t i = 0; i < points.size(); ++i)
       points[i] += here * driven.field[i] + there * driven.mirror_field[i];
@@ -50,7 +50,7 @@ double gaze_yaw_rad(const Face& face, const Pose& pose, Side side) {
   return value_of(pose, "eye", side, "side") * face.eye_side_rad;
 }
 
-LidPose find_lid_pose(const Face& face, const Pose& pose, Side side) {
+LidPose compute_lid_pose(const Face& face, const Pose& pose, Side side) {
   const double yaw = gaze_yaw_rad(face, pose, side), pitch = gaze_pitch_rad(face, pose, side);
   return {value_of(pose, "lid", side, "upper"), value_of(pose, "lid", side, "lower"), pitch,
           build_gaze(side == Side::left ? yaw : -yaw, pitch)};
@@ -75,8 +75,8 @@ void give_way(const GiveWay& give, std::vector<glm::dvec3>& points) {
       const glm::dvec3 way = points[line.points[i + 1]] - points[line.points[i]];
       const double room = glm::dot(way, line.ways[i]) / line.rest_mm[i];
       if (room >= give.from) continue;
-      const double lack_mm = (soften_stop(room, give.from, give.least) - room) * line.rest_mm[i];
-      points[line.points[i + 1]] += lack_mm * (line.ways[i] + glm::dvec3(0, 0, give.forward));
+      const double shortfall_mm = (soften_stop(room, give.from, give.least) - room) * line.rest_mm[i];
+      points[line.points[i + 1]] += shortfall_mm * (line.ways[i] + glm::dvec3(0, 0, give.forward));
     }
 }
 
@@ -85,9 +85,9 @@ void stop_under_nose(const Face& face, std::vector<glm::dvec3>& points) {
   constexpr double kFrom = 0.58, kLeast = 0.38;  // nearer and the fold under the nose turns over
   for (const PhiltrumColumn& column : face.philtrum) {
     const double gap = (points[column.nose].y - points[column.rows.front().first].y) / column.rest_gap_mm;
-    const double lack_mm = (soften_stop(gap, kFrom, kLeast) - gap) * column.rest_gap_mm;
-    if (lack_mm <= 0) continue;
-    for (const auto& [point, share] : column.rows) points[point].y -= share * lack_mm;
+    const double shortfall_mm = (soften_stop(gap, kFrom, kLeast) - gap) * column.rest_gap_mm;
+    if (shortfall_mm <= 0) continue;
+    for (const auto& [point, share] : column.rows) points[point].y -= share * shortfall_mm;
   }
 }
 
@@ -101,18 +101,18 @@ constexpr double kSlit = 0.7;
 
 // How much of a gap pressed lips close: all of a small one, none from `seal_until_mm` on, and no jump
 // between.
-double find_seal(double gap) {
+double compute_seal(double gap) {
   const double t = std::clamp(2 * gap - 1, 0.0, 1.0);
   return 1 - smooth_share(t);
 }
 
 // How much further apart than at rest the lips are, by whichever measure says least: their control points,
 // their skin, and the skin above one place where the lips' line is steep.
-double find_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
-  const double skin = find_skin_gap_mm(column, points);
+double compute_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+  const double skin = compute_skin_gap_mm(column, points);
   return std::min({points[column.upper_contact].y - points[column.lower_contact].y - column.rest_gap_mm,
                    skin - column.rest_skin_gap_mm,
-                   skin + find_lean_mm(column, points) - column.rest_leaning_gap_mm});
+                   skin + compute_lean_mm(column, points) - column.rest_leaning_gap_mm});
 }
 
 // LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
@@ -121,10 +121,10 @@ void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& poi
   const double press = value_of(pose, "lips", Side::none, "press");
   const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
   for (const LipColumn& column : face.lips) {
-    const double gap = find_gap_mm(column, points);
+    const double gap = compute_gap_mm(column, points);
     double closing = 0;
     if (gap < 0) closing = part * gap / 2;
-    const double seal = press * find_seal(std::max(0.0, gap) / face.seal_until_mm);
+    const double seal = press * compute_seal(std::max(0.0, gap) / face.seal_until_mm);
     if (gap > 0) closing = seal * gap / 2;
     closing += seal * kSlit * column.rest_skin_gap_mm / 2;
     if (closing == 0) continue;
@@ -140,25 +140,25 @@ void part_skin(const Face& face, std::vector<glm::dvec3>& points) {
   constexpr double kGain = 0.6;  // of what each lip gives way: a column has two thirds of its own place
   constexpr double kFar_mm = 4;  // lips that are further apart in every column have nothing to cross
   const bool is_near = std::ranges::any_of(
-      face.lips, [&](const LipColumn& column) { return find_gap_mm(column, points) < kFar_mm; });
+      face.lips, [&](const LipColumn& column) { return compute_gap_mm(column, points) < kFar_mm; });
   if (!is_near) return;
   static thread_local std::vector<glm::dvec3> upper_at, lower_at;
   for (int round = 0; round < kRounds; ++round) {
-    std::array<LipLacks, 2> lacks{};
+    std::array<LipShortfalls, 2> shortfalls{};
     for (const Side side : {Side::left, Side::right}) {
       place_lip(face.upper_lip, points, side, upper_at);
       place_lip(face.lower_lip, points, side, lower_at);
-      find_lip_lacks(face.upper_lip, upper_at, face.lower_lip, lower_at, 0,
-                     lacks[side == Side::right ? 1 : 0]);
+      compute_lip_shortfalls(face.upper_lip, upper_at, face.lower_lip, lower_at, 0,
+                             shortfalls[side == Side::right ? 1 : 0]);
     }
-    lacks[0][0] = std::max(lacks[0][0], lacks[1][0]);
+    shortfalls[0][0] = std::max(shortfalls[0][0], shortfalls[1][0]);
     bool is_parted = true;
     for (std::size_t i = 0; i < face.lips.size(); ++i) {  // left columns 0 to 5, right ones 1 to 5
-      const double lack = i < kLipColumns ? lacks[0][i] : lacks[1][i - kLipColumns + 1];
-      if (lack <= 0) continue;
+      const double shortfall = i < kLipColumns ? shortfalls[0][i] : shortfalls[1][i - kLipColumns + 1];
+      if (shortfall <= 0) continue;
       is_parted = false;
-      for (const auto& [point, share] : face.lips[i].upper) points[point].y += kGain * lack * share;
-      for (const auto& [point, share] : face.lips[i].lower) points[point].y -= kGain * lack * share;
+      for (const auto& [point, share] : face.lips[i].upper) points[point].y += kGain * shortfall * share;
+      for (const auto& [point, share] : face.lips[i].lower) points[point].y -= kGain * shortfall * share;
     }
     if (is_parted) return;
   }
@@ -166,7 +166,7 @@ void part_skin(const Face& face, std::vector<glm::dvec3>& points) {
 
 }  // namespace
 
-double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+double compute_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
   // The limit of a cubic spline at the middle one of three points.
   const auto height = [&](const std::array<std::uint32_t, 3>& row) {
     return (points[row[0]].y + 4 * points[row[1]].y + points[row[2]].y) / 6;
@@ -174,7 +174,7 @@ double find_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& 
   return height(column.upper_edge) - height(column.lower_edge);
 }
 
-double find_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
+double compute_lean_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
   constexpr double kSteep = 0.05;                 // keeps the slope of an upright line from growing past two
   if (column.inward == column.outward) return 0;  // the middle
   const glm::dvec3 along = points[column.outward] - points[column.inward];
@@ -200,7 +200,7 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   const Pose pose = stiffen_pose(face, asked);
   for (const DrivenField& driven : face.fields) add_field(driven, pose, points);
   for (const Side side : {Side::left, Side::right})
-    turn_lids(face.lids, find_lid_pose(face, pose, side), side, points);
+    turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
   give_way(face.give_way, points);
   const double open = value_of(pose, "chin", Side::none, "down");
   if (open != 0)
@@ -212,11 +212,11 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   part_skin(face, points);
 }
 
-glm::dmat3 find_gaze(const Face& face, const Pose& pose, Side side) {
+glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side) {
   return build_gaze(gaze_yaw_rad(face, pose, side), gaze_pitch_rad(face, pose, side));
 }
 
-glm::dmat4 find_jaw(const Face& face, const Pose& pose) {
+glm::dmat4 compute_jaw(const Face& face, const Pose& pose) {
   const double open = value_of(stiffen_pose(face, pose), "chin", Side::none, "down");
   glm::dmat4 world = glm::translate(glm::dmat4(1), face.jaw.axis + open * face.jaw.forward);
   world = glm::rotate(world, open * face.jaw.open_rad, glm::dvec3(1, 0, 0));

@@ -32,7 +32,7 @@ struct EdgeAim {
 
 // Gaze and the two lids first, then shutting as a share of the way to the line where the lids meet. Both
 // margins close on one line, whose place is asked at each column's own. In a conflict the upper lid wins.
-EdgeAim find_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
+EdgeAim compute_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
   const LidEdge& rest = rig.edges[e];
   const auto find_gap = [&](int row) {  // inside it is not seen and must not cross, least of all at the outer
     return (e == 1 ? 1 : row < 7 ? 1.75 : 3) * rig.least_gap_rad;  // corner, round which the skin cuts
@@ -66,7 +66,7 @@ EdgeAim find_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
 
 glm::dvec3 turn_about_axis(const LidRig& rig, const glm::dvec3& arm, double angle_rad) {
   // Positive angles lift what lies in front of the axis: from z toward the rig's up.
-  const glm::dvec3 up = find_up(rig);
+  const glm::dvec3 up = compute_up(rig);
   const double along = glm::dot(arm, rig.axis), height = glm::dot(arm, up), depth = arm.z;
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   return along * rig.axis + (height * c + depth * s) * up + glm::dvec3(0, 0, depth * c - height * s);
@@ -76,7 +76,7 @@ struct LidColumn {
   bool is_upper;
   int row;  // in a LidRow
 };
-LidColumn find_lid_column(int column) { return {column < 8, column <= 8 ? column : kLidColumns - column}; }
+LidColumn compute_lid_column(int column) { return {column < 8, column <= 8 ? column : kLidColumns - column}; }
 
 RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, double raised) {
   RingPoints points;
@@ -84,7 +84,7 @@ RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, dou
     const EdgeAim& aim = aims[ring.is_inner ? 0 : 1];
     points.push_back(ring.rest);
     for (int i = 0; i < kLidColumns; ++i) {
-      const auto [is_upper, row] = find_lid_column(i);
+      const auto [is_upper, row] = compute_lid_column(i);
       const double angle =
           is_upper ? aim.upper_turn[row] * ring.upper_share : aim.lower_turn[row] * ring.lower_share;
       if (angle == 0) continue;
@@ -96,27 +96,27 @@ RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, dou
 }
 
 // How much an edge's column lacks of its aim on the skin.
-LidPlace find_lack(const LidRig& rig, std::size_t e, const EdgeAim& aim, int column,
-                   const glm::dmat3& eye_from_head, const glm::dvec3& on_skin) {
+LidPlace compute_shortfall(const LidRig& rig, std::size_t e, const EdgeAim& aim, int column,
+                           const glm::dmat3& eye_from_head, const glm::dvec3& on_skin) {
   const LidEdge& edge = rig.edges[e];
-  const auto [is_upper, row] = find_lid_column(column);
+  const auto [is_upper, row] = compute_lid_column(column);
   const LidPlace now = find_place(rig, on_skin);
-  LidPlace lack;
-  lack.height_rad =
+  LidPlace shortfall;
+  shortfall.height_rad =
       (is_upper ? edge.upper_rad[row] + aim.upper_turn[row] : edge.lower_rad[row] + aim.lower_turn[row]) -
       now.height_rad;
-  lack.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
+  shortfall.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
   if (e == 0) {
     const glm::dvec3 looked = rig.eye.centre + eye_from_head * (on_skin - rig.eye.centre);
-    const double off = find_standoff_mm(rig.eye_numbers, rig.eye, looked);
-    lack.radius_mm = std::max(lack.radius_mm, edge.clear_mm[column] - off);
+    const double off = compute_standoff_mm(rig.eye_numbers, rig.eye, looked);
+    shortfall.radius_mm = std::max(shortfall.radius_mm, edge.clear_mm[column] - off);
   }
-  return lack;
+  return shortfall;
 }
 
 // How far a column's inner edge was pushed out, by the cornea.
-double find_push_mm(const LidRig& rig, const EdgeAim& aim, int column, const glm::dvec3& on_skin) {
-  const auto [is_upper, row] = find_lid_column(column);
+double compute_push_mm(const LidRig& rig, const EdgeAim& aim, int column, const glm::dvec3& on_skin) {
+  const auto [is_upper, row] = compute_lid_column(column);
   const double aimed = is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row];
   return std::max(0.0, find_place(rig, on_skin).radius_mm - aimed);
 }
@@ -128,24 +128,25 @@ void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm:
   constexpr double kGain = 1.4;  // a point has four ninths of its place on the skin, a whole edge two thirds
   const glm::dmat3 eye_from_head = glm::transpose(gaze);
   for (int round = 0; round < kRounds; ++round) {
-    std::array<std::array<LidPlace, kLidColumns>, 2> lacks;
+    std::array<std::array<LidPlace, kLidColumns>, 2> shortfalls;
     for (int i = 0; i < kLidColumns; ++i) {
       if (i % 8 == 0) continue;
-      const std::array on_skin{find_on_skin(rig.edges[0], i, points), find_on_skin(rig.edges[1], i, points)};
+      const std::array on_skin{compute_on_skin(rig.edges[0], i, points),
+                               compute_on_skin(rig.edges[1], i, points)};
       for (std::size_t e = 0; e < 2; ++e)
-        lacks[e][i] = find_lack(rig, e, aims[e], i, eye_from_head, on_skin[e]);
+        shortfalls[e][i] = compute_shortfall(rig, e, aims[e], i, eye_from_head, on_skin[e]);
       // The outer edge goes with the inner one, or the margin turns over.
-      const double taper = rig.taper[find_lid_column(i).row];
-      lacks[1][i].radius_mm += taper * taper * taper * find_push_mm(rig, aims[0], i, on_skin[0]);
+      const double taper = rig.taper[compute_lid_column(i).row];
+      shortfalls[1][i].radius_mm += taper * taper * taper * compute_push_mm(rig, aims[0], i, on_skin[0]);
     }
     for (std::size_t e = 0; e < 2; ++e)
       for (int i = 0; i < kLidColumns; ++i) {
         if (i % 8 == 0) continue;
         glm::dvec3& point = points[rig.edges[e].ring][i];
         LidPlace place = find_place(rig, point);
-        place.height_rad += kGain * lacks[e][i].height_rad;
-        place.radius_mm += kGain * lacks[e][i].radius_mm;
-        point = find_point_at(rig, place);
+        place.height_rad += kGain * shortfalls[e][i].height_rad;
+        place.radius_mm += kGain * shortfalls[e][i].radius_mm;
+        point = compute_point_at(rig, place);
       }
   }
 }
@@ -163,11 +164,11 @@ void keep_over(const LidRig& rig, const LidRing& lower, const LidRing& upper, co
         find_place(rig, points[side == Side::left ? lower.left[i] : lower.right[i]] * mirror);
     glm::dvec3& point = points[side == Side::left ? upper.left[i] : upper.right[i]];
     LidPlace place = find_place(rig, point * mirror);
-    const double lack = below.height_rad + wanted(room) - place.height_rad;
-    if (lack <= 0) continue;
-    place.height_rad += lack;
-    place.radius_mm *= 1 + forward * lack;
-    point = find_point_at(rig, place) * mirror;
+    const double shortfall = below.height_rad + wanted(room) - place.height_rad;
+    if (shortfall <= 0) continue;
+    place.height_rad += shortfall;
+    place.radius_mm *= 1 + forward * shortfall;
+    point = compute_point_at(rig, place) * mirror;
   }
 }
 
@@ -191,7 +192,7 @@ void turn_lids(const LidRig& rig, const LidPose& pose, Side side, std::vector<gl
       pose.upper != 0 || pose.lower != 0 || pose.pitch_rad != 0 || pose.gaze != glm::dmat3(1);
   RingPoints moved;
   if (is_moved) {
-    const std::array aims{find_aim(rig, 0, pose), find_aim(rig, 1, pose)};
+    const std::array aims{compute_aim(rig, 0, pose), compute_aim(rig, 1, pose)};
     moved = turn_rings(rig, aims, pose.lower);
     set_edges(rig, aims, pose.gaze, moved);
   }

@@ -37,7 +37,7 @@ std::vector<Mesh> list_brows(const Model& model) {
 }
 
 // The loop that reaches lowest is the chest's edge.
-std::size_t find_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
+std::size_t compute_chest(const Mesh& mesh, const std::vector<Loop>& loops) {
   const auto lowest = [&](const Loop& loop) {
     float y = mesh.positions[loop.front()].y;
     for (const std::uint32_t v : loop) y = std::min(y, mesh.positions[v].y);
@@ -58,18 +58,18 @@ std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, con
   part_slit(body.mouth_slit, body.mouth_slit_mm, positions);
   raise_brows(body.brows, positions, skin.normals);
   positions.resize(body.all_count);
-  const std::array<CarvedEye, 2> eyes = find_carved_eyes(body, figure, pose);
+  const std::array<CarvedEye, 2> eyes = compute_carved_eyes(body, figure, pose);
   for (std::size_t i = 0; i < 2; ++i)
     place_patch(
         body.all_eyes[i], [&](const PatchPlace& at) { return place_on_eye(eyes[i], at); }, positions);
-  const CarvedMouth mouth = find_carved_mouth(body, figure, pose);
+  const CarvedMouth mouth = compute_carved_mouth(body, figure, pose);
   place_patch(
       body.all_mouth, [&](const PatchPlace& at) { return place_in_mouth(mouth, at); }, positions);
   place_foot(body.chest, body.first_foot, stand, positions);
   return positions;
 }
 
-std::vector<glm::vec3> find_print(const BustBody& body, const std::vector<glm::vec3>& all) {
+std::vector<glm::vec3> compute_print(const BustBody& body, const std::vector<glm::vec3>& all) {
   std::vector<glm::vec3> print;
   print.reserve(body.kept.size());
   for (const std::uint32_t v : body.kept) {
@@ -84,8 +84,8 @@ std::vector<glm::vec3> find_print(const BustBody& body, const std::vector<glm::v
 // The skin without what lies inside mouth and eyes, finer under the brows, with all patches and the foot.
 Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
   const NeutralHead& head = figure.head;
-  body.eye_slits = {find_eye_slit(head, 1), find_eye_slit(head, -1)};
-  body.mouth_slit = find_mouth_slit(head);
+  body.eye_slits = {compute_eye_slit(head, 1), compute_eye_slit(head, -1)};
+  body.mouth_slit = compute_mouth_slit(head);
   Mesh mesh = head.skin;
   const std::uint32_t socket = find_point(head.cage, "EB_0");
   cut_slit(mesh, body.eye_slits[0], socket);
@@ -101,7 +101,7 @@ Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
 
   const std::vector<Loop> loops = find_boundary_loops(mesh.triangles);
   if (loops.empty()) throw RunError("internal: the skin has no edge to stand on");
-  const std::size_t chest = find_chest(mesh, loops);
+  const std::size_t chest = compute_chest(mesh, loops);
   for (std::size_t i = 0; i < loops.size(); ++i)
     if (i != chest) append_ear_cap(mesh, loops[i]);
   body.chest = loops[chest];
@@ -132,7 +132,7 @@ void measure_carving(const Figure& figure, double whole_mm, float mm_of_print, B
     eye.iris_mm = kIrisRadius_mm * eye.radius_mm / 13;
     for (const Part& part : figure.model.parts)
       if (part.name == (i == 0 ? "iris_left" : "iris_right")) {
-        const Box box = find_bounds(part.rest.positions);
+        const Box box = compute_bounds(part.rest.positions);
         eye.iris_mm = (box.high.y - box.low.y) / 2;
       }
     const float deepest = eye.radius_mm * 0.6f;  // a low print must not be bored through
@@ -147,7 +147,7 @@ void measure_carving(const Figure& figure, double whole_mm, float mm_of_print, B
 }
 
 // Poses that together show where triangles are needed: each area at its ends, no two of one area at once.
-std::vector<Pose> list_telling_poses() {
+std::vector<Pose> list_extreme_poses() {
   std::vector<Pose> poses(1);
   const auto set = [](Pose& pose, std::string_view area, std::string_view move, double value) {
     for (std::size_t i = 0; i < kMoveCount; ++i)
@@ -209,7 +209,7 @@ void leave_out_skin(const Figure& figure, const std::vector<bool>& is_kept, Bust
 
 void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> triangles, BustBody& body) {
   std::vector<std::vector<glm::vec3>> poses;
-  for (const Pose& pose : list_telling_poses()) poses.push_back(place_all(body, figure, pose, body.stand));
+  for (const Pose& pose : list_extreme_poses()) poses.push_back(place_all(body, figure, pose, body.stand));
   triangles = thin_posed(poses, std::move(triangles), list_locked(body), most);
   std::vector<bool> is_kept(body.all_count, false);
   for (const Triangle& t : triangles)
@@ -230,28 +230,28 @@ void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> tri
 
 }  // namespace
 
-std::array<CarvedEye, 2> find_carved_eyes(const BustBody& body, const Figure& figure, const Pose& asked) {
+std::array<CarvedEye, 2> compute_carved_eyes(const BustBody& body, const Figure& figure, const Pose& asked) {
   const Pose pose = apply_limits(figure.limits, asked);
   std::array<CarvedEye, 2> eyes = body.carved;
   for (const Side side : {Side::left, Side::right})
-    eyes[side_index(side)].gaze = glm::vec3(find_gaze(figure.face, pose, side) * glm::dvec3(0, 0, 1));
+    eyes[side_index(side)].gaze = glm::vec3(compute_gaze(figure.face, pose, side) * glm::dvec3(0, 0, 1));
   return eyes;
 }
 
-CarvedMouth find_carved_mouth(const BustBody& body, const Figure& figure, const Pose& asked) {
-  return move_jaw(body.carved_mouth, glm::mat4(find_jaw(figure.face, apply_limits(figure.limits, asked))));
+CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, const Pose& asked) {
+  return move_jaw(body.carved_mouth, glm::mat4(compute_jaw(figure.face, apply_limits(figure.limits, asked))));
 }
 
 BustBody build_bust_body(const Figure& figure, const BustSize& size) {
   BustBody body;
   // The skin's own height decides the scale; the foot's is a part of it.
-  const Box box = find_bounds(figure.head.skin.positions);
+  const Box box = compute_bounds(figure.head.skin.positions);
   const std::vector<Loop> edges = find_boundary_loops(figure.head.skin.triangles);
-  const Loop& chest = edges[find_chest(figure.head.skin, edges)];
+  const Loop& chest = edges[compute_chest(figure.head.skin, edges)];
   const ChestBox foot = measure_chest(chest, figure.head.skin.positions);
   body.stand = size.stand;
   body.origin = foot.middle;
-  if (size.stand == Stand::flat) body.origin.y = find_flat_y(foot);
+  if (size.stand == Stand::flat) body.origin.y = compute_flat_y(foot);
   body.print_per_head = float(size.figure_mm) / (box.high.y - body.origin.y);
   const float mm_of_print = float(size.whole_mm) / body.print_per_head;
   measure_carving(figure, size.whole_mm, mm_of_print, body);
@@ -272,7 +272,7 @@ std::vector<bool> list_fixed(const BustBody& body) {
 }
 
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
-  return find_print(body, place_all(body, figure, pose, stand));
+  return compute_print(body, place_all(body, figure, pose, stand));
 }
 
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose) {

@@ -72,7 +72,7 @@ std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, co
 std::vector<bool> list_fixed(const BustBody& body);
 
 // The eyes and the mouth as they are carved in a pose, mm of the head.
-std::array<CarvedEye, 2> find_carved_eyes(const BustBody& body, const Figure& figure, const Pose& pose);
-CarvedMouth find_carved_mouth(const BustBody& body, const Figure& figure, const Pose& pose);
+std::array<CarvedEye, 2> compute_carved_eyes(const BustBody& body, const Figure& figure, const Pose& pose);
+CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, const Pose& pose);
 
 }  // namespace mien

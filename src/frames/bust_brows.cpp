@@ -64,7 +64,7 @@ PointGrid build_grid(const std::vector<Strand>& strands) {
   for (const Strand& strand : strands)
     for (int i = 0; i < kSamples; ++i) points.push_back(sample_strand(strand, float(i) / (kSamples - 1)));
   PointGrid grid;
-  const Box box = find_bounds(points);
+  const Box box = compute_bounds(points);
   grid.box = {box.low - kReach_mm, box.high + kReach_mm};
   grid.first = grid.find_cell(grid.box.low);
   grid.size = grid.find_cell(grid.box.high) + 1;
@@ -77,7 +77,7 @@ PointGrid build_grid(const std::vector<Strand>& strands) {
 }
 
 // What `sum_around` comes to where the brow is full: that of the strand at nine tenths of them.
-float find_full_density(const PointGrid& grid, const std::vector<Strand>& strands) {
+float compute_full_density(const PointGrid& grid, const std::vector<Strand>& strands) {
   std::vector<float> densities;
   for (const Strand& strand : strands) densities.push_back(grid.sum_around(strand[1]));
   const auto at = densities.begin() + static_cast<std::ptrdiff_t>(densities.size() * 9 / 10);
@@ -85,7 +85,7 @@ float find_full_density(const PointGrid& grid, const std::vector<Strand>& strand
   return *at;
 }
 
-float find_distance_mm(const glm::vec3& p, const Strand& strand) {
+float compute_distance_mm(const glm::vec3& p, const Strand& strand) {
   float nearest = INFINITY;
   for (int i = 0; i < 2; ++i) {
     const glm::vec3 along = strand[i + 1] - strand[i];
@@ -101,7 +101,7 @@ std::vector<Strand> pick_locks(const std::vector<Strand>& strands, float apart_m
   std::vector<Strand> locks;
   for (const Strand& strand : strands) {
     const bool is_free = std::none_of(locks.begin(), locks.end(), [&](const Strand& lock) {
-      return find_distance_mm(strand[1], lock) < apart_mm;
+      return compute_distance_mm(strand[1], lock) < apart_mm;
     });
     if (is_free) locks.push_back(strand);
   }
@@ -133,14 +133,14 @@ RaisedBrows refine_brows(Mesh& skin, const std::vector<Mesh>& hairs, const BrowR
     if (strands.empty()) continue;
     const PointGrid grid = build_grid(strands);
     refine_under(skin, grid, brows);
-    const float full = find_full_density(grid, strands);
+    const float full = compute_full_density(grid, strands);
     const std::vector<Strand> locks = pick_locks(strands, relief.lock_mm);
     for (std::uint32_t v = 0; v < skin.positions.size(); ++v) {
       const glm::vec3& p = skin.positions[v];
       const float body = smooth_step(0.1f, 0.7f, grid.sum_around(p) / full);
       if (body <= 0) continue;
       float nearest = INFINITY;
-      for (const Strand& lock : locks) nearest = std::min(nearest, find_distance_mm(p, lock));
+      for (const Strand& lock : locks) nearest = std::min(nearest, compute_distance_mm(p, lock));
       const float groove = smooth_step(0.1f, 0.55f, nearest / relief.lock_mm);
       brows.heights.push_back({v, relief.height_mm * body * (1 - kGroove * groove)});
     }
@@ -171,7 +171,7 @@ void raise_brows(const RaisedBrows& brows, std::vector<glm::vec3>& positions,
       normals.emplace_back(0);
       continue;
     }
-    positions.push_back(find_middle(positions[a], positions[b], normals[a], normals[b]));
+    positions.push_back(compute_middle(positions[a], positions[b], normals[a], normals[b]));
     const glm::vec3 normal = normals[a] + normals[b];
     normals.push_back(glm::length(normal) > 0 ? glm::normalize(normal) : normals[a]);
   }

@@ -50,7 +50,7 @@ std::vector<double> list_slight_mm(const Work& work, double slight_mm) {
   return slight;
 }
 
-glm::vec2 find_gaze_angles(const glm::dmat3& gaze) {
+glm::vec2 compute_gaze_angles(const glm::dmat3& gaze) {
   const glm::dvec3 to = gaze * glm::dvec3(0, 0, 1);
   return {std::atan2(to.x, to.z), std::asin(std::clamp(to.y, -1.0, 1.0))};
 }
@@ -77,12 +77,12 @@ void add_moves(Work& work, double tolerance_mm) {
     move.high = info.high;
     for (const MoveShape& shape : sampled.shapes) {
       move.values.push_back(shape.value);
-      move.states.push_back(add_state(work, find_offsets(work.controls.rest, shape.positions, nothing)));
+      move.states.push_back(add_state(work, compute_offsets(work.controls.rest, shape.positions, nothing)));
     }
     if (info.low < 0) work.shapes.push_back(std::move(sampled.shapes.front().positions));
     work.shapes.push_back(std::move(sampled.shapes.back().positions));
-    move.reach_high = find_move_reach(work.figure, sampled.move, 1);
-    move.reach_low = info.low < 0 ? find_move_reach(work.figure, sampled.move, -1) : 1;
+    move.reach_high = compute_move_reach(work.figure, sampled.move, 1);
+    move.reach_low = info.low < 0 ? compute_move_reach(work.figure, sampled.move, -1) : 1;
   }
 }
 
@@ -99,13 +99,13 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
       expression.values.push_back(std::clamp(pose.values[m], kMoves[m].low, kMoves[m].high));
     const Shape sum = sum_bust_states(work.controls, expression.values);
     shapes[i] = place_bust(work.body, work.figure, pose);
-    states[i] = find_offsets(sum, shapes[i], slight);
+    states[i] = compute_offsets(sum, shapes[i], slight);
     const Pose held = apply_limits(work.figure.limits, pose);
     const std::size_t chin = find_move(Area::chin, Side::none, "down").value();
     expression.open = stiffen_pose(work.figure.face, held).values[chin];
     for (const Side side : {Side::left, Side::right})
       expression.gaze_rad[side == Side::left ? 0 : 1] =
-          find_gaze_angles(find_gaze(work.figure.face, held, side));
+          compute_gaze_angles(compute_gaze(work.figure.face, held, side));
   });
   for (std::size_t i = 0; i < expressions.size(); ++i) {
     added[i].state = add_state(work, std::move(states[i]));
@@ -117,12 +117,12 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
 // From the head's space to the print's, without the shift.
 glm::vec3 turn_upright(const glm::vec3& p) { return {p.x, -p.z, p.y}; }
 
-BustGrid find_grid(const Patch& patch) { return {patch.upper, patch.lower, patch.first, kPatchRows}; }
+BustGrid compute_grid(const Patch& patch) { return {patch.upper, patch.lower, patch.first, kPatchRows}; }
 
-BustEye find_eye(const BustBody& body, std::size_t i) {
+BustEye compute_eye(const BustBody& body, std::size_t i) {
   const CarvedEye& eye = body.carved[i];
   const double scale = body.print_per_head;
-  return {find_grid(body.eyes[i]),
+  return {compute_grid(body.eyes[i]),
           turn_upright(eye.centre - body.origin) * body.print_per_head,
           eye.radius_mm * scale,
           eye.iris_mm * scale,
@@ -133,12 +133,12 @@ BustEye find_eye(const BustBody& body, std::size_t i) {
           eye.light};
 }
 
-BustMouth find_mouth(const BustBody& body, const Joint& jaw) {
+BustMouth compute_mouth(const BustBody& body, const Joint& jaw) {
   const float scale = body.print_per_head;
   const CarvedMouth& carved = body.carved_mouth;
   const glm::vec2 origin(body.origin.y, body.origin.z);
   BustMouth mouth;
-  mouth.grid = find_grid(body.mouth);
+  mouth.grid = compute_grid(body.mouth);
   mouth.reach_mm = kToothReach_mm * scale;
   const auto list = [&](const std::array<glm::vec2, kToothSamples>& row) {
     std::vector<glm::vec2> points;
@@ -174,7 +174,7 @@ std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::v
     const BustMove& move = controls.moves[m];
     if (value == 0) continue;
     for (std::size_t i = 0; i < move.values.size(); ++i)
-      if (const double weight = find_shape_weight(move.values, i, value); weight > 0)
+      if (const double weight = compute_shape_weight(move.values, i, value); weight > 0)
         add(move.states[i], weight);
   }
   return sum;
@@ -193,13 +193,13 @@ std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
   add_expressions(work, expressions, slight_mm);
   const Stand other = body.stand == Stand::foot ? Stand::flat : Stand::foot;
   Shape shape = place_bust(body, figure, Pose{}, other);
-  bust.other_stand = add_state(work, find_offsets(bust.rest, shape, list_slight_mm(work, kNothing_mm)));
+  bust.other_stand = add_state(work, compute_offsets(bust.rest, shape, list_slight_mm(work, kNothing_mm)));
   bust.other_foot_mm = shape[body.foot.front()].z;
   work.shapes.push_back(std::move(shape));
-  for (std::size_t i = 0; i < 2; ++i) bust.eyes[i] = find_eye(body, i);
+  for (std::size_t i = 0; i < 2; ++i) bust.eyes[i] = compute_eye(body, i);
   const std::vector<Joint> joints = list_joints(figure);  // both eyes' limits are the same
   const JointTurn &side = joints[kLeftEyeJoint].turns[kSideTurn], &up = joints[kLeftEyeJoint].turns[kUpTurn];
-  bust.mouth = find_mouth(body, joints[kJawJoint]);
+  bust.mouth = compute_mouth(body, joints[kJawJoint]);
   bust.gaze_side_rad = side.plus_rad;
   bust.gaze_up_rad = up.plus_rad;
   bust.gaze_down_rad = up.minus_rad;

@@ -17,18 +17,18 @@ float smooth_step(float from, float to, float x) {
 }
 
 // 1 on the peg of light, 0 away from it; x and y in iris radii, y up.
-float find_light(float half_width, float x, float y) {
+float compute_light(float half_width, float x, float y) {
   const glm::vec2 along = kLightTo - kLightFrom, at = glm::vec2(x, y) - kLightFrom;
   const float share = std::clamp(glm::dot(at, along) / glm::dot(along, along), 0.0f, 1.0f);
   return 1 - smooth_step(half_width, half_width + kLightSoft, glm::length(at - share * along));
 }
 
 // How deep the carving goes at (x, y) iris radii from the gaze.
-float find_depth_mm(const CarvedEye& eye, float x, float y) {
+float compute_depth_mm(const CarvedEye& eye, float x, float y) {
   const float r = std::hypot(x, y);
   const float iris = 1 - smooth_step(1 - kIrisWall, 1 + kIrisWall, r);
   const float pupil = 1 - smooth_step(kPupilPerIris - kIrisWall, kPupilPerIris + kIrisWall, r);
-  return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - find_light(eye.light, x, y));
+  return glm::mix(iris * eye.iris_depth_mm, eye.pupil_depth_mm, pupil) * (1 - compute_light(eye.light, x, y));
 }
 
 }  // namespace
@@ -44,7 +44,7 @@ glm::vec3 place_on_eye(const CarvedEye& eye, const PatchPlace& at) {
   const float sine = std::hypot(glm::dot(out, x), glm::dot(out, y));
   const float angle = std::atan2(sine, glm::dot(out, eye.gaze));
   const float per_sine = angle / std::asin(eye.iris_mm / eye.radius_mm) / std::max(sine, kLeastSine);
-  const float carved_mm = find_depth_mm(eye, glm::dot(out, x) * per_sine, glm::dot(out, y) * per_sine);
+  const float carved_mm = compute_depth_mm(eye, glm::dot(out, x) * per_sine, glm::dot(out, y) * per_sine);
 
   const float seat = smooth_step(0, kEyeSeat_mm, std::min(at.down, 1 - at.down) * gap_mm);
   const float line = 1 - smooth_step(eye.slit_mm, 2 * eye.slit_mm, gap_mm);

@@ -25,7 +25,7 @@ ChestBox measure_chest(const Loop& chest, const std::vector<glm::vec3>& position
   return found;
 }
 
-float find_flat_y(const ChestBox& chest) { return chest.box.low.y - 0.04f * chest.half_breadth; }
+float compute_flat_y(const ChestBox& chest) { return chest.box.low.y - 0.04f * chest.half_breadth; }
 
 void place_foot(const Loop& chest_edge, std::uint32_t first, Stand stand, std::vector<glm::vec3>& positions) {
   const ChestBox chest = measure_chest(chest_edge, positions);
@@ -36,7 +36,7 @@ void place_foot(const Loop& chest_edge, std::uint32_t first, Stand stand, std::v
       const glm::vec3 p = positions[chest_edge[i]];
       glm::vec3& at = positions[first + static_cast<std::size_t>(ring - 1) * chest_edge.size() + i];
       if (stand == Stand::flat) {
-        at = {p.x, glm::mix(p.y, find_flat_y(chest), way), p.z};
+        at = {p.x, glm::mix(p.y, compute_flat_y(chest), way), p.z};
         continue;
       }
       const glm::vec3 out = glm::normalize(glm::vec3(p.x - chest.middle.x, 0, p.z - chest.middle.z));

@@ -23,7 +23,7 @@ struct ChestBox {
 ChestBox measure_chest(const Loop& chest, const std::vector<glm::vec3>& positions);
 
 // Where a chest is cut flat: a little below its edge, so that the rim is no knife.
-float find_flat_y(const ChestBox& chest);
+float compute_flat_y(const ChestBox& chest);
 
 // Places the kFootRings rings below the chest's edge, of as many vertices each, from `first` on: down to a
 // round, flat foot, steep enough to print without support, as a bust on its socle has always been cut; or

@@ -32,7 +32,7 @@ void append_crossings(const Mesh& mesh, float x, std::vector<std::array<glm::vec
 }
 
 // The furthest z of the lines at that y.
-float find_front(const std::vector<std::array<glm::vec2, 2>>& lines, float y) {
+float compute_front(const std::vector<std::array<glm::vec2, 2>>& lines, float y) {
   float front = kNoTooth_mm;
   for (const auto& [a, b] : lines) {
     if ((a.x < y) == (b.x < y)) continue;
@@ -73,7 +73,7 @@ ToothRow build_tooth_row(const Model& model, std::string_view stem, float sign) 
       for (const glm::vec2& p : line)
         if (sign * p.x < sign * edge.x) edge = p;
     const float crown = edge.x + sign * kCrown_mm, near = edge.x + sign * 0.4f;
-    const float front = find_front(lines, crown), rim = find_front(lines, near);
+    const float front = compute_front(lines, crown), rim = compute_front(lines, near);
     if (front == kNoTooth_mm || rim == kNoTooth_mm) continue;
     row.edge[i] = {edge.x, rim};
     row.front[i] = {crown, front};
@@ -87,7 +87,7 @@ struct ToothPlace {
   glm::vec2 edge{0, kNoTooth_mm}, front{0, kNoTooth_mm};
 };
 
-ToothPlace find_tooth(const ToothRow& row, float x) {
+ToothPlace compute_tooth(const ToothRow& row, float x) {
   const float at = (x / kToothReach_mm + 1) / 2 * (kToothSamples - 1);
   const int i = static_cast<int>(std::floor(at));
   if (i < 0 || i + 1 >= kToothSamples) return {};
@@ -98,7 +98,7 @@ ToothPlace find_tooth(const ToothRow& row, float x) {
 
 // The relief of a row in the hollow: z of the back, or of the tooth that stands before it at (x, y).
 float stand_teeth(const ToothRow& row, float sign, float x, float y, float back) {
-  const ToothPlace tooth = find_tooth(row, x);
+  const ToothPlace tooth = compute_tooth(row, x);
   if (tooth.edge.y == kNoTooth_mm) return back;
   const float height = sign * (y - tooth.edge.x);  // above the biting edge, toward the gums
   const float shown = smooth_step(-kToothEdge_mm, kToothEdge_mm, height);
@@ -123,11 +123,11 @@ glm::vec2 move_point(const glm::mat4& jaw, const glm::vec2& p) {
 }
 
 // How far down a row of the grid lies.
-float find_down(const CarvedMouth& mouth, const PatchPlace& at, float gap_mm) {
+float compute_down(const CarvedMouth& mouth, const PatchPlace& at, float gap_mm) {
   constexpr int kBetween = kPatchRows - 2 * kTeethRows - 2;  // steps
   const float x = 0.5f * (at.upper.x + at.lower.x),
               height = std::max(at.upper.y - at.lower.y, kLeastMouthGap_mm);
-  const ToothPlace above = find_tooth(mouth.upper, x), below = find_tooth(mouth.lower, x);
+  const ToothPlace above = compute_tooth(mouth.upper, x), below = compute_tooth(mouth.lower, x);
   const float high = above.edge.y == kNoTooth_mm ? kNoUpperTooth : (at.upper.y - above.edge.x) / height;
   const float low = below.edge.y == kNoTooth_mm ? kNoLowerTooth : (at.upper.y - below.edge.x) / height;
   const float first = std::clamp(high, kLeastUpperRows, kMostUpperRows),
@@ -147,7 +147,7 @@ CarvedMouth build_carved_mouth(const Model& model) {
   mouth.lower = build_tooth_row(model, "teeth_lower", -1);
   for (const Part& part : model.parts) {
     if (part.name != "tongue") continue;
-    const Box box = find_bounds(part.rest.positions);
+    const Box box = compute_bounds(part.rest.positions);
     mouth.tongue.centre = 0.5f * (box.low + box.high);
     mouth.tongue.radius = 0.5f * (box.high - box.low);
   }
@@ -167,7 +167,7 @@ CarvedMouth move_jaw(const CarvedMouth& mouth, const glm::mat4& jaw) {
 
 glm::vec3 place_in_mouth(const CarvedMouth& mouth, const PatchPlace& at) {
   const float gap_mm = glm::distance(at.upper, at.lower);
-  const float down = find_down(mouth, at, gap_mm);
+  const float down = compute_down(mouth, at, gap_mm);
   const glm::vec3 p = glm::mix(at.upper, at.lower, down);
   const float depth_mm = std::min(
       mouth.line_mm * smooth_step(0, kLipLineFade_mm, gap_mm) + kDepthPerGap * gap_mm, kDeepestMouth_mm);

@@ -43,7 +43,7 @@ struct LipRow {
   std::vector<std::uint32_t> upper, lower;
 };
 
-LipRow find_lip_row(const NeutralHead& head, const std::string& ring) {
+LipRow compute_lip_row(const NeutralHead& head, const std::string& ring) {
   constexpr int kCorner = 6, kBottom = 12;  // of a half-ring: 0 is its top
   std::vector<std::vector<std::uint32_t>> neighbours(head.skin.positions.size());
   for (const Quad& q : head.surface->quads)
@@ -111,10 +111,10 @@ std::vector<Reached> walk_from_rims(const Mesh& cut, const Slit& slit, float far
 
 }  // namespace
 
-Slit find_eye_slit(const NeutralHead& head, int side) {
+Slit compute_eye_slit(const NeutralHead& head, int side) {
   constexpr int kOuter = 32, kAll = 64;  // quarters of a column: the outer corner, once round
-  const auto inner = list_quarters(find_lid_ring(*head.surface, head.cage));
-  const auto outer = list_quarters(find_lid_ring(*head.surface, head.cage, {"E0_", "E1_", "E2_"}));
+  const auto inner = list_quarters(compute_lid_ring(*head.surface, head.cage));
+  const auto outer = list_quarters(compute_lid_ring(*head.surface, head.cage, {"E0_", "E1_", "E2_"}));
   const auto vertex = [&](const std::map<int, std::uint32_t>& ring, int at) {
     const auto found = ring.find(at % kAll);
     if (found == ring.end()) throw RunError("internal: a ring of the lids has a gap");
@@ -128,8 +128,8 @@ Slit find_eye_slit(const NeutralHead& head, int side) {
   return slit;
 }
 
-Slit find_mouth_slit(const NeutralHead& head) {
-  const LipRow inner = find_lip_row(head, "M0"), outer = find_lip_row(head, "M1");
+Slit compute_mouth_slit(const NeutralHead& head) {
+  const LipRow inner = compute_lip_row(head, "M0"), outer = compute_lip_row(head, "M1");
   Slit slit;
   slit.is_bulging = true;
   for (std::size_t i = 0; i < inner.upper.size(); ++i)

@@ -30,8 +30,8 @@ struct Slit {
 
 // The opening of an eye (the margin's inner and outer edge; side 1 left, -1 right) and of the mouth (the
 // lips' contact and the ring before it), without `vertices`.
-Slit find_eye_slit(const NeutralHead& head, int side);
-Slit find_mouth_slit(const NeutralHead& head);
+Slit compute_eye_slit(const NeutralHead& head, int side);
+Slit compute_mouth_slit(const NeutralHead& head);
 
 // Fills `slit.vertices`: the skin along the rims, fully up to `near_mm` from the innermost row and
 // fading to nothing at `far_mm`. `cut` is the skin without what lies inside the slits.

@@ -5,8 +5,8 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "core/conventions.hpp"
-#include "core/pool.hpp"
 #include "core/float4.hpp"
+#include "core/pool.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/skin_look.hpp"
@@ -24,33 +24,34 @@ void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
   for (std::size_t i = 0; i < points.size(); ++i) {
     const double share = face.turn_weights[i];
     if (share == 0 && turn.breath_mm == 0) continue;
-    const glm::dmat4 world = share == 1 ? whole : find_turn(face.turn_pivot, turn, share);
+    const glm::dmat4 world = share == 1 ? whole : compute_turn(face.turn_pivot, turn, share);
     points[i] = glm::dvec3(world * glm::dvec4(points[i], 1));
   }
 }
 
-glm::mat4 find_transform(const Figure& figure, Mount mount, const Pose& pose, const glm::dmat4& head_turn) {
+glm::mat4 compute_transform(const Figure& figure, Mount mount, const Pose& pose,
+                            const glm::dmat4& head_turn) {
   const auto gaze = [&](Side side) {
     glm::dvec3 centre = figure.head.eye.centre;
     if (side == Side::right) centre.x = -centre.x;
     const glm::dmat4 turned =
-        glm::translate(glm::dmat4(1), centre) * glm::dmat4(find_gaze(figure.face, pose, side));
+        glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
     return glm::mat4(head_turn * glm::translate(turned, -centre));
   };
   if (mount == Mount::eye_left) return gaze(Side::left);
   if (mount == Mount::eye_right) return gaze(Side::right);
-  if (mount == Mount::jaw) return glm::mat4(head_turn * find_jaw(figure.face, pose));
+  if (mount == Mount::jaw) return glm::mat4(head_turn * compute_jaw(figure.face, pose));
   return glm::mat4(head_turn);
 }
 
-std::vector<SkinFrame> find_frames(const HeadPart& bound, const NeutralHead& head,
-                                   const std::vector<glm::vec3>& positions,
-                                   const std::vector<glm::vec3>& normals) {
+std::vector<SkinFrame> compute_frames(const HeadPart& bound, const NeutralHead& head,
+                                      const std::vector<glm::vec3>& positions,
+                                      const std::vector<glm::vec3>& normals) {
   std::vector<SkinFrame> frames;
   frames.reserve(bound.bindings.size());
   for (const Binding& binding : bound.bindings)
     frames.push_back(
-        find_skin_frame(positions, normals, head.skin.triangles[binding.triangle], binding.barycentric));
+        compute_skin_frame(positions, normals, head.skin.triangles[binding.triangle], binding.barycentric));
   return frames;
 }
 
@@ -61,8 +62,8 @@ void deform_strands(const HeadPart& bound, const NeutralHead& head, const Part& 
   shape.normals.resize(part.rest.normals.size());
   for (std::size_t b = 0; b < bound.bindings.size(); ++b) {
     const Binding& binding = bound.bindings[b];
-    const SkinFrame now = find_skin_frame(skin.positions, skin.normals, head.skin.triangles[binding.triangle],
-                                          binding.barycentric);
+    const SkinFrame now = compute_skin_frame(skin.positions, skin.normals,
+                                             head.skin.triangles[binding.triangle], binding.barycentric);
     const glm::mat3 turn = now.axes * glm::transpose(rest[b].axes);
     const Float4 x = pack(turn[0]), y = pack(turn[1]), z = pack(turn[2]), origin = pack(now.origin);
     const Float4 root = pack(rest[b].origin);
@@ -78,11 +79,11 @@ void deform_strands(const HeadPart& bound, const NeutralHead& head, const Part& 
 
 Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use) {
   HeadSpec spec = asked;
-  spec.look = find_aged_look(asked.look, asked.age);
+  spec.look = compute_aged_look(asked.look, asked.age);
   const bool is_print = use == FigureUse::print;
   Figure figure;
   figure.head = build_neutral_head(stock, spec);
-  figure.limits = find_limit_shares(spec.limits);
+  figure.limits = compute_limit_shares(spec.limits);
   // Independent of each other, the slow ones first.
   std::array<std::vector<HeadPart>, 7> made;
   std::vector<SkinTint> tints;
@@ -114,7 +115,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
   for (const HeadPart& part : figure.parts)
     figure.roots.push_back(
-        find_frames(part, figure.head, figure.head.skin.positions, figure.head.skin.normals));
+        compute_frames(part, figure.head, figure.head.skin.positions, figure.head.skin.normals));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
   return figure;
@@ -124,7 +125,7 @@ void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked
                  DeformBuffers& buffers, PartShape& skin) {
   pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
   if (is_turned(turn))
-    turn_points(figure.face, turn, find_turn(figure.face.turn_pivot, turn, 1), buffers.points);
+    turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
   pair_points(buffers.points, surface.mirror, buffers.point_pairs);
   deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
   update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
@@ -139,7 +140,8 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const Pose pose = apply_limits(figure.limits, asked);
   drawing.parts.resize(figure.parts.size());
   const bool is_neutral = pose == Pose{} && !is_turned(turn);
-  const glm::dmat4 head_turn = is_turned(turn) ? find_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
+  const glm::dmat4 head_turn =
+      is_turned(turn) ? compute_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
 
   PartShape& skin = drawing.parts.front();
   deform_skin(figure, *figure.head.surface, asked, turn, buffers, skin);
@@ -148,7 +150,7 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
     const Part& part = figure.model.parts[i];
     PartShape& shape = drawing.parts[i];
     if (bound.mount != Mount::strands) {
-      shape.world_from_rest = find_transform(figure, bound.mount, pose, head_turn);
+      shape.world_from_rest = compute_transform(figure, bound.mount, pose, head_turn);
     } else if (is_neutral) {
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;

@@ -27,8 +27,8 @@ struct Sampling {
   std::size_t move;
 };
 
-float find_worst_mm(const ShapeRequest& request, const std::vector<glm::vec3>& truth,
-                    const std::vector<glm::vec3>& told) {
+float compute_worst_mm(const ShapeRequest& request, const std::vector<glm::vec3>& truth,
+                       const std::vector<glm::vec3>& told) {
   float worst = 0;
   for (std::size_t v = 0; v < truth.size(); ++v)
     if (!is_left_out(request, v)) worst = std::max(worst, glm::distance(truth[v], told[v]));
@@ -43,7 +43,7 @@ void halve(const Sampling& sampling, const MoveShape& low, const MoveShape& high
   std::vector<glm::vec3> straight = low.positions;
   for (std::size_t v = 0; v < straight.size(); ++v)
     straight[v] = 0.5f * (low.positions[v] + high.positions[v]);
-  if (find_worst_mm(sampling.request, middle.positions, straight) <= sampling.request.tolerance_mm) return;
+  if (compute_worst_mm(sampling.request, middle.positions, straight) <= sampling.request.tolerance_mm) return;
   halve(sampling, low, middle, depth - 1, shapes);
   shapes.push_back(middle);
   halve(sampling, middle, high, depth - 1, shapes);
@@ -67,8 +67,8 @@ std::vector<MoveShape> sample_shapes(const Sampling& sampling, const std::vector
 
 JointTurn build_turn(const Figure& figure, std::size_t move, const glm::dvec3& axis, double plus_rad,
                      double minus_rad) {
-  JointTurn turn{move, axis, plus_rad, minus_rad, find_move_reach(figure, move, 1), 1, glm::dvec3(0)};
-  if (kMoves[move].low < 0) turn.minus_reach = find_move_reach(figure, move, -1);
+  JointTurn turn{move, axis, plus_rad, minus_rad, compute_move_reach(figure, move, 1), 1, glm::dvec3(0)};
+  if (kMoves[move].low < 0) turn.minus_reach = compute_move_reach(figure, move, -1);
   return turn;
 }
 
@@ -116,7 +116,7 @@ std::vector<MoveShapes> sample_move_shapes(const PlaceVertices& place, const std
   return moves;
 }
 
-double find_shape_weight(const std::vector<double>& values, std::size_t i, double value) {
+double compute_shape_weight(const std::vector<double>& values, std::size_t i, double value) {
   const double at = values[i];
   const double before = i > 0 && !(values[i - 1] < 0 && at > 0) ? values[i - 1] : (at > 0 ? 0 : at - 1);
   const double after =
@@ -138,7 +138,7 @@ std::vector<glm::vec3> blend_shapes(const std::vector<glm::vec3>& neutral, const
     if (shape.value == value) return shape.positions;
   std::vector<glm::vec3> blended = neutral;
   for (std::size_t i = 0; i < values.size(); ++i) {
-    const auto weight = static_cast<float>(find_shape_weight(values, i, value));
+    const auto weight = static_cast<float>(compute_shape_weight(values, i, value));
     if (weight == 0) continue;
     const std::vector<glm::vec3>& positions = move.shapes[i].positions;
     for (std::size_t v = 0; v < blended.size(); ++v) blended[v] += weight * (positions[v] - neutral[v]);
@@ -146,8 +146,8 @@ std::vector<glm::vec3> blend_shapes(const std::vector<glm::vec3>& neutral, const
   return blended;
 }
 
-VertexOffsets find_offsets(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
-                           const std::vector<double>& slight_mm) {
+VertexOffsets compute_offsets(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
+                              const std::vector<double>& slight_mm) {
   VertexOffsets found;
   for (std::uint32_t v = 0; v < from.size(); ++v) {
     const glm::vec3 offset = to[v] - from[v];
@@ -166,8 +166,8 @@ double measure_between_mm(const PlaceVertices& place, const std::vector<glm::vec
   for (std::size_t i = 0; i + 1 < values.size(); ++i) {
     for (int step = 1; step < steps; ++step) {
       const double value = std::lerp(values[i], values[i + 1], double(step) / steps);
-      worst = std::max(worst, find_worst_mm(request, sample_shape(place, move.move, value).positions,
-                                            blend_shapes(neutral, move, value)));
+      worst = std::max(worst, compute_worst_mm(request, sample_shape(place, move.move, value).positions,
+                                               blend_shapes(neutral, move, value)));
     }
   }
   return worst;
@@ -204,7 +204,7 @@ std::vector<Joint> list_joints(const Figure& figure) {
   return {build_eye_joint(figure, Side::left), build_eye_joint(figure, Side::right), build_jaw_joint(figure)};
 }
 
-double find_move_reach(const Figure& figure, std::size_t move, int sign) {
+double compute_move_reach(const Figure& figure, std::size_t move, int sign) {
   Pose pose;
   pose.values[move] = sign;
   return std::abs(apply_limits(figure.limits, pose).values[move]);

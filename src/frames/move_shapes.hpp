@@ -6,7 +6,8 @@
 //              other moves at 0. What it adds is its difference from the neutral shape (all moves at 0).
 // In-betweens  A move that does not go straight has shapes at values between 0 and its ends too. At a value
 //              between two neighbours, 0 among them, the vertices lie on the straight line between the two:
-//              find_shape_weight tells how much there is of each. Of several moves the differences are added.
+//              compute_shape_weight tells how much there is of each. Of several moves the differences are
+//              added.
 // Error        At a shape's own value none. Halfway between two neighbours a vertex is within
 //              ShapeRequest::tolerance_mm of its way in truth, unless the halvings were used up; anywhere
 //              between, measured on the adult's skin at 0.02 mm, within 0.04 mm: measure_between_mm tells it
@@ -53,7 +54,7 @@ std::vector<MoveShapes> sample_move_shapes(const PlaceVertices& place, const std
 // How much there is of shape `i` at `value`, from 0 to 1; `values` are those of all the move's shapes,
 // rising, and `value` is within the move's limits. templates/openscad/bust.scad has the same formula as
 // `share`.
-double find_shape_weight(const std::vector<double>& values, std::size_t i, double value);
+double compute_shape_weight(const std::vector<double>& values, std::size_t i, double value);
 
 std::vector<double> list_shape_values(const MoveShapes& move);
 
@@ -63,8 +64,8 @@ std::vector<glm::vec3> blend_shapes(const std::vector<glm::vec3>& neutral, const
 
 // The offsets from `from` to `to` that are longer than `slight_mm`, which has a number for each vertex
 // (INFINITY: never).
-VertexOffsets find_offsets(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
-                           const std::vector<double>& slight_mm);
+VertexOffsets compute_offsets(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& to,
+                              const std::vector<double>& slight_mm);
 
 // How far a vertex is from its way in truth, at worst, in `steps` - 1 places between each two neighbours of a
 // move. Vertices left out do not count.
@@ -106,7 +107,7 @@ inline constexpr std::size_t kLeftEyeJoint = 0, kRightEyeJoint = 1, kJawJoint = 
 inline constexpr std::size_t kSideTurn = 0, kUpTurn = 1;  // of an eye
 
 // What a value of `sign` 1 or -1 of a move comes to under the head's own limits, at least 0.
-double find_move_reach(const Figure& figure, std::size_t move, int sign);
+double compute_move_reach(const Figure& figure, std::size_t move, int sign);
 
 // The joint in a pose within the limits: world from rest, without a turn of the head.
 glm::dmat4 place_joint(const Joint& joint, const Pose& pose);

@@ -4,7 +4,7 @@
 
 namespace mien {
 
-std::vector<glm::vec3> find_places_on_adult(const NeutralHead& head) {
+std::vector<glm::vec3> compute_places_on_adult(const NeutralHead& head) {
   std::vector<Float4> packed;
   pack_points(head.adult_points, packed);
   std::vector<glm::vec3> places;

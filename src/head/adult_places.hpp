@@ -9,6 +9,6 @@ namespace mien {
 
 // Where each vertex of the skin lies on the average adult, mm. Pores, patches and spots belong to a place of
 // the skin and not of the room: on a head that grows they must not crawl.
-std::vector<glm::vec3> find_places_on_adult(const NeutralHead& head);
+std::vector<glm::vec3> compute_places_on_adult(const NeutralHead& head);
 
 }  // namespace mien

@@ -31,8 +31,8 @@ const Beard& find_beard(const NeutralHead& head, const std::string& name) {
   return found->second;
 }
 
-double find_growth(const NeutralHead& head) {
-  return smooth_step(kBoy_mm, kMan_mm, find_eye_to_chin_mm(head));
+double compute_growth(const NeutralHead& head) {
+  return smooth_step(kBoy_mm, kMan_mm, compute_eye_to_chin_mm(head));
 }
 
 // Density of one area at each vertex of the skin.
@@ -71,7 +71,7 @@ struct Meadow {
   std::vector<double> sums;
 };
 
-Meadow find_meadow(const NeutralHead& head, const BeardField& field) {
+Meadow compute_meadow(const NeutralHead& head, const BeardField& field) {
   constexpr float kLeast = 0.04f;  // of the density: single hairs far out look like dirt
   Meadow meadow;
   double sum = 0;
@@ -131,28 +131,28 @@ void append_beard_hair(HeadPart& part, const NeutralHead& head, const BeardField
 
 std::vector<float> paint_beard(const NeutralHead& head, const std::string& name) {
   if (name == "none") return {};
-  const auto growth = static_cast<float>(find_growth(head));
+  const auto growth = static_cast<float>(compute_growth(head));
   std::vector<float> covers = build_field(head, find_beard(head, name)).density;
   for (float& cover : covers) cover *= growth;
   return covers;
 }
 
-double find_beard_paint(const NeutralHead& head, const std::string& name) {
+double compute_beard_paint(const NeutralHead& head, const std::string& name) {
   return name == "none" ? 0 : find_beard(head, name).paint;
 }
 
-glm::vec3 find_beard_colour(const Look& look) { return glm::mix(look.brow, look.hair, 0.5f); }
+glm::vec3 compute_beard_colour(const Look& look) { return glm::mix(look.brow, look.hair, 0.5f); }
 
 std::vector<HeadPart> build_beard(const NeutralHead& head, const Look& look) {
   if (look.beard == "none") return {};
   const Beard& beard = find_beard(head, look.beard);
-  const double growth = find_growth(head);
+  const double growth = compute_growth(head);
   if (growth <= 0) return {};
   const BeardField field = build_field(head, beard);
-  const Meadow meadow = find_meadow(head, field);
+  const Meadow meadow = compute_meadow(head, field);
   HeadPart part = make_hair_part("beard");
   part.part.is_printed = false;
-  part.part.palette = make_hair_palette(find_beard_colour(look), 0.35f, 0.2f);
+  part.part.palette = make_hair_palette(compute_beard_colour(look), 0.35f, 0.2f);
   const auto count = static_cast<std::uint32_t>(beard.count / 2 * std::sqrt(growth));
   for (std::uint32_t i = 0; i < count; ++i) {
     // Each hair has its own piece of the meadow: even, and the same whatever the count.

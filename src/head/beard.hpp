@@ -13,13 +13,13 @@ namespace mien {
 std::vector<float> paint_beard(const NeutralHead& head, const std::string& beard);
 
 // How much of that the painted skin shows.
-double find_beard_paint(const NeutralHead& head, const std::string& beard);
+double compute_beard_paint(const NeutralHead& head, const std::string& beard);
 
 // The part "beard"; nothing for "none" and for a child. Exact mirror images. Throws RunError for an unknown
 // beard.
 std::vector<HeadPart> build_beard(const NeutralHead& head, const Look& look);
 
 // Of the hair's and the brows' colour.
-glm::vec3 find_beard_colour(const Look& look);
+glm::vec3 compute_beard_colour(const Look& look);
 
 }  // namespace mien

@@ -8,8 +8,8 @@
 #include <tuple>
 
 #include "core/error.hpp"
-#include "core/nearest_point.hpp"
 #include "core/float4.hpp"
+#include "core/nearest_point.hpp"
 
 namespace mien {
 
@@ -68,13 +68,13 @@ Binding mirror_binding(const Binding& left, const Mesh& skin, const MirrorIndex&
   return right;
 }
 
-Box find_mirrored_box(const std::vector<HeadPart>& left, const Mesh& skin) {
+Box compute_mirrored_box(const std::vector<HeadPart>& left, const Mesh& skin) {
   std::vector<glm::vec3> corners;
   for (const HeadPart& part : left)
     for (const Binding& binding : part.bindings)
       for (const std::uint32_t v : skin.triangles[binding.triangle])
         corners.push_back({-skin.positions[v].x, skin.positions[v].y, skin.positions[v].z});
-  return find_bounds(corners);
+  return compute_bounds(corners);
 }
 
 Mount mirror_mount(Mount mount) {
@@ -85,8 +85,8 @@ Mount mirror_mount(Mount mount) {
 
 }  // namespace
 
-SkinFrame find_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
-                          const Triangle& triangle, const glm::vec3& barycentric) {
+SkinFrame compute_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
+                             const Triangle& triangle, const glm::vec3& barycentric) {
   // As blend does it; four floats at once, since every hair of every frame asks for it.
   const auto [i, j, k] = triangle;
   const Float4 a = pack(positions[i]), b = pack(positions[j]), c = pack(positions[k]);
@@ -128,7 +128,7 @@ SkinPlace find_nearest_place(const SkinPatch& patch, const glm::vec3& point) {
     if (glm::distance(patch.centres[i], point) - patch.radii_mm[i] >= nearest) continue;
     const auto& [a, b, c] = skin.triangles[patch.triangles[i]];
     const glm::vec3 barycentric =
-        find_nearest_barycentric(point, skin.positions[a], skin.positions[b], skin.positions[c]);
+        compute_nearest_barycentric(point, skin.positions[a], skin.positions[b], skin.positions[c]);
     const glm::vec3 on_skin = blend(skin.positions, skin.triangles[patch.triangles[i]], barycentric);
     const float distance = glm::distance(on_skin, point);
     if (distance < nearest) {
@@ -142,7 +142,7 @@ SkinPlace find_nearest_place(const SkinPatch& patch, const glm::vec3& point) {
 }
 
 std::vector<HeadPart> mirror_parts(const std::vector<HeadPart>& left, const Mesh& skin) {
-  const MirrorIndex index = build_mirror_index(skin, find_mirrored_box(left, skin));
+  const MirrorIndex index = build_mirror_index(skin, compute_mirrored_box(left, skin));
   std::vector<HeadPart> right = left;
   for (HeadPart& part : right) {
     const std::string ending = "_left";

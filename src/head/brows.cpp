@@ -37,7 +37,7 @@ double sample_brow(const BrowLine& line, const std::vector<double>& values, doub
 }
 
 // The middle of the brow at station t, near the skin.
-glm::vec3 find_brow_middle(const BrowLine& line, double t) {
+glm::vec3 compute_brow_middle(const BrowLine& line, double t) {
   const glm::vec3 along = sample_curve(line.points, t + 0.02) - sample_curve(line.points, t - 0.02);
   const glm::vec3 up = glm::normalize(glm::vec3(-along.y, along.x, 0));
   const double above_mm = line.scale * sample_brow(line, line.numbers.above_mm, t);
@@ -45,8 +45,8 @@ glm::vec3 find_brow_middle(const BrowLine& line, double t) {
 }
 
 // The way outward along the brow.
-glm::vec3 find_brow_way(const BrowLine& line, double t) {
-  return glm::normalize(find_brow_middle(line, t + 0.05) - find_brow_middle(line, t - 0.05));
+glm::vec3 compute_brow_way(const BrowLine& line, double t) {
+  return glm::normalize(compute_brow_middle(line, t + 0.05) - compute_brow_middle(line, t - 0.05));
 }
 
 struct BrowHair {
@@ -62,10 +62,10 @@ BrowHair place_brow_hair(const BrowLine& line, std::uint32_t series, std::uint32
   const BrowNumbers& brow = line.numbers;
   const double half_mm = line.scale * sample_brow(line, brow.half_mm, t);
   BrowHair hair;
-  hair.along = find_brow_way(line, t);
+  hair.along = compute_brow_way(line, t);
   const glm::vec3 up = glm::normalize(glm::vec3(-hair.along.y, hair.along.x, 0));
   const double mix = 0.5 + 0.5 * across;
-  hair.root = find_brow_middle(line, t) + up * static_cast<float>(across * half_mm);
+  hair.root = compute_brow_middle(line, t) + up * static_cast<float>(across * half_mm);
   hair.angle_deg = (1 - mix) * sample_brow(line, brow.lower_angle_deg, t) +
                    mix * sample_brow(line, brow.upper_angle_deg, t);
   hair.angle_deg += (16 + 0.2 * std::abs(hair.angle_deg)) * (scatter(series, index, kTurn) - 0.5);
@@ -131,8 +131,8 @@ void append_coat(HeadPart& part, const BrowLine& line, const SkinPatch& patch, c
   }
 }
 
-SkinPatch find_brow_patch(const NeutralHead& head, const BrowLine& line) {
-  Box box = find_bounds(line.points);
+SkinPatch compute_brow_patch(const NeutralHead& head, const BrowLine& line) {
+  Box box = compute_bounds(line.points);
   const auto reach = static_cast<float>(12 * line.scale);  // mm: the brow's width and the longest hair
   box.low -= reach;
   box.high += reach;
@@ -152,7 +152,7 @@ std::vector<float> paint_brows(const NeutralHead& head, const BrowNumbers& avera
   const BrowLine line = build_brow_line(head, numbers);
   std::vector<glm::vec3> middles;
   for (double t = numbers.station.front(); t <= numbers.station.back(); t += kStep)
-    middles.push_back(find_brow_middle(line, t));
+    middles.push_back(compute_brow_middle(line, t));
   std::vector<float> covers(head.skin.positions.size(), 0.0f);
   for (std::size_t v = 0; v < covers.size(); ++v) {
     glm::vec3 p = head.skin.positions[v];
@@ -178,7 +178,7 @@ HeadPart build_brow(const NeutralHead& head, const BrowNumbers& average, const L
   BrowNumbers numbers = average;
   for (double& half_mm : numbers.half_mm) half_mm *= head.brow_thickness;
   const BrowLine line = build_brow_line(head, numbers);
-  const SkinPatch patch = find_brow_patch(head, line);
+  const SkinPatch patch = compute_brow_patch(head, line);
   HeadPart part = make_hair_part("brow_left");
   part.part.material = "brow";
   const glm::vec3 colour = glm::mix(look.brow, look.skin, static_cast<float>(numbers.infant_blend * youth));

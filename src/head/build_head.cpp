@@ -22,13 +22,13 @@ void close_slits(const Surface& surface, Mesh& skin) {
 }
 
 // The ages a head is made of: its own words, unless they are none and the heads it is made from say more.
-Mix find_ages(const HeadSpec& spec) {
+Mix compute_ages(const HeadSpec& spec) {
   if (spec.age != HeadSpec{}.age) return spec.age;
   if (spec.scan) return {};
   if (spec.mix.empty()) return spec.age;
   Mix ages;
   for (const HeadShare& share : spec.mix)
-    for (const auto& [name, weight] : find_ages(share.head)) ages[name] += share.weight * weight;
+    for (const auto& [name, weight] : compute_ages(share.head)) ages[name] += share.weight * weight;
   return ages;
 }
 
@@ -45,7 +45,7 @@ NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec) {
   head.surface = stock.surface;
   head.hairline = form.hairline;
   head.brow_thickness = form.brow_thickness;
-  head.ages = find_ages(spec);
+  head.ages = compute_ages(spec);
   const MouthNumbers mouth = stock.data->parts.mouth;
   shape_mouth_bag(mouth, head.cage, head.adult_points);
   shape_mouth_bag(mouth, head.cage, head.cage.points);

@@ -156,7 +156,7 @@ struct Disc {
   bool is_rim = false;
 };
 
-glm::dvec3 find_across(const glm::dvec3& normal) {
+glm::dvec3 compute_across(const glm::dvec3& normal) {
   const glm::dvec3 axis = std::abs(normal.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   return glm::normalize(glm::cross(normal, axis));
 }
@@ -180,7 +180,7 @@ Disc build_disc(const std::vector<glm::dvec3>& points, std::uint32_t of, const N
   const Eigen::Vector3d normal = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors().col(0);
   disc.normal = {normal(0), normal(1), normal(2)};
 
-  const glm::dvec3 across = find_across(disc.normal), along = glm::cross(disc.normal, across);
+  const glm::dvec3 across = compute_across(disc.normal), along = glm::cross(disc.normal, across);
   std::array<double, kNeighbours> angles{};
   for (int i = 0; i < kNeighbours; ++i) {
     const glm::dvec3 way = points[disc.neighbours[i]] - points[of];
@@ -207,7 +207,7 @@ std::vector<Disc> build_discs(const std::vector<glm::dvec3>& points) {
 }
 
 // Whoever is a neighbour of whom.
-std::vector<std::vector<std::uint32_t>> find_both_ways(const std::vector<Disc>& discs) {
+std::vector<std::vector<std::uint32_t>> compute_both_ways(const std::vector<Disc>& discs) {
   std::vector<std::vector<std::uint32_t>> both(discs.size());
   for (std::uint32_t i = 0; i < discs.size(); ++i)
     for (const std::uint32_t n : discs[i].neighbours) {
@@ -226,7 +226,7 @@ void agree_on_sides(const std::vector<glm::dvec3>& points, std::vector<Disc>& di
   std::iota(seeds.begin(), seeds.end(), 0);
   std::ranges::stable_sort(seeds, std::greater{},
                            [&](std::uint32_t i) { return glm::distance(points[i], middle); });
-  const auto both = find_both_ways(discs);
+  const auto both = compute_both_ways(discs);
   std::vector<bool> is_done(points.size(), false);
   struct Link {
     double parallel = 0;
@@ -257,7 +257,7 @@ void agree_on_sides(const std::vector<glm::dvec3>& points, std::vector<Disc>& di
 }
 
 void add_triangle(CloudSurface& surface, const glm::dvec3& middle, const Disc& disc) {
-  const glm::dvec3 across = find_across(disc.normal), along = glm::cross(disc.normal, across);
+  const glm::dvec3 across = compute_across(disc.normal), along = glm::cross(disc.normal, across);
   for (int i = 0; i < 3; ++i) {
     const double angle = 2 * std::numbers::pi * i / 3;
     surface.mesh.corners.push_back(static_cast<std::uint32_t>(surface.mesh.positions.size()));

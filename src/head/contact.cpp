@@ -20,7 +20,7 @@ namespace {
 constexpr int kLidColumns = 16;
 
 // Where a vertex of the skin lies while the cage is moved.
-glm::dvec3 find_limit(const Surface& surface, const Cage& cage, std::uint32_t vertex) {
+glm::dvec3 compute_limit(const Surface& surface, const Cage& cage, std::uint32_t vertex) {
   glm::dvec3 sum{0};
   for (std::uint32_t k = surface.first[vertex]; k < surface.first[vertex + 1]; ++k)
     sum += static_cast<double>(surface.weight[k]) * cage.points[surface.point[k]];
@@ -43,7 +43,7 @@ struct Sheet {
 };
 
 template <typename Wanted>
-Sheet find_sheet(const Surface& surface, const Cage& cage, const Wanted& is_wanted) {
+Sheet compute_sheet(const Surface& surface, const Cage& cage, const Wanted& is_wanted) {
   Sheet sheet;
   for (std::size_t q = 0; q < cage.quads.size() / 2; ++q) {
     const Quad& quad = cage.quads[q];
@@ -63,14 +63,14 @@ bool touches_eye(double at) {
   return at > kInner && at < kLidColumns - kInner && std::abs(at - 8) > kOuter;
 }
 
-std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings) {
+std::vector<MarginVertex> compute_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings) {
   std::vector<int> column(cage.points.size());
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_ring_column(cage.names[i], rings.ring);
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = compute_ring_column(cage.names[i], rings.ring);
   const auto is_in = [&](std::uint32_t p) { return column[p] >= 0 || cage.names[p].starts_with(rings.next); };
   const auto is_out = [&](std::uint32_t p) {
     return column[p] >= 0 || cage.names[p].starts_with(rings.before);
   };
-  const Sheet in = find_sheet(surface, cage, is_in), out = find_sheet(surface, cage, is_out);
+  const Sheet in = compute_sheet(surface, cage, is_in), out = compute_sheet(surface, cage, is_out);
   std::vector<std::uint32_t> shared;
   std::set_intersection(in.vertices.begin(), in.vertices.end(), out.vertices.begin(), out.vertices.end(),
                         std::back_inserter(shared));
@@ -92,7 +92,7 @@ std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage
   return margin;
 }
 
-double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point) {
+double compute_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point) {
   const double scale = eye.radius_mm / numbers.ball_mm, out = numbers.outward_deg * kRadiansPerDegree;
   const glm::dvec3 arm = (point - eye.centre) / scale;
   const glm::dvec3 axis(std::sin(out), 0, std::cos(out));
@@ -109,17 +109,18 @@ namespace {
 void touch_ball(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr double kOff_mm = 0.16;  // 0 shows the ball's facets through the lid, 0.4 a gap from the side
   constexpr int kRounds = 8;        // a round leaves about a third of what is amiss
-  const std::vector<MarginVertex> margin = find_lid_ring(surface, cage);
+  const std::vector<MarginVertex> margin = compute_lid_ring(surface, cage);
   std::array<std::uint32_t, kLidColumns> points{};
   for (int c = 0; c < kLidColumns; ++c) points[c] = find_point(cage, fmt::format("E0_{}", c));
   for (int round = 0; round < kRounds; ++round) {
     std::array<double, kLidColumns> sum{}, weight{};
     for (const auto& [vertex, at] : margin) {
       if (!touches_eye(at)) continue;
-      const double lack = kOff_mm - find_standoff_mm(numbers, eye, find_limit(surface, cage, vertex));
+      const double shortfall =
+          kOff_mm - compute_standoff_mm(numbers, eye, compute_limit(surface, cage, vertex));
       for (int c = 0; c < kLidColumns; ++c)
         if (const double near = 1 - std::abs(at - c); near > 0) {
-          sum[c] += near * lack;
+          sum[c] += near * shortfall;
           weight[c] += near;
         }
     }
@@ -143,15 +144,15 @@ void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye
 namespace {
 
 // Where the lips' lines lie one before the other they do not touch, but the upper one stays the upper one.
-void keep_order(const Surface& surface, const Cage& cage, LipLacks& lacks) {
+void keep_order(const Surface& surface, const Cage& cage, LipShortfalls& shortfalls) {
   constexpr double kLeast_mm = 0.01;
   for (int column = 0; column < kLipColumns; ++column)
     for (const char* ring : kLipRings) {
       const auto height = [&](int i) {
-        return find_limit(surface, cage, find_point(cage, ring + std::to_string(i))).y;
+        return compute_limit(surface, cage, find_point(cage, ring + std::to_string(i))).y;
       };
-      lacks[column] =
-          std::max(lacks[column], kLeast_mm - (height(column) - height(2 * kLipColumns - column)));
+      shortfalls[column] =
+          std::max(shortfalls[column], kLeast_mm - (height(column) - height(2 * kLipColumns - column)));
     }
 }
 
@@ -166,13 +167,13 @@ void part_lips(const Surface& surface, Cage& cage) {
   for (int round = 0; round < kRounds; ++round) {
     place_lip(upper, cage.points, Side::left, upper_at);
     place_lip(lower, cage.points, Side::left, lower_at);
-    LipLacks lacks{};
-    find_lip_lacks(upper, upper_at, lower, lower_at, kApart_mm, lacks);
-    keep_order(surface, cage, lacks);
-    if (*std::max_element(lacks.begin(), lacks.end()) <= 0) return;
+    LipShortfalls shortfalls{};
+    compute_lip_shortfalls(upper, upper_at, lower, lower_at, kApart_mm, shortfalls);
+    keep_order(surface, cage, shortfalls);
+    if (*std::max_element(shortfalls.begin(), shortfalls.end()) <= 0) return;
     for (int column = 0; column < kLipColumns; ++column)
       for (std::size_t ring = 0; ring < kLipRings.size(); ++ring) {
-        const glm::dvec3 move(0, 0.55 * lacks[column] * kShares[ring], 0);
+        const glm::dvec3 move(0, 0.55 * shortfalls[column] * kShares[ring], 0);
         move_both(cage, find_point(cage, kLipRings[ring] + std::to_string(column)), move);
         move_both(cage, find_point(cage, kLipRings[ring] + std::to_string(2 * kLipColumns - column)), -move);
       }

@@ -12,7 +12,7 @@ namespace mien {
 
 // How far `point` stands off the left eye, mm: off its ball, or off the cornea where that stands out of the
 // ball. Negative inside. Measured from the ball's centre outward.
-double find_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point);
+double compute_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm::dvec3& point);
 
 // A vertex of a ring round the left eye; `at` counts columns: 0 the inner corner, 4 the middle of the upper
 // lid, 8 the outer corner, 12 the middle of the lower lid.
@@ -28,7 +28,8 @@ struct LidRings {
 };
 
 // The vertices of the skin on a ring.
-std::vector<MarginVertex> find_lid_ring(const Surface& surface, const Cage& cage, const LidRings& rings = {});
+std::vector<MarginVertex> compute_lid_ring(const Surface& surface, const Cage& cage,
+                                           const LidRings& rings = {});
 
 // Whether the margin touches the eye at a column: not in the corners, where the outer one has a fold of its
 // own and the inner one the caruncle.

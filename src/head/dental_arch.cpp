@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 // Out of the gum by `full` years, begun `growing` years before.
-double find_growth(double years, double full, double growing) {
+double compute_growth(double years, double full, double growing) {
   return smooth_step(full - growing, full, years);
 }
 
@@ -23,14 +23,14 @@ struct Dentition {
   double grown = 1, milk = 0;
 };
 
-Dentition find_dentition(const MouthNumbers& mouth, const TeethRowNumbers& row, std::size_t kind,
-                         double years) {
-  const double lasting = find_growth(years, row.years[kind], mouth.growing_years[1]);
+Dentition compute_dentition(const MouthNumbers& mouth, const TeethRowNumbers& row, std::size_t kind,
+                            double years) {
+  const double lasting = compute_growth(years, row.years[kind], mouth.growing_years[1]);
   if (kind >= kMilkTeeth) return {lasting, 0};
   constexpr double kFall_years =
       0.1;  // a tooth is out at once; longer than 0, so that a morph of ages does not jump
   const double there = 1 - smooth_step(row.shed_years[kind], row.shed_years[kind] + kFall_years, years);
-  const double milk = find_growth(years, row.milk_years[kind], mouth.growing_years[0]) * there;
+  const double milk = compute_growth(years, row.milk_years[kind], mouth.growing_years[0]) * there;
   return {std::max(milk, lasting), there};
 }
 
@@ -57,7 +57,7 @@ ArchLine trace_arch(const DentalArch& arch, const TeethRow& row) {
   return line;
 }
 
-ArchPlace find_arch_place(const ArchLine& line, double length_mm) {
+ArchPlace compute_arch_place(const ArchLine& line, double length_mm) {
   const auto above = std::upper_bound(line.length_mm.begin() + 1, line.length_mm.end() - 1, length_mm);
   const auto next = static_cast<std::size_t>(above - line.length_mm.begin());
   const double step = line.length_mm[next] - line.length_mm[next - 1];
@@ -78,7 +78,7 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
   double sum_mm = 0;
   for (std::size_t kind = 0; kind < kTeeth; ++kind) {
     Tooth& tooth = teeth[kind];
-    const Dentition now = find_dentition(mouth, numbers, kind, arch.years);
+    const Dentition now = compute_dentition(mouth, numbers, kind, arch.years);
     tooth.kind = kind;
     tooth.grown = now.grown;
     tooth.milk = now.milk;
@@ -98,7 +98,7 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
     from_mm += tooth.width_mm;
     const double middle_mm = tooth.from_mm + 0.5 * tooth.width_mm;
     tooth.share = middle_mm / line.length_mm.back();
-    tooth.place = find_arch_place(line, middle_mm);
+    tooth.place = compute_arch_place(line, middle_mm);
     const double edge = -numbers.edge_mm + numbers.rise_mm[tooth.kind];
     const double height =
         (numbers.gum_mm + numbers.neck_mm[tooth.kind] - edge) * (1 + (mouth.milk_height - 1) * tooth.milk);
@@ -108,12 +108,12 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
   return teeth;
 }
 
-double find_arch_half_mm(const DentalArch& arch, double behind_mm) {
+double compute_arch_half_mm(const DentalArch& arch, double behind_mm) {
   const double rest = 1 - std::clamp(behind_mm / arch.depth_mm, 0.0, 1.0);
   return arch.half_mm * std::pow(1 - std::pow(rest, arch.numbers.arch.square), 1 / arch.numbers.arch.square);
 }
 
-double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share) {
+double compute_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share) {
   constexpr double kUpright = 0.6;  // of the lean is gone at the row's end
   const TeethRowNumbers& teeth = row.numbers;
   const double up = std::max(0.0, (height_mm / arch.scale + teeth.edge_mm) / (teeth.gum_mm + teeth.edge_mm));

@@ -52,7 +52,7 @@ struct Tooth {
 };
 
 ArchLine trace_arch(const DentalArch& arch, const TeethRow& row);
-ArchPlace find_arch_place(const ArchLine& line, double length_mm);
+ArchPlace compute_arch_place(const ArchLine& line, double length_mm);
 
 // The teeth of half a row, first incisor first, side by side from the middle of the face to the row's end.
 // All seven at every age: those that are not out yet, or just fallen, have grown 0.
@@ -60,11 +60,11 @@ std::vector<Tooth> lay_teeth(const DentalArch& arch, const TeethRow& row, const 
 
 // How far inward from the arch's middle line the row's outside lies at a way behind its front, mm: half its
 // width there.
-double find_arch_half_mm(const DentalArch& arch, double behind_mm);
+double compute_arch_half_mm(const DentalArch& arch, double behind_mm);
 
 // How far the row's front lies behind the arch at a height: it leans back toward the gum, less so further
 // back.
-double find_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share);
+double compute_lean_mm(const DentalArch& arch, const TeethRow& row, double height_mm, double share);
 
 // The whole row, left and right, and the gum it grows from.
 HeadPart build_teeth(const DentalArch& arch, const TeethRow& row);

@@ -16,7 +16,7 @@ constexpr double kUnmoved_mm = 1e-6;  // rounding; less would make the ball foll
 constexpr double kLeastGap = 0.7;
 
 // The points of the left lids' rings, by their numbers in the cage.
-std::vector<std::uint32_t> find_lid_points(const Cage& cage) {
+std::vector<std::uint32_t> compute_lid_points(const Cage& cage) {
   std::vector<std::uint32_t> points;
   for (const char* ring : {"E0_", "E1_", "E2_"})
     for (int i = 0; i < 16; ++i) points.push_back(find_point(cage, ring + std::to_string(i)));
@@ -29,14 +29,14 @@ void seat_lids(const HeadStock& stock, HeadForm& form) {
   const double scale = form.eye.radius_mm / adult_eye.radius_mm;
   constexpr int kRounds = 12;  // the rest is below a hundredth of a millimetre
   for (int round = 0; round < kRounds; ++round)
-    for (const std::uint32_t i : find_lid_points(stock.adult)) {
-      const LinearRow row = find_limit_row(*stock.surface, i);
+    for (const std::uint32_t i : compute_lid_points(stock.adult)) {
+      const LinearRow row = compute_limit_row(*stock.surface, i);
       const double adult_gap =
           glm::length(sample_row(row, stock.adult.points) - adult_eye.centre) - adult_eye.radius_mm;
       const glm::dvec3 out = sample_row(row, form.points) - form.eye.centre;
-      const double lack = kLeastGap * scale * adult_gap - (glm::length(out) - form.eye.radius_mm);
-      if (lack <= 0) continue;
-      form.points[i] += glm::normalize(out) * lack;
+      const double shortfall = kLeastGap * scale * adult_gap - (glm::length(out) - form.eye.radius_mm);
+      if (shortfall <= 0) continue;
+      form.points[i] += glm::normalize(out) * shortfall;
     }
   mirror_half(stock.adult, form.points);
 }
@@ -67,8 +67,8 @@ Similarity fit_similarity(const std::vector<glm::dvec3>& from, const std::vector
 void fit_eye(const HeadStock& stock, const std::vector<glm::dvec3>& before, HeadForm& form) {
   std::vector<glm::dvec3> from, to;
   double moved = 0;
-  for (const std::uint32_t i : find_lid_points(stock.adult)) {
-    const LinearRow row = find_limit_row(*stock.surface, i);
+  for (const std::uint32_t i : compute_lid_points(stock.adult)) {
+    const LinearRow row = compute_limit_row(*stock.surface, i);
     from.push_back(sample_row(row, before));
     to.push_back(sample_row(row, form.points));
     moved = std::max(moved, glm::length(to.back() - from.back()));

@@ -13,11 +13,11 @@ constexpr double kPi = std::numbers::pi;
 
 // One knob of pink flesh on the ball, `mix` of the way from the inner corner to where the lids begin to part.
 void append_knob(Mesh& mesh, const Lids& lids, const KnobNumbers& knob) {
-  const glm::vec3 corner = find_on_margin(lids, 0, 0);
-  const glm::vec3 parted = (find_on_margin(lids, 1, 0) + find_on_margin(lids, 15, 0)) * 0.5f;
+  const glm::vec3 corner = compute_on_margin(lids, 0, 0);
+  const glm::vec3 parted = (compute_on_margin(lids, 1, 0) + compute_on_margin(lids, 15, 0)) * 0.5f;
   const glm::vec3 at = glm::mix(corner, parted, static_cast<float>(knob.mix));
   const glm::vec3 out = glm::normalize(at - lids.centre);
-  const glm::vec3 up = glm::normalize(find_on_margin(lids, 1, 0) - find_on_margin(lids, 15, 0));
+  const glm::vec3 up = glm::normalize(compute_on_margin(lids, 1, 0) - compute_on_margin(lids, 15, 0));
   const glm::vec3 along = glm::normalize(glm::cross(up, out)), over = glm::cross(out, along);
   const auto scale = static_cast<float>(lids.scale);
   const glm::vec3 centre = lids.centre + out * (lids.radius_mm - scale * static_cast<float>(knob.sink_mm));
@@ -49,7 +49,7 @@ HeadPart build_tear(const Lids& lids, const TearNumbers& tear) {
   part.mount = Mount::strands;
   const auto scale = static_cast<float>(lids.scale);
   const auto centre_at = [&](double t) {
-    const glm::vec3 out = glm::normalize(find_on_margin(lids, t, tear.mix) - lids.centre);
+    const glm::vec3 out = glm::normalize(compute_on_margin(lids, t, tear.mix) - lids.centre);
     return lids.centre + out * (lids.radius_mm + scale * static_cast<float>(tear.above_mm));
   };
   constexpr int kSides = 5;
@@ -72,7 +72,7 @@ HeadPart build_tear(const Lids& lids, const TearNumbers& tear) {
   update_normals(part.part.rest);
   for (int i = 0; i < tear.rings; ++i) {
     const double t = tear.first + (tear.last - tear.first) * i / (tear.rings - 1);
-    const SkinPlace place = find_nearest_place(lids.patch, find_on_margin(lids, t, tear.mix));
+    const SkinPlace place = find_nearest_place(lids.patch, compute_on_margin(lids, t, tear.mix));
     const bool is_end = i == 0 || i == tear.rings - 1;
     const std::uint32_t first = i == 0 ? 0 : static_cast<std::uint32_t>(1 + i * kSides);
     part.bindings.push_back(
@@ -92,7 +92,7 @@ HeadPart build_caruncle(const Lids& lids, const EyeNumbers& eye) {
   append_knob(part.part.rest, lids, eye.plica);
   part.part.shade.resize(part.part.rest.positions.size(), 1);
   update_normals(part.part.rest);
-  const SkinPlace place = find_nearest_place(lids.patch, find_on_margin(lids, 0, 0));
+  const SkinPlace place = find_nearest_place(lids.patch, compute_on_margin(lids, 0, 0));
   part.bindings = {
       {place.triangle, place.barycentric, 0, static_cast<std::uint32_t>(part.part.rest.positions.size())}};
   return part;

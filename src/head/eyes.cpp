@@ -7,6 +7,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "config/part_numbers.hpp"
+#include "core/smooth.hpp"
 #include "head/binding.hpp"
 #include "head/eye_rim.hpp"
 #include "head/head.hpp"
@@ -53,7 +54,7 @@ void move_into_head(Mesh& mesh, const EyeFrame& frame) {
 }
 
 // 1 under the upper lid, 0 in the open. The ball is painted so once, looking ahead.
-double find_lid_shadow(double up_mm) { return smooth_step(1.2, 5.4, up_mm); }
+double compute_lid_shadow(double up_mm) { return smooth_step(1.2, 5.4, up_mm); }
 constexpr float kLidShadow = 0.46f;    // share of the light that is kept off
 constexpr double kLowerShadow = 0.35;  // of that, above the lower lid
 
@@ -102,7 +103,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
     const double radius = std::hypot(p.x, p.y);
     const double limbus = p.z > 0 ? 1 - smooth_step(eye.limbus_mm - 0.1, eye.limbus_mm + 1.0, radius) : 0;
     const double corner = smooth_step(0.5, 0.95, std::abs(p.x) / eye.ball_mm);
-    const double lid = std::max(find_lid_shadow(p.y), kLowerShadow * find_lid_shadow(-p.y));
+    const double lid = std::max(compute_lid_shadow(p.y), kLowerShadow * compute_lid_shadow(-p.y));
     const auto row = std::lround(limbus * (kLimbusSteps - 1)),
                column = std::lround(corner * (kCornerSteps - 1));
     part.part.shade.push_back(static_cast<std::uint16_t>((row * kCornerSteps + column) * kLidSteps +
@@ -114,7 +115,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
 
 // The iris at `share` of the way from the pupil to the white: a dark ruff, a warm bright wreath (the
 // collarette), the plain colour, a dark limbal ring.
-glm::vec3 find_iris_colour(const glm::vec3& iris, double share) {
+glm::vec3 compute_iris_colour(const glm::vec3& iris, double share) {
   static const std::vector<double> at{0, 0.05, 0.16, 0.27, 0.40, 0.68, 0.82, 0.92, 1.0};
   static const std::vector<double> brightness{0.22, 0.62, 0.98, 1.22, 1.06, 1.02, 0.80, 0.42, 0.22};
   const float grey = glm::dot(iris, glm::vec3(0.30f, 0.59f, 0.11f));
@@ -130,7 +131,7 @@ std::vector<Shade> make_iris_palette(const glm::vec3& iris) {
   for (int row = 0; row < kIrisRows; ++row)
     for (int level = 0; level < kIrisLevels; ++level) {
       const float fibre = 0.62f + 0.76f * static_cast<float>(level) / (kIrisLevels - 1);
-      const glm::vec3 colour = find_iris_colour(iris, static_cast<double>(row) / (kIrisRows - 1));
+      const glm::vec3 colour = compute_iris_colour(iris, static_cast<double>(row) / (kIrisRows - 1));
       palette.push_back({glm::clamp(colour * fibre, 0.0f, 1.0f), 0.15f});
     }
   palette.push_back({glm::vec3(0.012f), 0.0f});  // the pupil
@@ -139,14 +140,14 @@ std::vector<Shade> make_iris_palette(const glm::vec3& iris) {
 
 // Fibres: streaks that waver a little, strongest in the middle of their way; a few broad light and dark
 // sectors.
-std::uint16_t find_iris_shade(double turn, double share, double up_mm, int fibres) {
+std::uint16_t compute_iris_shade(double turn, double share, double up_mm, int fibres) {
   const double cells = turn * fibres;
   const double waver = 0.45 * sample_noise(11, 4 * share, 64) + 0.3 * sample_noise(12, 9 * turn, 9);
   const double streak =
       0.62 * sample_noise(1, cells + waver, fibres) + 0.42 * sample_noise(2, 2 * cells, 2 * fibres);
   const double sector = 0.35 * sample_noise(3, turn * 7, 7);
   const double envelope = 0.45 + 0.55 * std::sin(kPi * std::clamp(share, 0.0, 1.0));
-  const double shadow = 0.7 * find_lid_shadow(up_mm);
+  const double shadow = 0.7 * compute_lid_shadow(up_mm);
   const double level = 0.5 + 0.5 * std::clamp(streak * envelope + sector - shadow, -1.0, 1.0);
   const double wreath = 0.05 * sample_noise(4, turn * 23, 23) * (1 - smooth_step(0.4, 0.7, share));
   const auto row = std::lround(std::clamp(share + wreath, 0.0, 1.0) * (kIrisRows - 1));
@@ -171,7 +172,7 @@ HeadPart build_iris(const EyeFrame& frame, const glm::vec3& colour) {
     const double share = (radius - inner) / (eye.limbus_mm - inner);
     for (int k = 0; k < kIrisSpokes; ++k)
       part.part.shade.push_back(
-          find_iris_shade(static_cast<double>(k) / kIrisSpokes, share, rings.back()[k].y, eye.fibres));
+          compute_iris_shade(static_cast<double>(k) / kIrisSpokes, share, rings.back()[k].y, eye.fibres));
   }
   part.part.shade.push_back(black);  // the hidden back
   for (Ring& ring : rings) std::reverse(ring.begin() + 1, ring.end());

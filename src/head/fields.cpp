@@ -37,7 +37,7 @@ struct FieldSolver::State {
 };
 
 FieldSolver build_field_solver(const Cage& cage) {
-  const std::vector<PointRing> rings = find_rings(cage);
+  const std::vector<PointRing> rings = compute_rings(cage);
   std::vector<Eigen::Triplet<double>> entries;
   for (std::uint32_t i = 0; i < cage.points.size(); ++i) {
     double sum = 0;

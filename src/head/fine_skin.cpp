@@ -93,7 +93,7 @@ void split(const Triangle& t, const Middles& middles, std::vector<Triangle>& int
   }
 }
 
-std::uint16_t find_nearest_shade(const std::vector<Shade>& palette, const Shade& wanted) {
+std::uint16_t compute_nearest_shade(const std::vector<Shade>& palette, const Shade& wanted) {
   std::size_t best = 0;
   float least = 1e9f;
   for (std::size_t i = 0; i < palette.size(); ++i) {
@@ -172,8 +172,8 @@ void refine_part(const FineSkin& fine, Part& part) {
     const auto [entry, is_new] = known.try_emplace({low, high}, low);
     const Shade &one = part.palette[low], &other = part.palette[high];
     if (is_new && low != high)
-      entry->second = find_nearest_shade(part.palette,
-                                         {0.5f * (one.srgb + other.srgb), 0.5f * (one.gloss + other.gloss)});
+      entry->second = compute_nearest_shade(
+          part.palette, {0.5f * (one.srgb + other.srgb), 0.5f * (one.gloss + other.gloss)});
     part.shade.push_back(entry->second);
   }
 }

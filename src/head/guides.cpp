@@ -31,7 +31,7 @@ struct SkinRuler {
   const HeadForm& shape;
   std::vector<PointRing> rings;
 
-  glm::dvec3 place_of(std::uint32_t point) const { return find_limit(rings[point], point, shape.points); }
+  glm::dvec3 place_of(std::uint32_t point) const { return compute_limit(rings[point], point, shape.points); }
   double height_of(std::uint32_t point) const { return place_of(point).y; }
   double height_of(std::string_view name) const { return height_of(find_point(cage, name)); }
 
@@ -49,7 +49,7 @@ struct SkinRuler {
 
 // The crown lies between points of the mid-line: the top of the parabola through the highest and the two
 // beside it.
-double find_crown(const SkinRuler& ruler) {
+double compute_crown(const SkinRuler& ruler) {
   constexpr std::array kCrown{"cap_0_1", "cap_0_2", "cap_0_3", "cap_0_4", "cap_0_5", "s9_F4"};
   std::array<glm::dvec3, kCrown.size()> line;
   for (std::size_t i = 0; i < line.size(); ++i) line[i] = ruler.place_of(find_point(ruler.cage, kCrown[i]));
@@ -64,10 +64,10 @@ double find_crown(const SkinRuler& ruler) {
   return line[top].y + (bend < 0 ? slope * slope / (-4 * bend) : 0);
 }
 
-glm::dvec2 find_height(const SkinRuler& ruler) { return {ruler.height_of("m12_D1"), find_crown(ruler)}; }
+glm::dvec2 find_height(const SkinRuler& ruler) { return {ruler.height_of("m12_D1"), compute_crown(ruler)}; }
 
-double find_hairline_height(const SkinRuler& ruler) {
-  const HairlineMark mark = find_hairline(ruler.cage, ruler.shape.hairline);
+double compute_hairline_height(const SkinRuler& ruler) {
+  const HairlineMark mark = compute_hairline(ruler.cage, ruler.shape.hairline);
   return glm::mix(ruler.height_of(mark.below), ruler.height_of(mark.above), mark.share);
 }
 
@@ -83,7 +83,7 @@ double place_hairline(const SkinRuler& ruler, double height_mm) {
 
 GuideLines measure_lines(const SkinRuler& ruler) {
   const glm::dvec2 ends = find_height(ruler), ear = ruler.range_of("er");
-  GuideLines lines{{"hairline", find_hairline_height(ruler)},
+  GuideLines lines{{"hairline", compute_hairline_height(ruler)},
                    {"brow_line", ruler.height_of("p_g")},
                    {"eye_line", ruler.shape.eye.centre.y},
                    {"nose_base", ruler.height_of("M6_0")},
@@ -96,7 +96,7 @@ GuideLines measure_lines(const SkinRuler& ruler) {
 
 // Makes the ears, as they came out of the warp, end at these heights (mm): sized and shifted as wholes.
 void fit_ears(const Cage& cage, const glm::dvec2& wanted, HeadForm& shape) {
-  const glm::dvec2 now = SkinRuler{cage, shape, find_rings(cage)}.range_of("er");
+  const glm::dvec2 now = SkinRuler{cage, shape, compute_rings(cage)}.range_of("er");
   const double size = (wanted.y - wanted.x) / (now.y - now.x);
   // About the ear's root, so that it grows outward from the head and not into it.
   const glm::dvec3 root =
@@ -106,7 +106,7 @@ void fit_ears(const Cage& cage, const glm::dvec2& wanted, HeadForm& shape) {
     return glm::dvec3(grown.x, wanted.x + size * (p.y - now.x), grown.z);
   };
   move_shares(
-      cage, [](std::string_view name) { return find_ear_share(name, kGrownEar); }, move, shape);
+      cage, [](std::string_view name) { return compute_ear_share(name, kGrownEar); }, move, shape);
 }
 
 // Throws InputError unless the lines keep their order and their distance.
@@ -128,7 +128,7 @@ void check_lines(const GuideLines& lines) {
 
 // Moves all lines to where they are wanted, chin and crown staying.
 void warp_lines(const Cage& cage, const GuideLines& wanted, HeadForm& shape) {
-  const SkinRuler ruler{cage, shape, find_rings(cage)};
+  const SkinRuler ruler{cage, shape, compute_rings(cage)};
   const glm::dvec2 ends = find_height(ruler);
   const double height = ends.y - ends.x;
   const GuideLines now = measure_lines(ruler);
@@ -148,7 +148,7 @@ void warp_lines(const Cage& cage, const GuideLines& wanted, HeadForm& shape) {
 
 }  // namespace
 
-HairlineMark find_hairline(const Cage& cage, double hairline) {
+HairlineMark compute_hairline(const Cage& cage, double hairline) {
   const double last = kForehead.size() - 2;
   const double below = std::clamp(std::floor(hairline), 0.0, last);
   const auto i = static_cast<std::size_t>(below);
@@ -156,15 +156,15 @@ HairlineMark find_hairline(const Cage& cage, double hairline) {
 }
 
 glm::dvec2 find_height(const Cage& cage, const HeadForm& shape) {
-  return find_height(SkinRuler{cage, shape, find_rings(cage)});
+  return find_height(SkinRuler{cage, shape, compute_rings(cage)});
 }
 
 GuideLines measure_guides(const Cage& cage, const HeadForm& shape) {
-  return measure_lines(SkinRuler{cage, shape, find_rings(cage)});
+  return measure_lines(SkinRuler{cage, shape, compute_rings(cage)});
 }
 
 GuideChart measure_chart(const Cage& cage, const HeadForm& shape) {
-  const SkinRuler ruler{cage, shape, find_rings(cage)};
+  const SkinRuler ruler{cage, shape, compute_rings(cage)};
   const glm::dvec2 ends = find_height(ruler);
   return {ends.y - ends.x, measure_lines(ruler)};
 }
@@ -193,7 +193,7 @@ void fit_chart(const Cage& cage, const GuideChart& chart, HeadForm& shape) {
   GuideLines lines = chart.lines;
   lines.erase("hairline");
   move_guides(cage, lines, shape);
-  const SkinRuler ruler{cage, shape, find_rings(cage)};
+  const SkinRuler ruler{cage, shape, compute_rings(cage)};
   const glm::dvec2 now = find_height(ruler);
   shape.hairline = place_hairline(ruler, glm::mix(now.x, now.y, chart.lines.at("hairline")));
   const double rise_mm = eye_y_mm - shape.eye.centre.y;

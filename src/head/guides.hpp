@@ -17,7 +17,7 @@ inline constexpr double kAdultHairline = 5.0;  // at 0.857 of the shipped adult'
 struct HeadForm {
   std::vector<glm::dvec3> points;  // mm
   Eye eye;
-  double hairline = kAdultHairline;  // where it crosses the forehead's mid-line; see find_hairline
+  double hairline = kAdultHairline;  // where it crosses the forehead's mid-line; see compute_hairline
   double brow_thickness = 1;         // width of the brows against the adult's
 };
 
@@ -28,7 +28,7 @@ struct HairlineMark {
   std::uint32_t below = 0, above = 0;  // points of the cage
   double share = 0;                    // of the one above
 };
-HairlineMark find_hairline(const Cage& cage, double hairline);
+HairlineMark compute_hairline(const Cage& cage, double hairline);
 
 // Chin (x) and crown (y) of a shape on the skin, mm.
 glm::dvec2 find_height(const Cage& cage, const HeadForm& shape);

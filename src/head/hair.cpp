@@ -18,30 +18,31 @@ namespace mien {
 
 namespace {
 
-float find_luminance(const glm::vec3& srgb) { return glm::dot(srgb, glm::vec3(0.30f, 0.59f, 0.11f)); }
+float compute_luminance(const glm::vec3& srgb) { return glm::dot(srgb, glm::vec3(0.30f, 0.59f, 0.11f)); }
 
 // Grey hair is dark and white hair side by side.
-float find_greyness(const glm::vec3& srgb) {
+float compute_greyness(const glm::vec3& srgb) {
   const float high = std::max({srgb.r, srgb.g, srgb.b}), low = std::min({srgb.r, srgb.g, srgb.b});
   const float chroma = high > 0 ? (high - low) / high : 0;
   return (1 - smooth_step(0.05f, 0.22f, chroma)) * smooth_step(0.22f, 0.4f, high);
 }
 
 std::vector<Shade> make_tones(const glm::vec3& colour) {
-  const float grey = find_greyness(colour);
-  const float spread = 0.16f - 0.1f * find_luminance(colour) + 0.2f * grey;
+  const float grey = compute_greyness(colour);
+  const float spread = 0.16f - 0.1f * compute_luminance(colour) + 0.2f * grey;
   std::vector<Shade> palette;
   for (int i = 0; i < kHairTones; ++i) {
     const float way = 2.0f * static_cast<float>(i) / (kHairTones - 1) - 1;
     const glm::vec3 shade =
         colour * (1 + spread * way) + glm::vec3(0.02f, 0.008f, -0.004f) * way * (1 - grey);
     // Sheen shows on dark hair; on light hair its own colour does.
-    palette.push_back({glm::clamp(shade, 0.0f, 1.0f), 0.45f - 0.2f * find_luminance(colour) + 0.12f * way});
+    palette.push_back(
+        {glm::clamp(shade, 0.0f, 1.0f), 0.45f - 0.2f * compute_luminance(colour) + 0.12f * way});
   }
   return palette;
 }
 
-glm::vec3 find_colour(const HairScene& scene, const Look& look) {
+glm::vec3 compute_colour(const HairScene& scene, const Look& look) {
   constexpr float kChild = 0.18f;  // a child's is lighter, as its skin shows through
   return glm::mix(look.hair, glm::mix(look.hair, look.skin, 0.5f),
                   static_cast<float>(scene.youth) * 2 * kChild);
@@ -69,7 +70,7 @@ const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look) {
   if (name == "none") return {};
   const HairScene scene = build_hair_scene(head, find_cut(head, name));
-  const glm::vec3 colour = find_colour(scene, look);
+  const glm::vec3 colour = compute_colour(scene, look);
   std::vector<HeadPart> parts;
   if (scene.cut.mass > 0) {
     const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
@@ -110,13 +111,13 @@ std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name)
   for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
     float cover = 0;
     if (grounds[v] == HairGround::scalp) {
-      const HairPlace place = find_hair_place(scene.chart, glm::dvec3(head.skin.positions[v]));
+      const HairPlace place = compute_hair_place(scene.chart, glm::dvec3(head.skin.positions[v]));
       const double border = sample_border(scene.hairline, place.azimuth_deg);
       cover = static_cast<float>(scene.cut.scalp * smooth_step(-0.7 * soft, soft, border - place.way));
       // What lies far under the chart's ground is an inside: an ear's back, a mouth.
       const double ground = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
       const double far =
-          glm::distance(find_hair_point(scene.chart, place, 0), glm::dvec3(head.skin.positions[v]));
+          glm::distance(compute_hair_point(scene.chart, place, 0), glm::dvec3(head.skin.positions[v]));
       if (ground - far > 8 * scene.chart.size) cover = 0;
     }
     covers.push_back(cover);

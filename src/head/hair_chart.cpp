@@ -44,7 +44,7 @@ std::vector<std::vector<std::uint32_t>> sort_by_azimuth(const NeutralHead& head,
   for (std::uint32_t t = 0; t < head.skin.triangles.size(); ++t) {
     double low = 1e9, high = -1e9, nearest = 1e9;
     for (const std::uint32_t v : head.skin.triangles[t]) {
-      const HairPlace place = find_hair_place(chart, glm::dvec3(head.skin.positions[v]));
+      const HairPlace place = compute_hair_place(chart, glm::dvec3(head.skin.positions[v]));
       low = std::min(low, place.azimuth_deg);
       high = std::max(high, place.azimuth_deg);
       nearest = std::min(nearest, place.way);
@@ -167,7 +167,7 @@ std::vector<HairGround> list_hair_grounds(const NeutralHead& head) {
   return grounds;
 }
 
-glm::dvec3 find_hair_direction(const HairChart& chart, const HairPlace& place) {
+glm::dvec3 compute_hair_direction(const HairChart& chart, const HairPlace& place) {
   const double turn = place.azimuth_deg * kRadiansPerDegree;
   const glm::dvec3 level(std::sin(turn), 0, std::cos(turn));
   if (place.way >= 1) return level;
@@ -176,12 +176,12 @@ glm::dvec3 find_hair_direction(const HairChart& chart, const HairPlace& place) {
          std::sin(angle);
 }
 
-glm::dvec3 find_hair_point(const HairChart& chart, const HairPlace& place, double distance_mm) {
+glm::dvec3 compute_hair_point(const HairChart& chart, const HairPlace& place, double distance_mm) {
   const double down_mm = std::max(0.0, place.way - 1) * chart.drop_mm;
-  return chart.centre - glm::dvec3(0, down_mm, 0) + distance_mm * find_hair_direction(chart, place);
+  return chart.centre - glm::dvec3(0, down_mm, 0) + distance_mm * compute_hair_direction(chart, place);
 }
 
-HairPlace find_hair_place(const HairChart& chart, const glm::dvec3& point) {
+HairPlace compute_hair_place(const HairChart& chart, const glm::dvec3& point) {
   const glm::dvec3 arm = point - chart.centre;
   const glm::dvec3 level =
       arm.y <= 0 ? glm::dvec3(arm.x, 0, arm.z) : arm - chart.whorl * (arm.y / chart.whorl.y);
@@ -232,7 +232,8 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
   for_each_index(kAzimuths, count_workers(), [&](std::size_t azimuth, int) {
     for (int way = 0; way < kWays; ++way) {
       const HairPlace place = place_of(static_cast<int>(azimuth), way);
-      const glm::dvec3 origin = find_hair_point(chart, place, 0), out = find_hair_direction(chart, place);
+      const glm::dvec3 origin = compute_hair_point(chart, place, 0),
+                       out = compute_hair_direction(chart, place);
       Hit scalp, ear;
       for (const std::uint32_t t : bins[azimuth]) {
         const HairGround ground = grounds[head.skin.triangles[t][0]];

@@ -43,11 +43,11 @@ std::vector<HairGround> list_hair_grounds(const NeutralHead& head);
 HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double centre_mm);
 
 // Where a point of space is on the chart.
-HairPlace find_hair_place(const HairChart& chart, const glm::dvec3& point);
+HairPlace compute_hair_place(const HairChart& chart, const glm::dvec3& point);
 
 // The point `distance_mm` from the chart's axis in a place's direction, and that direction.
-glm::dvec3 find_hair_point(const HairChart& chart, const HairPlace& place, double distance_mm);
-glm::dvec3 find_hair_direction(const HairChart& chart, const HairPlace& place);
+glm::dvec3 compute_hair_point(const HairChart& chart, const HairPlace& place, double distance_mm);
+glm::dvec3 compute_hair_direction(const HairChart& chart, const HairPlace& place);
 
 // `values` (skin_mm or cover_mm) between the grid's places, smoothly.
 double sample_hair_chart(const HairChart& chart, const std::vector<double>& values, const HairPlace& place);

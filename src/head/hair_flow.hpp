@@ -12,9 +12,9 @@ struct HairFlow {
   double across_mm = 0, along_mm = 0;
 };
 
-HairFlow find_hair_flow(const HairScene& scene, const HairPlace& place);
+HairFlow compute_hair_flow(const HairScene& scene, const HairPlace& place);
 
 // How far a place is from the part, mm; far away where hair is gathered.
-double find_part_distance_mm(const HairScene& scene, const HairPlace& place);
+double compute_part_distance_mm(const HairScene& scene, const HairPlace& place);
 
 }  // namespace mien

@@ -18,13 +18,14 @@ enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip };
 constexpr int kDegrees = 181;  // of a border: 0..180
 
 // A smooth curve through the knots of the left half, degree by degree.
-HairBorder find_border(const NeutralHead& head, const std::vector<HairKnot>& knots, const HairChart& chart) {
+HairBorder compute_border(const NeutralHead& head, const std::vector<HairKnot>& knots,
+                          const HairChart& chart) {
   std::vector<double> azimuths, ways;
   for (const HairKnot& knot : knots) {
     glm::dvec3 p(find_named_point(head, knot.point));
     if (!knot.level_of.empty()) p.y = find_named_point(head, knot.level_of).y;
     p.y += knot.up_mm * chart.size;
-    const HairPlace place = find_hair_place(chart, p);
+    const HairPlace place = compute_hair_place(chart, p);
     azimuths.push_back(std::abs(place.azimuth_deg));
     ways.push_back(place.way);
   }
@@ -35,24 +36,24 @@ HairBorder find_border(const NeutralHead& head, const std::vector<HairKnot>& kno
   return border;
 }
 
-glm::dvec3 find_arc_direction(double side_mm, double back_deg, double radius_mm) {
+glm::dvec3 compute_arc_direction(double side_mm, double back_deg, double radius_mm) {
   const double turn = back_deg * kRadiansPerDegree;
   return glm::normalize(glm::dvec3(side_mm / radius_mm, std::cos(turn), -std::sin(turn)));
 }
 
 constexpr double kSkull_mm = 100;  // of the adult: what a part's side is measured on
 
-glm::dvec3 find_part_direction(const HairComb& comb, double share) {
-  return find_arc_direction(comb.side_mm, std::lerp(comb.from_deg, comb.to_deg, share), kSkull_mm);
+glm::dvec3 compute_part_direction(const HairComb& comb, double share) {
+  return compute_arc_direction(comb.side_mm, std::lerp(comb.from_deg, comb.to_deg, share), kSkull_mm);
 }
 
 // The nearest point of the part's arc to a direction of the head, as a share of the arc.
-double find_part_share(const HairComb& comb, const glm::dvec3& direction) {
+double compute_part_share(const HairComb& comb, const glm::dvec3& direction) {
   constexpr int kSteps = 24;  // of the arc: 4 degrees of a long part
   double nearest = 0, best = -2;
   for (int i = 0; i <= kSteps; ++i) {
     const double share = static_cast<double>(i) / kSteps;
-    if (const double near = glm::dot(find_part_direction(comb, share), direction); near > best) {
+    if (const double near = glm::dot(compute_part_direction(comb, share), direction); near > best) {
       best = near;
       nearest = share;
     }
@@ -60,9 +61,9 @@ double find_part_share(const HairComb& comb, const glm::dvec3& direction) {
   return nearest;
 }
 
-glm::dvec3 find_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
+glm::dvec3 compute_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
   const HairComb& comb = scene.cut.comb;
-  return direction - find_part_direction(comb, find_part_share(comb, direction));
+  return direction - compute_part_direction(comb, compute_part_share(comb, direction));
 }
 
 glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
@@ -77,16 +78,17 @@ glm::dvec3 turn_about(const glm::dvec3& way, const glm::dvec3& axis, double degr
 }
 
 // The way hair is combed at a place, along the ground; `down` more of it falls.
-glm::dvec3 find_comb(const HairScene& scene, const glm::dvec3& at, const glm::dvec3& normal, double droop) {
+glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm::dvec3& normal,
+                        double droop) {
   const HairComb& comb = scene.cut.comb;
   const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
   glm::dvec3 way(0);
   if (comb.is_gathered) {
     glm::dvec3 knot, out;
-    find_knot(scene, knot, out);
+    compute_knot(scene, knot, out);
     way = flatten(knot - at, normal);
   } else {
-    way = comb.away * flatten(find_way_from_part(scene, direction), normal);
+    way = comb.away * flatten(compute_way_from_part(scene, direction), normal);
     way += (comb.down + droop) * flatten({0, -1, 0}, normal) + comb.back * flatten({0, 0, -1}, normal);
   }
   return flatten(way, normal);
@@ -107,19 +109,19 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
   const double tip = (scatter(kSeries, index, kTip) - 0.5) * 2 * cut.locks.tips_mm * size;
   const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
   glm::dvec3 knot, out;
-  if (cut.comb.is_gathered) find_knot(scene, knot, out);
+  if (cut.comb.is_gathered) compute_knot(scene, knot, out);
   HairPlace place = root;
   double gone_mm = 0;
   while (gone_mm < wanted_mm) {
-    const double ground = find_ground_mm(scene, place);
-    const glm::dvec3 at = find_hair_point(scene.chart, place, ground);
-    const glm::dvec3 normal = find_ground_normal(scene, place);
+    const double ground = compute_ground_mm(scene, place);
+    const glm::dvec3 at = compute_hair_point(scene.chart, place, ground);
+    const glm::dvec3 normal = compute_ground_normal(scene, place);
     if (cut.comb.is_gathered && glm::distance(at, knot) < 1.5 * path.step_mm) break;
     const double share = std::min(1.0, gone_mm / (kWeight_mm * size));
     const double swirl = cut.comb.swirl_deg * (1 - share);
-    glm::dvec3 way = find_comb(scene, at, normal, cut.comb.droop * share);
+    glm::dvec3 way = compute_comb(scene, at, normal, cut.comb.droop * share);
     way = turn_about(way, normal, turn + swirl);
-    const HairPlace next = find_hair_place(scene.chart, at + path.step_mm * way);
+    const HairPlace next = compute_hair_place(scene.chart, at + path.step_mm * way);
     if (next.way > HairChart::kLongest - 0.02) break;
     if (!scene.ends.empty() &&
         next.way + tip / scene.chart.drop_mm > sample_border(scene.ends, next.azimuth_deg)) {
@@ -152,7 +154,7 @@ double sample_spread(const HairSpread& spread, double azimuth_deg, double share)
   return front * at(spread.front) + back * at(spread.back) + (1 - front - back) * at(spread.side);
 }
 
-double find_ground_mm(const HairScene& scene, const HairPlace& place) {
+double compute_ground_mm(const HairScene& scene, const HairPlace& place) {
   const HairCut& cut = scene.cut;
   const double skin = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
   if (!cut.covers_ears) return skin;
@@ -161,35 +163,35 @@ double find_ground_mm(const HairScene& scene, const HairPlace& place) {
   return std::lerp(skin, cover, sample_border(scene.hangs, place.azimuth_deg)) * (1 - cut.tuck * down * down);
 }
 
-glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place) {
+glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place) {
   constexpr double kTurn_deg = 3, kWay = 0.04;  // either side: 5 mm, what two ears' edges are smoothed over
   const auto at = [&](double turn, double way) {
     HairPlace near{place.azimuth_deg + turn, std::max(0.0, place.way + way)};
     near.azimuth_deg -= 360 * std::floor((near.azimuth_deg + 180) / 360);
-    return find_hair_point(scene.chart, near, find_ground_mm(scene, near));
+    return compute_hair_point(scene.chart, near, compute_ground_mm(scene, near));
   };
-  if (place.way < 2 * kWay) return find_hair_direction(scene.chart, place);
+  if (place.way < 2 * kWay) return compute_hair_direction(scene.chart, place);
   const glm::dvec3 normal = glm::cross(at(0, kWay) - at(0, -kWay), at(kTurn_deg, 0) - at(-kTurn_deg, 0));
   const double length = glm::length(normal);
-  return length < 1e-9 ? find_hair_direction(scene.chart, place) : normal / length;
+  return length < 1e-9 ? compute_hair_direction(scene.chart, place) : normal / length;
 }
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
   HairScene scene{cut, build_hair_chart(head, cut.whorl_deg, cut.centre_mm), {}, {}, {}, 0};
-  scene.hairline = find_border(head, cut.hairline, scene.chart);
-  if (!cut.ends.empty()) scene.ends = find_border(head, cut.ends, scene.chart);
+  scene.hairline = compute_border(head, cut.hairline, scene.chart);
+  if (!cut.ends.empty()) scene.ends = compute_border(head, cut.ends, scene.chart);
   constexpr double kHangs = 0.2;  // of a way: tips 24 mm below the hairline
   for (std::size_t i = 0; i < scene.hairline.size(); ++i)
     scene.hangs.push_back(scene.ends.empty() ? 0 : smooth_step(0, kHangs, scene.ends[i] - scene.hairline[i]));
   constexpr double kInfant_mm = 66, kGrown_mm = 84;  // eye to chin
-  scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, find_eye_to_chin_mm(head));
+  scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, compute_eye_to_chin_mm(head));
   return scene;
 }
 
-double find_room(const HairChart& chart, const HairPlace& place) {
+double compute_room(const HairChart& chart, const HairPlace& place) {
   constexpr double kTurn_deg = 1, kWay = 0.01;
   const auto at = [&](double turn, double way) {
-    return find_hair_point(chart, {place.azimuth_deg + turn, place.way + way}, 1);
+    return compute_hair_point(chart, {place.azimuth_deg + turn, place.way + way}, 1);
   };
   // On a globe of radius 1; below its middle a way is as long as the drop, of a skull of 95 mm.
   constexpr double kSkull_mm = 95, kMost = 2.45;  // a way of 140 degrees
@@ -212,33 +214,33 @@ std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double ba
     HairPlace place{is_left ? 180 * turn : 360 * turn - 180, longest * along};
     const double border = sample_border(scene.hairline, place.azimuth_deg);
     if (place.way > border || place.way < band * border) continue;
-    if (scatter(kSeries + 1, static_cast<std::uint32_t>(i), 0) > find_room(scene.chart, place)) continue;
+    if (scatter(kSeries + 1, static_cast<std::uint32_t>(i), 0) > compute_room(scene.chart, place)) continue;
     roots.push_back(place);
   }
   return roots;
 }
 
-void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
-  out = find_arc_direction(0, scene.cut.comb.knot_deg, 1);
+void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
+  out = compute_arc_direction(0, scene.cut.comb.knot_deg, 1);
   const glm::dvec3 far = scene.chart.centre + 100.0 * scene.chart.size * out;
-  const HairPlace place = find_hair_place(scene.chart, far);
-  at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
+  const HairPlace place = compute_hair_place(scene.chart, far);
+  at = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
   at.x = 0;  // the sine of 180 degrees is not quite 0
 }
 
-glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm) {
-  const glm::dvec3 at = find_hair_point(scene.chart, place, find_ground_mm(scene, place));
-  const glm::dvec3 normal = find_ground_normal(scene, place);
+glm::dvec3 compute_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm) {
+  const glm::dvec3 at = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
+  const glm::dvec3 normal = compute_ground_normal(scene, place);
   const double droop = scene.cut.comb.droop * std::min(1.0, gone_mm / kWeight_mm);
-  const glm::dvec3 way = find_comb(scene, at, normal, droop);
+  const glm::dvec3 way = compute_comb(scene, at, normal, droop);
   return way == glm::dvec3(0) ? flatten({0, -1, 0.1}, normal) : way;
 }
 
-PartArm find_part_arm(const HairScene& scene, const glm::dvec3& at) {
+PartArm compute_part_arm(const HairScene& scene, const glm::dvec3& at) {
   const HairComb& comb = scene.cut.comb;
   const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
-  const double share = find_part_share(comb, direction);
-  const glm::dvec3 nearest = find_part_direction(comb, share);
+  const double share = compute_part_share(comb, direction);
+  const glm::dvec3 nearest = compute_part_direction(comb, share);
   const double turn = comb.from_deg + share * (comb.to_deg - comb.from_deg);
   const glm::dvec3 front(0, std::sin(turn * kRadiansPerDegree), std::cos(turn * kRadiansPerDegree));
   const glm::dvec3 arm = direction - nearest;
@@ -249,11 +251,11 @@ PartArm find_part_arm(const HairScene& scene, const glm::dvec3& at) {
   return {skull_mm * glm::length(arm), ahead, arm.x, along_mm};
 }
 
-HairPlace find_part_place(const HairScene& scene, double share) {
-  return find_hair_place(scene.chart, scene.chart.centre + find_part_direction(scene.cut.comb, share));
+HairPlace compute_part_place(const HairScene& scene, double share) {
+  return compute_hair_place(scene.chart, scene.chart.centre + compute_part_direction(scene.cut.comb, share));
 }
 
-double find_wave(const HairScene& scene, const HairPlace& place) {
+double compute_wave(const HairScene& scene, const HairPlace& place) {
   constexpr double kSlant_deg = 65;  // around the head to be a wave behind: level rings look ironed
   return place.way * scene.chart.drop_mm / (scene.cut.locks.wave_length_mm * scene.chart.size) +
          std::abs(place.azimuth_deg) / kSlant_deg;
@@ -301,21 +303,21 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     constexpr double kClear_mm = 0.8;  // a flat lock on a round skin would cut into it
     const double rise = std::min(1.0, smooth_step(-0.02, risen, s) + 0.3 * smooth_step(0, 0.2 * risen, s));
     const auto point_at = [&](const HairPlace& place) {
-      return find_hair_point(scene.chart, place,
-                             find_ground_mm(scene, place) +
-                                 rise * (kClear_mm * size + lift * height_at(place)) +
-                                 standing * wanted_mm * s);
+      return compute_hair_point(scene.chart, place,
+                                compute_ground_mm(scene, place) +
+                                    rise * (kClear_mm * size + lift * height_at(place)) +
+                                    standing * wanted_mm * s);
     };
     glm::dvec3 point = glm::mix(point_at(a), point_at(b), t);
     const glm::dvec3 out =
-        glm::normalize(glm::mix(find_ground_normal(scene, a), find_ground_normal(scene, b), t));
-    const glm::dvec3 ahead = find_comb(scene, point, out, 0);
+        glm::normalize(glm::mix(compute_ground_normal(scene, a), compute_ground_normal(scene, b), t));
+    const glm::dvec3 ahead = compute_comb(scene, point, out, 0);
     const glm::dvec3 side = glm::cross(ahead, out);
     const double gone_mm = s * strand.length_mm;
     if (locks.wave_mm > 0) {
       constexpr double kOwn = 0.16;  // of a wave: more and neighbours part
       const double turn =
-          2 * std::numbers::pi * (find_wave(scene, find_hair_place(scene.chart, point)) + kOwn * phase);
+          2 * std::numbers::pi * (compute_wave(scene, compute_hair_place(scene.chart, point)) + kOwn * phase);
       const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size;
       point += side * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(turn)));
     }

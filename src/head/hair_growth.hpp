@@ -26,21 +26,21 @@ double sample_border(const HairBorder& border, double azimuth_deg);
 double sample_spread(const HairSpread& spread, double azimuth_deg, double share);
 
 // What hair lies on: the skin, or what hangs over the ears; distance from the chart's axis, mm.
-double find_ground_mm(const HairScene& scene, const HairPlace& place);
+double compute_ground_mm(const HairScene& scene, const HairPlace& place);
 
 // Unit: away from the ground.
-glm::dvec3 find_ground_normal(const HairScene& scene, const HairPlace& place);
+glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place);
 
 // How much of the head lies about a place, against where it is most: ways run together toward the whorl, and
 // are shorter behind it.
-double find_room(const HairChart& chart, const HairPlace& place);
+double compute_room(const HairChart& chart, const HairPlace& place);
 
 // Roots spread evenly over the hairy skin, `count` of them; of the left half only if `is_left`. `band`: none
 // nearer to the whorl than this share of the way to the hairline.
 std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left);
 
 // How many waves a place is behind the whorl: neighbours wave together.
-double find_wave(const HairScene& scene, const HairPlace& place);
+double compute_wave(const HairScene& scene, const HairPlace& place);
 
 // One lock's middle line from its root to its tip.
 struct HairStrand {
@@ -56,19 +56,19 @@ struct HairStrand {
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index);
 
 // The way hair is combed at a place, unit, along the ground; `gone_mm` of the adult from its root.
-glm::dvec3 find_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm = 0);
+glm::dvec3 compute_comb_way(const HairScene& scene, const HairPlace& place, double gone_mm = 0);
 
 // From the nearest point of the part to a point of the head: how far, and which way: `ahead` as the part runs
 // to the front, `aside` to the character's left. `along_mm`: that nearest point, from the part's front end.
 struct PartArm {
   double distance_mm = 0, ahead = 0, aside = 0, along_mm = 0;
 };
-PartArm find_part_arm(const HairScene& scene, const glm::dvec3& at);
+PartArm compute_part_arm(const HairScene& scene, const glm::dvec3& at);
 
 // A point of the part, 0 its front end .. 1, as a place.
-HairPlace find_part_place(const HairScene& scene, double share);
+HairPlace compute_part_place(const HairScene& scene, double share);
 
 // Where gathered hair meets: on the skin, and the way out from it.
-void find_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);
+void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);
 
 }  // namespace mien

@@ -18,16 +18,16 @@ constexpr std::uint32_t kSeries = 51;  // of scatter()
 enum Channel : std::uint32_t { kTone, kRoll, kWidth, kAngle, kDepth, kReach, kLean, kTurn };
 
 // How wide a lock is on its way: it comes out of the skin, is full, and runs out in a point.
-double find_lock_width(double way) {
+double compute_lock_width(double way) {
   return (0.25 + 0.75 * smooth_step(0, 0.16, way)) * (1 - std::pow(way, 2.2));
 }
 
-std::uint16_t find_tone(double shade) {
+std::uint16_t compute_tone(double shade) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(shade, 0.0, 1.0) * (kHairTones - 1)));
 }
 
 // What lies deep is dark, and no two locks are the same.
-double find_lock_shade(double layer, std::uint32_t index) {
+double compute_lock_shade(double layer, std::uint32_t index) {
   return 0.15 + 0.5 * layer + 0.7 * (scatter(kSeries, index, kTone) - 0.5) * (0.4 + 0.6 * layer);
 }
 
@@ -42,7 +42,7 @@ struct TailLine {
   }
 };
 
-double find_tail_radius(double s) {
+double compute_tail_radius(double s) {
   return (0.4 + 0.6 * smooth_step(0, 0.3, s)) * (1 - 0.7 * smooth_step(0.6, 1.0, s));
 }
 
@@ -74,7 +74,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
     out = glm::dot(out, out) > 1e-6 ? glm::normalize(out) : glm::dvec3(0, 0, 1);
     const glm::dvec3 level = glm::cross(along, out);
     const glm::dvec3 side = std::cos(roll) * level + std::sin(roll) * out, up = glm::cross(side, along);
-    const double half_mm = 0.5 * width_mm * find_lock_width(s);
+    const double half_mm = 0.5 * width_mm * compute_lock_width(s);
     const bool is_tip = i + 1 == rings;
     for (const double hand : {-1.0, 1.0}) {
       if (is_tip && hand > 0) break;
@@ -83,7 +83,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
       mesh.normals.emplace_back(
           glm::normalize(std::cos(fan) * lit + (is_tip ? 0 : hand) * std::sin(fan) * side));
       part.part.grain.emplace_back(
-          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * find_lock_width(s)), 100 * s);
+          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s)), 100 * s);
     }
   }
   const auto count = static_cast<std::uint32_t>(mesh.positions.size()) - first;
@@ -93,7 +93,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
     mesh.triangles.push_back({a, a + 3, a + 2});
   }
   mesh.triangles.push_back({first + count - 3, first + count - 2, first + count - 1});
-  part.part.shade.resize(mesh.positions.size(), find_tone(shade));
+  part.part.shade.resize(mesh.positions.size(), compute_tone(shade));
   part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
 }
 
@@ -105,7 +105,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     const HairStrand strand = grow_strand(scene, roots[index], index);
     if (strand.points.empty()) continue;
     const double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
-    append_lock(part, find_seat(scene, strand.root), strand, width, find_lock_shade(strand.layer, index),
+    append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
                 index);
   }
 }
@@ -119,13 +119,13 @@ void append_part_line(HeadPart& part, const HairScene& scene) {
   HairStrand strand;
   for (int ring = 0; ring < kRings; ++ring) {
     const double s = static_cast<double>(ring) / (kRings - 1);
-    HairPlace place = find_part_place(scene, s);
+    HairPlace place = compute_part_place(scene, s);
     if (place.way > sample_border(scene.hairline, place.azimuth_deg)) continue;
-    const double high_mm = find_mass_height_mm(scene, place) + kAbove_mm * size;
-    glm::dvec3 point = find_hair_point(scene.chart, place, find_ground_mm(scene, place) + high_mm);
+    const double high_mm = compute_mass_height_mm(scene, place) + kAbove_mm * size;
+    glm::dvec3 point = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place) + high_mm);
     if (comb.side_mm != 0) point.x += kWander_mm * size * sample_noise(kSeries, 0.45 * ring, kRings);
     strand.points.push_back(point);
-    strand.outs.push_back(find_ground_normal(scene, place));
+    strand.outs.push_back(compute_ground_normal(scene, place));
     if (strand.points.size() == 1) strand.root = place;
   }
   if (strand.points.size() < 3) return;
@@ -141,8 +141,8 @@ void append_tail(HeadPart& part, const HairScene& scene) {
   const double size = scene.chart.size;
   const HairTail& tail = scene.cut.tail;
   glm::dvec3 at, out;
-  find_knot(scene, at, out);
-  const HairSeat& seat = find_seat(scene, find_hair_place(scene.chart, at));
+  compute_knot(scene, at, out);
+  const HairSeat& seat = find_seat(scene, compute_hair_place(scene.chart, at));
   const glm::dvec3 aside(1, 0, 0);
   for (std::uint32_t index = kFirst; index < kFirst + kCount; ++index) {
     const double angle = kPi * scatter(kSeries, index, kAngle);
@@ -157,12 +157,12 @@ void append_tail(HeadPart& part, const HairScene& scene) {
       const glm::dvec3 up = glm::normalize(glm::cross(along, aside));
       const glm::dvec3 round = std::sin(angle) * aside + std::cos(angle) * up;
       const double sway = 1.5 * size * std::sin(2 * kPi * (1.3 * s + scatter(kSeries, index, kLean)));
-      strand.points.push_back(line.at(s) + round * (depth * tail.radius_mm * size * find_tail_radius(s)) +
+      strand.points.push_back(line.at(s) + round * (depth * tail.radius_mm * size * compute_tail_radius(s)) +
                               sway * smooth_step(0.2, 1, s) * aside);
       strand.outs.push_back(round);
     }
     append_lock(part, seat, strand, 1.5 * scene.cut.locks.width_mm * size,
-                find_lock_shade((depth - 0.55) / 0.45, index), index);
+                compute_lock_shade((depth - 0.55) / 0.45, index), index);
   }
 }
 
@@ -171,8 +171,8 @@ void append_bun(HeadPart& part, const HairScene& scene) {
   constexpr int kRings = 13;
   const double radius = scene.cut.bun_radius_mm * scene.chart.size;
   glm::dvec3 at, out;
-  find_knot(scene, at, out);
-  const HairSeat& seat = find_seat(scene, find_hair_place(scene.chart, at));
+  compute_knot(scene, at, out);
+  const HairSeat& seat = find_seat(scene, compute_hair_place(scene.chart, at));
   const glm::dvec3 centre = at + out * 0.6 * radius, aside(1, 0, 0), up = glm::cross(out, aside);
   for (std::uint32_t i = 0; i < kCount; ++i) {
     // Each lock winds from the rim of the knot over its top: a part of a turn, nearer and nearer to the axis.
@@ -210,15 +210,15 @@ void append_down(HeadPart& part, const HairScene& scene) {
     const double border = sample_border(scene.hairline, place.azimuth_deg);
     const double inside_mm = (border - place.way) * kWay_mm;
     if (inside_mm > down.band_mm || inside_mm < -kBeyond * down.band_mm) continue;
-    const double room = find_room(scene.chart, place);
+    const double room = compute_room(scene.chart, place);
     const double soft_mm = std::min(down.band_mm, 2 * scene.cut.soft_mm);
     const double thin = smooth_step(-kBeyond * soft_mm, 0.6 * soft_mm, inside_mm);
     if (scatter(kSeries, i, kReach) > room * thin) continue;
     ++grown;
-    const glm::dvec3 normal = find_ground_normal(scene, place);
+    const glm::dvec3 normal = compute_ground_normal(scene, place);
     const double ground = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
-    const glm::dvec3 root = find_hair_point(scene.chart, place, ground - 0.1);
-    glm::dvec3 way = find_comb_way(scene, place);
+    const glm::dvec3 root = compute_hair_point(scene.chart, place, ground - 0.1);
+    glm::dvec3 way = compute_comb_way(scene, place);
     const double lean = 1.1 * (scatter(kSeries, i, kTurn) - 0.5);
     way = glm::normalize(way + lean * glm::cross(normal, way));
     const double length = size * down.length_mm * (0.5 + 0.9 * scatter(kSeries, i, kWidth)) *

@@ -18,7 +18,7 @@ constexpr int kInnerRows = 8;              // of the inside, which nobody sees
 constexpr double kPi = std::numbers::pi;
 
 // Columns come in pairs: c and its mirror image kColumns - 1 - c.
-double find_azimuth(int column) { return 360 * (column + 0.5) / kColumns - 180; }
+double compute_azimuth(int column) { return 360 * (column + 0.5) / kColumns - 180; }
 
 struct Shell {
   const HairScene& scene;
@@ -28,12 +28,12 @@ struct Shell {
 };
 
 HairPlace find_place(const Shell& shell, int column, double along) {
-  return {find_azimuth(column), along * shell.border[static_cast<std::size_t>(column)]};
+  return {compute_azimuth(column), along * shell.border[static_cast<std::size_t>(column)]};
 }
 
 // How full the mass is at a distance from its edge: a quarter of a round where it hangs, a slope where it
 // grows.
-double find_fullness(const Shell& shell, int column, const glm::dvec3& at) {
+double compute_fullness(const Shell& shell, int column, const glm::dvec3& at) {
   constexpr int kReach = 20;  // columns to either side; the edge is nowhere nearer
   double nearest = 1e9;
   for (int i = -kReach; i <= kReach; ++i) {
@@ -47,22 +47,22 @@ double find_fullness(const Shell& shell, int column, const glm::dvec3& at) {
 }
 
 // A shallow groove along the part.
-double find_part_depth(const HairScene& scene, const HairPlace& place) {
+double compute_part_depth(const HairScene& scene, const HairPlace& place) {
   constexpr double kWide_mm = 16, kShallowest = 0.35;  // to either side; of the thickness, in the part itself
   if (scene.cut.comb.scalp_mm <= 0) return 1;
   return std::lerp(kShallowest, 1.0,
-                   smooth_step(0, kWide_mm * scene.chart.size, find_part_distance_mm(scene, place)));
+                   smooth_step(0, kWide_mm * scene.chart.size, compute_part_distance_mm(scene, place)));
 }
 
 // Of thicknesses against the adult's.
-double find_hair_size(const HairScene& scene) {
+double compute_hair_size(const HairScene& scene) {
   return scene.chart.size * (1 - (1 - scene.cut.infant) * scene.youth);
 }
 
 // The grain of the mass at a place: strands as they are combed there.
-glm::dvec2 find_mass_grain(const HairScene& scene, const HairPlace& place) {
+glm::dvec2 compute_mass_grain(const HairScene& scene, const HairPlace& place) {
   constexpr double kWhole_mm = 260;  // of the adult: a strand's length when it comes to its tip's colour
-  const HairFlow flow = find_hair_flow(scene, place);
+  const HairFlow flow = compute_hair_flow(scene, place);
   return {flow.across_mm, 100 * std::min(1.0, flow.along_mm / (kWhole_mm * scene.chart.size))};
 }
 
@@ -91,7 +91,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     constexpr double kHigh = 0.05,
                      kLow = 0.35;  // of a way below the hairline: there tips begin, here all are
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
-    const double azimuth = std::abs(find_azimuth(column));
+    const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
     const int left = std::max(column, kColumns - 1 - column);
     const double ragged_mm =
@@ -102,7 +102,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     double least = 1e9;
     const double beside_deg = kBeside_deg * (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
     for (const double beside : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
-      double near = std::abs(find_azimuth(column) + beside * beside_deg);
+      double near = std::abs(compute_azimuth(column) + beside * beside_deg);
       if (near > 180) near = 360 - near;
       least = std::min(least, sample_border(border, near));
     }
@@ -110,38 +110,40 @@ void append_shell(HeadPart& part, const HairScene& scene) {
   }
   for (int column = 0; column < kColumns; ++column) {
     const HairPlace place = find_place(shell, column, 1);
-    shell.edge.push_back(find_hair_point(chart, place, find_ground_mm(scene, place)));
+    shell.edge.push_back(compute_hair_point(chart, place, compute_ground_mm(scene, place)));
   }
-  const double size = find_hair_size(scene);
+  const double size = compute_hair_size(scene);
   std::vector<std::vector<double>> outer(kColumns);  // distance, column by column
   const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
-  const double top_mm = find_ground_mm(scene, {0, 0}) + find_mass_height_mm(scene, {0, 0});
-  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, top_mm), find_mass_grain(scene, {0, 0}));
+  const double top_mm = compute_ground_mm(scene, {0, 0}) + compute_mass_height_mm(scene, {0, 0});
+  append_vertex(part, scene, {0, 0}, compute_hair_point(chart, {0, 0}, top_mm),
+                compute_mass_grain(scene, {0, 0}));
   std::vector<std::vector<glm::dvec3>> points(kColumns);
   for (int column = kColumns / 2; column < kColumns; ++column)
     for (int row = 1; row <= kRows; ++row) {
       const HairPlace place = find_place(shell, column, static_cast<double>(row) / kRows);
-      const double ground = find_ground_mm(scene, place);
-      const double full = find_fullness(shell, column, find_hair_point(chart, place, ground));
+      const double ground = compute_ground_mm(scene, place);
+      const double full = compute_fullness(shell, column, compute_hair_point(chart, place, ground));
       constexpr double kSunk = -0.5;  // mm: an edge in the skin
       const double edge = std::lerp(kSunk, cut.edge_mm, shell.hangs[static_cast<std::size_t>(column)]);
-      const double distance = ground + size * edge + full * (find_mass_height_mm(scene, place) - size * edge);
+      const double distance =
+          ground + size * edge + full * (compute_mass_height_mm(scene, place) - size * edge);
       const auto at = static_cast<std::size_t>(column),
                  other = static_cast<std::size_t>(kColumns - 1 - column);
       outer[at].push_back(distance);
       outer[other].push_back(distance);
-      points[at].push_back(find_hair_point(chart, place, distance));
+      points[at].push_back(compute_hair_point(chart, place, distance));
       points[other].push_back(mirror(points[at].back()));
     }
   for (int column = 0; column < kColumns; ++column)
     for (int row = 1; row <= kRows; ++row)
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kRows),
                     points[static_cast<std::size_t>(column)][static_cast<std::size_t>(row - 1)],
-                    find_mass_grain(scene, find_place(shell, column, static_cast<double>(row) / kRows)));
+                    compute_mass_grain(scene, find_place(shell, column, static_cast<double>(row) / kRows)));
   const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
   constexpr double kSunk_mm = 3.5;  // the inside lies so deep in the skin: no light comes through a gap
-  const double inner_top_mm = find_ground_mm(scene, {0, 0}) - kSunk_mm;
-  append_vertex(part, scene, {0, 0}, find_hair_point(chart, {0, 0}, inner_top_mm), {0, 0});
+  const double inner_top_mm = compute_ground_mm(scene, {0, 0}) - kSunk_mm;
+  append_vertex(part, scene, {0, 0}, compute_hair_point(chart, {0, 0}, inner_top_mm), {0, 0});
   for (int column = 0; column < kColumns; ++column)
     for (int row = 1; row <= kInnerRows; ++row) {
       const int left = std::max(column, kColumns - 1 - column);
@@ -151,7 +153,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       const double sheet = glm::mix(60.0, size * cut.sheet_mm * (row == kInnerRows ? 0.45 : 1), free);
       const double skin = sample_hair_chart(chart, chart.skin_mm, place) - kSunk_mm;
       const double out = outer[static_cast<std::size_t>(left)][at];
-      const glm::dvec3 p = find_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
+      const glm::dvec3 p = compute_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
                     left == column ? p : mirror(p), {4.0 * column, 100.0 * row / kInnerRows});
     }
@@ -214,7 +216,7 @@ void append_knot(HeadPart& part, const HairScene& scene) {
   constexpr int kRings = 12;
   const double radius = 0.97 * scene.cut.bun_radius_mm * scene.chart.size;
   glm::dvec3 at, out;
-  find_knot(scene, at, out);
+  compute_knot(scene, at, out);
   const glm::dvec3 centre = at + out * 0.6 * radius, up(0, -out.z, out.y);
   std::vector<Ring> rings;
   for (int i = 1; i < kRings; ++i) {
@@ -223,20 +225,20 @@ void append_knot(HeadPart& part, const HairScene& scene) {
     rings.push_back(make_ring(centre + out * (0.8 * radius * std::cos(angle)), up, wide, wide));
   }
   append_round(part, scene, rings, centre - 0.8 * radius * out, centre + 0.8 * radius * out,
-               find_hair_place(scene.chart, at));
+               compute_hair_place(scene.chart, at));
 }
 
 }  // namespace
 
-double find_mass_height_mm(const HairScene& scene, const HairPlace& place) {
+double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
   const HairCut& cut = scene.cut;
   const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
   double height =
-      cut.mass * find_part_depth(scene, place) * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+      cut.mass * compute_part_depth(scene, place) * sample_spread(cut.thick_mm, place.azimuth_deg, way);
   if (cut.locks.wave_mm > 0)
     height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
-              (1 + std::cos(2 * kPi * find_wave(scene, place)));
-  return find_hair_size(scene) * height;
+              (1 + std::cos(2 * kPi * compute_wave(scene, place)));
+  return compute_hair_size(scene) * height;
 }
 
 void append_mass(HeadPart& part, const HairScene& scene) {

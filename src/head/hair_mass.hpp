@@ -10,6 +10,6 @@ namespace mien {
 void append_mass(HeadPart& part, const HairScene& scene);
 
 // How thick it is at a place far from its edge, mm.
-double find_mass_height_mm(const HairScene& scene, const HairPlace& place);
+double compute_mass_height_mm(const HairScene& scene, const HairPlace& place);
 
 }  // namespace mien

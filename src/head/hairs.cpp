@@ -49,7 +49,7 @@ std::uint32_t append_blade(const std::array<glm::vec3, 5>& places, const glm::ve
 std::vector<HeadPart> build_hairs(const NeutralHead& head, const Look& look) {
   const PartNumbers& numbers = head.data->parts;
   const double youth =
-      1 - smooth_step(numbers.brow.grown_mm[0], numbers.brow.grown_mm[1], find_eye_to_chin_mm(head));
+      1 - smooth_step(numbers.brow.grown_mm[0], numbers.brow.grown_mm[1], compute_eye_to_chin_mm(head));
   std::vector<HeadPart> parts;
   parts.push_back(build_brow(head, numbers.brow, look, youth));
   parts.push_back(build_lashes(head, numbers, look, youth));

@@ -49,7 +49,7 @@ struct NeutralHead {
   Cage cage;
   std::shared_ptr<const Surface> surface;  // how the skin follows the cage; see head/surface.hpp
   Eye eye;
-  double hairline = 4;        // where it crosses the mid-line; see find_hairline in head/guides.hpp
+  double hairline = 4;        // where it crosses the mid-line; see compute_hairline in head/guides.hpp
   double brow_thickness = 1;  // width of the brows against the adult's
   Mix ages;                   // how old it is, by the names of ages; empty: a scan that does not say
   Mesh skin;  // two Catmull-Clark levels at limit positions, about 27,000 vertices, triangulated
@@ -79,8 +79,8 @@ struct SkinFrame {
 
 // The frame of a binding on the skin as it is now (positions and normals of one drawing). The tangent follows
 // the triangle's first edge, so the frame turns with the skin.
-SkinFrame find_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
-                          const Triangle& triangle, const glm::vec3& barycentric);
+SkinFrame compute_skin_frame(const std::vector<glm::vec3>& positions, const std::vector<glm::vec3>& normals,
+                             const Triangle& triangle, const glm::vec3& barycentric);
 
 struct HeadStock;
 

@@ -57,7 +57,7 @@ std::vector<double> share_equally(const std::vector<std::uint32_t>& vertices) {
 
 Landmark find_skin_landmark(const NeutralHead& head, const std::string& name, const LandmarkRule& rule) {
   if (rule.kind == LandmarkRule::Kind::hairline) {
-    const HairlineMark mark = find_hairline(head.cage, head.hairline);
+    const HairlineMark mark = compute_hairline(head.cage, head.hairline);
     return {name, {mark.below, mark.above}, {1 - mark.share, mark.share}, false, Side::none};
   }
   const std::vector<std::uint32_t> vertices = find_vertices(head, rule);

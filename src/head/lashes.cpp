@@ -19,9 +19,9 @@ struct LashRoot {
   glm::vec3 out{0}, up{0}, aside{0};  // off the ball; away from the slit; outward along the margin
 };
 
-LashRoot find_lash_root(const Lids& lids, double t, double mix) {
+LashRoot compute_lash_root(const Lids& lids, double t, double mix) {
   LashRoot root;
-  root.place = find_nearest_place(lids.patch, find_on_margin(lids, t, mix));
+  root.place = find_nearest_place(lids.patch, compute_on_margin(lids, t, mix));
   root.out = glm::normalize(root.place.point - lids.centre);
   const glm::vec3 beyond = sample_curve(lids.beyond, t, true) - sample_curve(lids.outer, t, true);
   root.up = glm::normalize(beyond - root.out * glm::dot(beyond, root.out));
@@ -36,7 +36,7 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
   const double way = (index + 0.5 + 0.7 * (scatter(series, index, kAlong) - 0.5)) / row.count;
   const std::uint32_t group = index / 3;
   const double group_way = std::min(1.0, (3.0 * group + 1.5) / row.count);
-  const LashRoot root = find_lash_root(lids, row.from + (row.to - row.from) * way, lashes.root);
+  const LashRoot root = compute_lash_root(lids, row.from + (row.to - row.from) * way, lashes.root);
 
   // Longest past the middle, short at both ends.
   const double arch = std::pow(std::sin(std::numbers::pi * std::pow(way, 1.25)), 0.6);

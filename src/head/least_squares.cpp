@@ -28,18 +28,18 @@ std::vector<glm::dvec3> solve_least_squares(const LeastSquares& problem, std::si
   return points;
 }
 
-LinearRow find_limit_row(const Surface& surface, std::size_t v) {
+LinearRow compute_limit_row(const Surface& surface, std::size_t v) {
   LinearRow row;
   for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k)
     row.emplace_back(surface.point[k], surface.weight[k]);
   return row;
 }
 
-LinearRow find_mean_row(const Surface& surface, const std::vector<std::uint32_t>& vertices,
-                        const std::vector<double>& shares) {
+LinearRow compute_mean_row(const Surface& surface, const std::vector<std::uint32_t>& vertices,
+                           const std::vector<double>& shares) {
   LinearRow mean;
   for (std::size_t i = 0; i < vertices.size(); ++i)
-    for (const auto& [point, weight] : find_limit_row(surface, vertices[i]))
+    for (const auto& [point, weight] : compute_limit_row(surface, vertices[i]))
       mean.emplace_back(point, weight * shares[i]);
   return mean;
 }
@@ -50,8 +50,8 @@ glm::dvec3 sample_row(const LinearRow& row, const std::vector<glm::dvec3>& point
   return sum;
 }
 
-std::vector<LinearRow> find_umbrella_rows(const Cage& cage) {
-  const std::vector<PointRing> rings = find_rings(cage);
+std::vector<LinearRow> compute_umbrella_rows(const Cage& cage) {
+  const std::vector<PointRing> rings = compute_rings(cage);
   std::vector<LinearRow> rows(cage.points.size());
   for (std::uint32_t i = 0; i < rows.size(); ++i) {
     double sum = 0;

@@ -25,17 +25,17 @@ struct LeastSquares {
 std::vector<glm::dvec3> solve_least_squares(const LeastSquares& problem, std::size_t point_count);
 
 // The skin's vertex `v` as a form over the cage's points.
-LinearRow find_limit_row(const Surface& surface, std::size_t v);
+LinearRow compute_limit_row(const Surface& surface, std::size_t v);
 
 // The mean of some of the skin's vertices.
-LinearRow find_mean_row(const Surface& surface, const std::vector<std::uint32_t>& vertices,
-                        const std::vector<double>& shares);
+LinearRow compute_mean_row(const Surface& surface, const std::vector<std::uint32_t>& vertices,
+                           const std::vector<double>& shares);
 
 // The form's value at these points.
 glm::dvec3 sample_row(const LinearRow& row, const std::vector<glm::dvec3>& points);
 
 // How far a point's displacement is from the mean of its neighbours', each weighted by 1 / edge length.
-std::vector<LinearRow> find_umbrella_rows(const Cage& cage);
+std::vector<LinearRow> compute_umbrella_rows(const Cage& cage);
 
 // Makes the right half of `points` the mirror image of the left one, bit for bit; the middle gets x = 0.
 void mirror_half(const Cage& cage, std::vector<glm::dvec3>& points);

@@ -39,7 +39,7 @@ struct IrisEdge {
   double radius_mm = 0, scale = 1;
 };
 
-IrisEdge find_iris_edge(const EyeNumbers& numbers, const Eye& eye) {
+IrisEdge compute_iris_edge(const EyeNumbers& numbers, const Eye& eye) {
   IrisEdge iris;
   iris.scale = eye.radius_mm / numbers.ball_mm;
   iris.radius_mm = iris.scale * numbers.limbus_mm;
@@ -55,18 +55,18 @@ struct LidEdges {
   std::array<std::vector<LinearRow>, 2> vertices;
 };
 
-LidEdges find_lid_edges(const Surface& surface, const Cage& cage, bool is_upper) {
+LidEdges compute_lid_edges(const Surface& surface, const Cage& cage, bool is_upper) {
   LidEdges edges{is_upper, {}};
   constexpr std::array kEdges{LidRings{}, LidRings{"E0_", "E1_", "E2_"}};
   for (std::size_t e = 0; e < kEdges.size(); ++e)
-    for (const MarginVertex& margin : find_lid_ring(surface, cage, kEdges[e]))
+    for (const MarginVertex& margin : compute_lid_ring(surface, cage, kEdges[e]))
       if ((margin.at < 0.5 * kLidColumns) == is_upper)
-        edges.vertices[e].push_back(find_limit_row(surface, margin.vertex));
+        edges.vertices[e].push_back(compute_limit_row(surface, margin.vertex));
   return edges;
 }
 
 // Where the margin crosses `x`: the lowest (upper lid) or highest (lower) of its edges.
-double find_lid_height(const LidEdges& edges, const Cage& cage, double x) {
+double compute_lid_height(const LidEdges& edges, const Cage& cage, double x) {
   const double sign = edges.is_upper ? 1 : -1;
   double height = std::numeric_limits<double>::max();
   for (const std::vector<LinearRow>& edge : edges.vertices) {
@@ -82,13 +82,14 @@ double find_lid_height(const LidEdges& edges, const Cage& cage, double x) {
   return sign * height;
 }
 
-double find_cover_mm(const LidEdges& edges, const Cage& cage, const IrisEdge& iris) {
+double compute_cover_mm(const LidEdges& edges, const Cage& cage, const IrisEdge& iris) {
   const double sign = edges.is_upper ? 1 : -1;
-  return (iris.radius_mm - sign * (find_lid_height(edges, cage, iris.middle.x) - iris.middle.y)) / iris.scale;
+  return (iris.radius_mm - sign * (compute_lid_height(edges, cage, iris.middle.x) - iris.middle.y)) /
+         iris.scale;
 }
 
 // How far a lid must go down (upper) or up (lower) to hide what it should.
-double find_lack(const RestRange& range, double cover_mm) {
+double compute_shortfall(const RestRange& range, double cover_mm) {
   if (cover_mm < range.least_mm) return range.least_mm - cover_mm;
   return std::min(0.0, range.most_mm - cover_mm);
 }
@@ -113,19 +114,20 @@ void turn_lid(const Eye& eye, bool is_upper, double angle_rad, Cage& cage) {
 
 IrisCover measure_iris_cover(const Surface& surface, const Cage& cage, const EyeNumbers& numbers,
                              const Eye& eye) {
-  const IrisEdge iris = find_iris_edge(numbers, eye);
-  return {find_cover_mm(find_lid_edges(surface, cage, true), cage, iris),
-          find_cover_mm(find_lid_edges(surface, cage, false), cage, iris)};
+  const IrisEdge iris = compute_iris_edge(numbers, eye);
+  return {compute_cover_mm(compute_lid_edges(surface, cage, true), cage, iris),
+          compute_cover_mm(compute_lid_edges(surface, cage, false), cage, iris)};
 }
 
 void rest_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr int kRounds = 6;          // each leaves a fifth of what is amiss or less
   constexpr double kGood_mm = 0.005;  // far below what is seen; less costs rounds
-  const IrisEdge iris = find_iris_edge(numbers, eye);
-  const LidEdges upper = find_lid_edges(surface, cage, true), lower = find_lid_edges(surface, cage, false);
+  const IrisEdge iris = compute_iris_edge(numbers, eye);
+  const LidEdges upper = compute_lid_edges(surface, cage, true),
+                 lower = compute_lid_edges(surface, cage, false);
   for (int round = 0; round < kRounds; ++round) {
-    const double down = find_lack(kUpperLidRest, find_cover_mm(upper, cage, iris)),
-                 up = find_lack(kLowerLidRest, find_cover_mm(lower, cage, iris));
+    const double down = compute_shortfall(kUpperLidRest, compute_cover_mm(upper, cage, iris)),
+                 up = compute_shortfall(kLowerLidRest, compute_cover_mm(lower, cage, iris));
     if (std::abs(down) < kGood_mm && std::abs(up) < kGood_mm) return;
     // The margin lies about a ball's radius before the axis.
     turn_lid(eye, true, down / numbers.ball_mm, cage);

@@ -13,14 +13,14 @@ Lids build_lids(const NeutralHead& head, double adult_ball_mm) {
   lids.centre = glm::vec3(head.eye.centre);
   lids.radius_mm = static_cast<float>(head.eye.radius_mm);
   lids.scale = head.eye.radius_mm / adult_ball_mm;
-  Box box = find_bounds(lids.outer);
+  Box box = compute_bounds(lids.outer);
   box.low -= 2.0f;  // mm: all of the margin's triangles
   box.high += 2.0f;
   lids.patch = build_skin_patch(head.skin, box);
   return lids;
 }
 
-glm::vec3 find_on_margin(const Lids& lids, double t, double mix) {
+glm::vec3 compute_on_margin(const Lids& lids, double t, double mix) {
   return glm::mix(sample_curve(lids.inner, t, true), sample_curve(lids.outer, t, true),
                   static_cast<float>(mix));
 }
@@ -38,7 +38,7 @@ std::vector<glm::vec3> find_named_ring(const NeutralHead& head, const std::strin
   return points;
 }
 
-double find_eye_to_chin_mm(const NeutralHead& head) {
+double compute_eye_to_chin_mm(const NeutralHead& head) {
   return head.eye.centre.y - static_cast<double>(find_named_point(head, "m12_D1").y);
 }
 

@@ -20,7 +20,7 @@ Lids build_lids(const NeutralHead& head, double adult_ball_mm);
 
 // t counts the lid's points: 0 inner corner, 4 middle of the upper lid, 8 outer corner, 12 middle of the
 // lower lid. mix: 0 the margin's edge on the ball, 1 its outer edge.
-glm::vec3 find_on_margin(const Lids& lids, double t, double mix);
+glm::vec3 compute_on_margin(const Lids& lids, double t, double mix);
 
 // Where a named point of the cage came to lie on the skin. Throws RunError for an unknown name.
 glm::vec3 find_named_point(const NeutralHead& head, std::string_view name);
@@ -29,6 +29,6 @@ glm::vec3 find_named_point(const NeutralHead& head, std::string_view name);
 std::vector<glm::vec3> find_named_ring(const NeutralHead& head, const std::string& stem, int first, int last);
 
 // How high the eyes stand above the chin: short faces are young ones.
-double find_eye_to_chin_mm(const NeutralHead& head);
+double compute_eye_to_chin_mm(const NeutralHead& head);
 
 }  // namespace mien

@@ -11,9 +11,9 @@ namespace mien {
 namespace {
 
 // The column of a point of the lips' rings, counted from the middle of either lip; -1 for any other point.
-int find_lip_column(std::string_view name, bool is_upper) {
+int compute_lip_column(std::string_view name, bool is_upper) {
   for (const char* ring : kLipRings)
-    if (const int column = find_ring_column(name, ring); column >= 0)
+    if (const int column = compute_ring_column(name, ring); column >= 0)
       return is_upper ? column : 2 * kLipColumns - column;
   return -1;
 }
@@ -64,8 +64,9 @@ bool find_height(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, 
 }
 
 // `sign` is 1 if `one` is the upper lip.
-void find_lacks_of(const LipSheet& one, const std::vector<glm::dvec3>& at, const LipSheet& other,
-                   const std::vector<glm::dvec3>& other_at, double sign, double apart_mm, LipLacks& lacks) {
+void compute_shortfalls_of(const LipSheet& one, const std::vector<glm::dvec3>& at, const LipSheet& other,
+                           const std::vector<glm::dvec3>& other_at, double sign, double apart_mm,
+                           LipShortfalls& shortfalls) {
   static thread_local Strips strips;  // kept: it is filled for every frame
   fill_strips(other, other_at, strips);
   for (std::size_t v = 0; v < at.size(); ++v) {
@@ -83,11 +84,11 @@ void find_lacks_of(const LipSheet& one, const std::vector<glm::dvec3>& at, const
       double y = 0;
       for (const bool is_first : {true, false}) {
         if (!(is_first ? find_height(a, b, c, p, y) : find_height(a, c, d, p, y))) continue;
-        const double lack = wanted - sign * (p.y - y);
-        if (lack <= 0) continue;
+        const double shortfall = wanted - sign * (p.y - y);
+        if (shortfall <= 0) continue;
         for (int column = 0; column < kLipColumns; ++column)
           if (const double near = 1 - std::abs(one.column[v] - column); near > 0)
-            lacks[column] = std::max(lacks[column], lack * near);
+            shortfalls[column] = std::max(shortfalls[column], shortfall * near);
       }
     }
   }
@@ -95,7 +96,7 @@ void find_lacks_of(const LipSheet& one, const std::vector<glm::dvec3>& at, const
 
 }  // namespace
 
-int find_ring_column(std::string_view name, std::string_view ring) {
+int compute_ring_column(std::string_view name, std::string_view ring) {
   name = strip_side(name);
   if (!name.starts_with(ring)) return -1;
   int column = 0;
@@ -105,7 +106,7 @@ int find_ring_column(std::string_view name, std::string_view ring) {
 
 LipSheet build_lip_sheet(const Surface& surface, const Cage& cage, bool is_upper) {
   std::vector<int> column(cage.points.size());
-  for (std::size_t i = 0; i < column.size(); ++i) column[i] = find_lip_column(cage.names[i], is_upper);
+  for (std::size_t i = 0; i < column.size(); ++i) column[i] = compute_lip_column(cage.names[i], is_upper);
   const auto is_of_lip = [&](std::uint32_t p) { return column[p] >= 0 && column[p] <= kLipColumns; };
   LipSheet sheet;
   std::vector<Quad> quads;
@@ -150,10 +151,11 @@ void place_lip(const LipSheet& sheet, const std::vector<glm::dvec3>& points, Sid
   }
 }
 
-void find_lip_lacks(const LipSheet& upper, const std::vector<glm::dvec3>& upper_at, const LipSheet& lower,
-                    const std::vector<glm::dvec3>& lower_at, double apart_mm, LipLacks& lacks) {
-  find_lacks_of(upper, upper_at, lower, lower_at, 1, apart_mm, lacks);
-  find_lacks_of(lower, lower_at, upper, upper_at, -1, apart_mm, lacks);
+void compute_lip_shortfalls(const LipSheet& upper, const std::vector<glm::dvec3>& upper_at,
+                            const LipSheet& lower, const std::vector<glm::dvec3>& lower_at, double apart_mm,
+                            LipShortfalls& shortfalls) {
+  compute_shortfalls_of(upper, upper_at, lower, lower_at, 1, apart_mm, shortfalls);
+  compute_shortfalls_of(lower, lower_at, upper, upper_at, -1, apart_mm, shortfalls);
 }
 
 }  // namespace mien

@@ -15,7 +15,7 @@ inline constexpr int kLipColumns = 6;  // from the middle (0) to the corner of t
 inline constexpr std::array<const char*, 3> kLipRings{"M0_", "M1_", "M2_"};
 
 // The number behind the underscore of "M1_10" in `ring` "M1_", and -1 for a point of another ring.
-int find_ring_column(std::string_view name, std::string_view ring);
+int compute_ring_column(std::string_view name, std::string_view ring);
 
 // One lip of the left half: the skin between the rings M0 and M2. Vertices are numbered in the sheet's own
 // order; vertex v is the sum over [first[v], first[v + 1]) of weight * control point, for the left half and
@@ -29,7 +29,7 @@ struct LipSheet {
 };
 
 // The most that each column of the lips lacks, mm in height; 0 or less where nothing does.
-using LipLacks = std::array<double, kLipColumns + 1>;
+using LipShortfalls = std::array<double, kLipColumns + 1>;
 
 LipSheet build_lip_sheet(const Surface& surface, const Cage& cage, bool is_upper);
 
@@ -39,7 +39,8 @@ void place_lip(const LipSheet& sheet, const std::vector<glm::dvec3>& points, Sid
 
 // Raises `lacks` to how far the vertices of one lip are nearer than `apart_mm` to the other's sheet straight
 // above or below them, or through it. At the corner, where the lips are one skin, nothing is asked.
-void find_lip_lacks(const LipSheet& upper, const std::vector<glm::dvec3>& upper_at, const LipSheet& lower,
-                    const std::vector<glm::dvec3>& lower_at, double apart_mm, LipLacks& lacks);
+void compute_lip_shortfalls(const LipSheet& upper, const std::vector<glm::dvec3>& upper_at,
+                            const LipSheet& lower, const std::vector<glm::dvec3>& lower_at, double apart_mm,
+                            LipShortfalls& shortfalls);
 
 }  // namespace mien

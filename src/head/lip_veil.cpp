@@ -68,7 +68,7 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
   for (std::size_t i = cuts.size() - 1; i > 0; --i) take(cuts[i], -1);
   for (const VeilCut& cut : cuts) take(cut, 1);
   Mesh& mesh = part.part.rest;
-  append_loft(mesh, find_middle(rings.front()), rings, find_middle(rings.back()));
+  append_loft(mesh, compute_middle(rings.front()), rings, compute_middle(rings.back()));
   update_normals(mesh);
 
   // Each ring rides on the skin at its root; the fans' points go with the outermost ones.

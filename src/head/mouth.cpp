@@ -16,7 +16,7 @@ namespace {
 constexpr double kBareHalf_mm = 16, kBareHeight_mm = 4.5;  // of what lips bare, from the middle of their line
 
 // How old a head is: by its ages' names, or, if a scan does not say, by its size.
-double find_years(const NeutralHead& head, const MouthNumbers& numbers) {
+double compute_years(const NeutralHead& head, const MouthNumbers& numbers) {
   constexpr double kGrown = 20;
   if (head.ages.empty()) {
     std::vector<double> sizes_mm, years;
@@ -24,7 +24,7 @@ double find_years(const NeutralHead& head, const MouthNumbers& numbers) {
       sizes_mm.push_back(size_mm);
       years.push_back(age);
     }
-    return sample_stations(sizes_mm, years, find_eye_to_chin_mm(head));
+    return sample_stations(sizes_mm, years, compute_eye_to_chin_mm(head));
   }
   double sum = 0, weight = 0;
   for (const auto& [name, share] : head.ages) {
@@ -41,7 +41,7 @@ DentalArch fit_arch(const NeutralHead& head, const MouthNumbers& numbers) {
   arch.scale = find_named_point(head, "M1_6").x / numbers.corner_mm;
   arch.lips_y_mm = 0.5 * (find_named_point(head, "M1_0").y + find_named_point(head, "M1_12").y);
   arch.front_z_mm = middle.z - arch.scale * numbers.setback_mm;
-  arch.years = find_years(head, numbers);
+  arch.years = compute_years(head, numbers);
   arch.depth_mm = arch.scale * numbers.arch.depth_mm;
   // The superellipse that goes back by as much as the lips where they begin to turn.
   const double square = numbers.arch.square;
@@ -54,7 +54,7 @@ DentalArch fit_arch(const NeutralHead& head, const MouthNumbers& numbers) {
 
 // How far a row comes too near to the back of the lips, mm. Only its bare part counts: toward the fold above
 // and below, and in the cheeks, gum and flesh are one.
-double find_intrusion_mm(const Mesh& row, const DentalArch& arch, const SkinPatch& lips) {
+double compute_intrusion_mm(const Mesh& row, const DentalArch& arch, const SkinPatch& lips) {
   double intrusion = 0;
   for (const glm::vec3& p : row.positions) {
     if (p.x < 0 || p.x > arch.scale * kBareHalf_mm ||
@@ -76,8 +76,8 @@ void make_room_for_lips(const NeutralHead& head, DentalArch& arch, const TeethRo
   for (int pass = 0; pass < 4; ++pass) {
     const Mesh teeth_above = build_teeth(arch, upper).part.rest;
     const Mesh teeth_below = build_teeth(arch, lower).part.rest;
-    const double intrusion =
-        std::max(find_intrusion_mm(teeth_above, arch, lips), find_intrusion_mm(teeth_below, arch, lips));
+    const double intrusion = std::max(compute_intrusion_mm(teeth_above, arch, lips),
+                                      compute_intrusion_mm(teeth_below, arch, lips));
     if (intrusion < 0.01) return;
     arch.front_z_mm -= intrusion;
   }

@@ -4,7 +4,7 @@
 
 namespace mien {
 
-std::vector<PointRing> find_rings(const Cage& cage) {
+std::vector<PointRing> compute_rings(const Cage& cage) {
   std::vector<PointRing> rings(cage.points.size());
   const auto add_edge = [&](std::uint32_t from, std::uint32_t to) {
     auto& edges = rings[from].edges;
@@ -22,7 +22,7 @@ std::vector<PointRing> find_rings(const Cage& cage) {
   return rings;
 }
 
-glm::dvec3 find_limit(const PointRing& ring, std::uint32_t point, const std::vector<glm::dvec3>& points) {
+glm::dvec3 compute_limit(const PointRing& ring, std::uint32_t point, const std::vector<glm::dvec3>& points) {
   if (ring.is_boundary) return points[point];
   const auto n = static_cast<double>(ring.edges.size());
   glm::dvec3 sum = n * n * points[point];

@@ -91,7 +91,7 @@ std::vector<glm::vec3> list_directions() {
 
 std::vector<float> measure_openness(const Mesh& mesh, const std::vector<std::uint32_t>& mirror) {
   const std::size_t count = mesh.positions.size();
-  const Box box = find_bounds(mesh.positions);
+  const Box box = compute_bounds(mesh.positions);
   const std::vector<glm::vec3> directions = list_directions();
   std::vector<DepthMap> maps(directions.size());
   const int jobs = count_workers();

@@ -31,16 +31,16 @@ constexpr std::array<std::string_view, 8> kFarFromEar{"s1_C6", "s2_C6", "s3_C6",
                                                       "s5_C6", "s6_C6", "s7_C6", "s8_C6"};
 
 // Where the ear is rooted: before its hole, at the height of its middle.
-glm::dvec3 find_ear_root(const Cage& cage, const HeadForm& shape) {
+glm::dvec3 compute_ear_root(const Cage& cage, const HeadForm& shape) {
   return (shape.points[find_point(cage, "er1_13")] + shape.points[find_point(cage, "er1_14")]) / 2.0;
 }
 
 }  // namespace
 
-void move_shares(const Cage& cage, const std::function<double(std::string_view)>& find_share,
+void move_shares(const Cage& cage, const std::function<double(std::string_view)>& compute_share,
                  const std::function<glm::dvec3(const glm::dvec3&)>& move, HeadForm& shape) {
   for (std::size_t i = 0; i < shape.points.size(); ++i) {
-    const double share = find_share(cage.names[i]);
+    const double share = compute_share(cage.names[i]);
     if (share == 0) continue;
     const glm::dvec3 side(cage.names[i].starts_with("R:") ? -1 : 1, 1, 1);
     const glm::dvec3 left = shape.points[i] * side;
@@ -48,7 +48,7 @@ void move_shares(const Cage& cage, const std::function<double(std::string_view)>
   }
 }
 
-double find_eye_share(std::string_view name, double e3, double e4, double e5) {
+double compute_eye_share(std::string_view name, double e3, double e4, double e5) {
   name = strip_side(name);
   for (const std::string_view lid : {"EB_", "E0_", "E1_", "E2_"})
     if (name.starts_with(lid)) return 1;
@@ -58,7 +58,7 @@ double find_eye_share(std::string_view name, double e3, double e4, double e5) {
   return 0;
 }
 
-double find_ear_share(std::string_view name, const EarShares& shares) {
+double compute_ear_share(std::string_view name, const EarShares& shares) {
   name = strip_side(name);
   if (name.starts_with("er1_")) return shares.first;
   if (name.starts_with("er2_")) return shares.second;
@@ -82,7 +82,7 @@ void change_eyes(const Cage& cage, const EyeChange& change, HeadForm& shape) {
   const glm::dmat4 turn =
       glm::rotate(glm::dmat4(1), change.tilt_deg * kRadiansPerDegree, glm::dvec3(0, 0, 1));
   move_shares(
-      cage, [](std::string_view name) { return find_eye_share(name, 0.8, 0.55, 0.25); },
+      cage, [](std::string_view name) { return compute_eye_share(name, 0.8, 0.55, 0.25); },
       [&](const glm::dvec3& p) { return now + change.size * glm::dvec3(turn * glm::dvec4(p - centre, 0)); },
       shape);
   shape.eye.centre = now;
@@ -91,14 +91,14 @@ void change_eyes(const Cage& cage, const EyeChange& change, HeadForm& shape) {
 
 void change_ears(const Cage& cage, const EarChange& change, HeadForm& shape) {
   if (change.is_none()) return;
-  const glm::dvec3 root = find_ear_root(cage, shape);
+  const glm::dvec3 root = compute_ear_root(cage, shape);
   const glm::dmat4 turn =
       glm::rotate(glm::dmat4(1), -change.out_deg * kRadiansPerDegree, glm::dvec3(0, 1, 0));
   move_shares(
-      cage, [](std::string_view name) { return find_ear_share(name, kGrownEar); },
+      cage, [](std::string_view name) { return compute_ear_share(name, kGrownEar); },
       [&](const glm::dvec3& p) { return root + change.size * (p - root); }, shape);
   move_shares(
-      cage, [](std::string_view name) { return find_ear_share(name, kTurnedEar); },
+      cage, [](std::string_view name) { return compute_ear_share(name, kTurnedEar); },
       [&](const glm::dvec3& p) { return root + glm::dvec3(turn * glm::dvec4(p - root, 0)); }, shape);
 }
 

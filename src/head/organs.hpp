@@ -23,7 +23,7 @@ struct EarChange {
 };
 
 // How far a point follows the ball: 1 on the lids, less on the three rings around them.
-double find_eye_share(std::string_view name, double e3, double e4, double e5);
+double compute_eye_share(std::string_view name, double e3, double e4, double e5);
 
 // How far the places around an ear follow it: three rings of skin around its hole, outermost first, the
 // hole's edge, and the first three rings of the ear itself. The rest of the ear is the ear.
@@ -35,10 +35,10 @@ inline constexpr EarShares kGrownEar{0.22, 0.48, 0.75, 1,
 inline constexpr EarShares kTurnedEar{0, 0, 0, 0, 0, 0.3, 0.65};  // the head stays as it is
 
 // How far a point follows the ear.
-double find_ear_share(std::string_view name, const EarShares& shares);
+double compute_ear_share(std::string_view name, const EarShares& shares);
 
 // Moves each point by its share of `move`, which is told for the left half.
-void move_shares(const Cage& cage, const std::function<double(std::string_view)>& find_share,
+void move_shares(const Cage& cage, const std::function<double(std::string_view)>& compute_share,
                  const std::function<glm::dvec3(const glm::dvec3&)>& move, HeadForm& shape);
 
 // `cage` lends names only.

@@ -44,7 +44,7 @@ std::vector<std::vector<std::uint32_t>> sort_faces(const Polygons& mesh) {
 bool has_our_faces(const HeadStock& stock, const Polygons& mesh) {
   if (mesh.positions.size() != stock.data->half.points.size()) return false;
   std::vector<std::vector<std::uint32_t>> ours;
-  for (const Quad& quad : find_half_quads(stock)) {
+  for (const Quad& quad : compute_half_quads(stock)) {
     ours.emplace_back(quad.begin(), quad.end());
     std::ranges::sort(ours.back());
   }
@@ -74,7 +74,7 @@ void check_size(const HeadStock& stock, const Polygons& mesh) {
     const auto [low, high] = std::ranges::minmax_element(points, {}, &glm::dvec3::y);
     return high->y - low->y;
   };
-  const double ours = height(find_half_places(stock, stock.adult.points)), theirs = height(mesh.positions);
+  const double ours = height(compute_half_places(stock, stock.adult.points)), theirs = height(mesh.positions);
   constexpr double kLeast = 0.3,
                    kMost = 3;  // of the adult: an infant's is 0.6, a metre instead of a mm 0.001
   if (theirs < kLeast * ours || theirs > kMost * ours)
@@ -88,14 +88,14 @@ void check_size(const HeadStock& stock, const Polygons& mesh) {
 std::vector<glm::dvec3> solve_moves(const HeadStock& stock, const std::vector<glm::dvec3>& moves) {
   const Cage& cage = stock.adult;
   const std::size_t half_count = moves.size();
-  const std::vector<LinearRow> umbrellas = find_umbrella_rows(cage);
+  const std::vector<LinearRow> umbrellas = compute_umbrella_rows(cage);
   LeastSquares problem;
   for (std::uint32_t i = 0; i < cage.points.size(); ++i) {
     const std::uint32_t left = i < half_count ? i : cage.mirror[i];
     const bool is_hard = stock.data->half.points[left].is_hard;
     const glm::dvec3 move = moves[left] * glm::dvec3(left == i ? 1 : -1, 1, 1);
-    problem.equations.push_back(
-        {is_hard ? LinearRow{{i, 1.0}} : find_limit_row(*stock.surface, i), is_hard ? kHardWeight : 1, move});
+    problem.equations.push_back({is_hard ? LinearRow{{i, 1.0}} : compute_limit_row(*stock.surface, i),
+                                 is_hard ? kHardWeight : 1, move});
   }
   const std::size_t place_count = problem.equations.size();
   for (std::uint32_t i = 0; i < cage.points.size(); ++i)
@@ -113,7 +113,7 @@ std::vector<glm::dvec3> solve_moves(const HeadStock& stock, const std::vector<gl
 }
 
 HeadForm build_moved(const HeadStock& stock, const Polygons& mesh) {
-  const std::vector<glm::dvec3> places = find_half_places(stock, stock.adult.points);
+  const std::vector<glm::dvec3> places = compute_half_places(stock, stock.adult.points);
   std::vector<glm::dvec3> moves(places.size());
   bool is_moved = false;
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -139,11 +139,11 @@ HeadForm build_moved(const HeadStock& stock, const Polygons& mesh) {
 
 }  // namespace
 
-std::vector<glm::dvec3> find_half_places(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
+std::vector<glm::dvec3> compute_half_places(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
   std::vector<glm::dvec3> places;
   for (std::size_t i = 0; i < stock.data->half.points.size(); ++i) {
     const bool is_hard = stock.data->half.points[i].is_hard;
-    glm::dvec3 place = is_hard ? points[i] : sample_row(find_limit_row(*stock.surface, i), points);
+    glm::dvec3 place = is_hard ? points[i] : sample_row(compute_limit_row(*stock.surface, i), points);
     for (int axis = 0; axis < 3; ++axis) place[axis] = std::round(place[axis] * kDecimals) / kDecimals;
     if (stock.adult.mirror[i] == i) place.x = 0;
     places.push_back(place);
@@ -151,7 +151,7 @@ std::vector<glm::dvec3> find_half_places(const HeadStock& stock, const std::vect
   return places;
 }
 
-std::vector<Quad> find_half_quads(const HeadStock& stock) {
+std::vector<Quad> compute_half_quads(const HeadStock& stock) {
   return {stock.adult.quads.begin(),
           stock.adult.quads.begin() + static_cast<std::ptrdiff_t>(stock.data->half.quads.size())};
 }

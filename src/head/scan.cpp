@@ -24,7 +24,7 @@ const Names kScanKeys{"landmarks", "unit"};
 const Names kUnits{"mm", "cm", "m", "in"};
 constexpr std::array kUnits_mm{1.0, 10.0, 1000.0, 25.4};
 
-double find_size(const Polygons& mesh) {
+double compute_size(const Polygons& mesh) {
   glm::dvec3 low(1e300), high(-1e300);
   for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
   return glm::distance(low, high);
@@ -58,7 +58,7 @@ bool load_mark(const YamlValue& value, const Polygons& mesh, glm::dvec3& at) {
 // Makes a half whole: mirrored triangles beside it, points of the middle shared.
 void complete_half(Scan& scan) {
   Polygons& mesh = scan.mesh;
-  const double near = 1e-4 * find_size(mesh);
+  const double near = 1e-4 * compute_size(mesh);
   std::vector<std::uint32_t> image(mesh.positions.size());
   const std::size_t count = mesh.positions.size(), faces = mesh.face_count();
   for (std::size_t i = 0; i < count; ++i) {
@@ -80,7 +80,7 @@ void complete_half(Scan& scan) {
 }
 
 void check_half(const Polygons& mesh) {
-  const double near = 0.01 * find_size(mesh);
+  const double near = 0.01 * compute_size(mesh);
   const auto [low, high] = std::ranges::minmax_element(mesh.positions, {}, &glm::dvec3::x);
   if (low->x >= -near || high->x <= near) return;
   throw InputError(std::vector<Diagnostic>{
@@ -114,7 +114,7 @@ struct MarkReader {
 void add_mark(MarkReader& reader, const std::string& name, const std::string& bare, bool is_right,
               const glm::dvec3& at) {
   const SkinSpot spot = find_place(reader.adult, bare);
-  LinearRow place = find_mean_row(*reader.stock.surface, spot.vertices, spot.shares);
+  LinearRow place = compute_mean_row(*reader.stock.surface, spot.vertices, spot.shares);
   if (is_right)
     for (auto& entry : place) entry.first = reader.stock.adult.mirror[entry.first];
   reader.scan.marks.push_back({name, at, std::move(place), spot.is_extreme ? kExtremeWeight : 1});
@@ -122,7 +122,7 @@ void add_mark(MarkReader& reader, const std::string& name, const std::string& ba
 
 void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTree& tree) {
   Scan& scan = reader.scan;
-  const double size = find_size(scan.mesh);
+  const double size = compute_size(scan.mesh);
   for (const YamlEntry& entry : entries) {
     const bool is_sided = entry.key.ends_with("_l") || entry.key.ends_with("_r");
     const std::string bare = is_sided ? entry.key.substr(0, entry.key.size() - 2) : entry.key;

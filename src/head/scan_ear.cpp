@@ -37,13 +37,13 @@ struct Cloud {
   std::vector<glm::dvec3> points, normals;
 };
 
-glm::dvec3 find_middle(const Cloud& cloud) {
+glm::dvec3 compute_middle(const Cloud& cloud) {
   glm::dvec3 middle(0);
   for (const glm::dvec3& p : cloud.points) middle += p / static_cast<double>(cloud.points.size());
   return middle;
 }
 
-double find_radius(const Cloud& cloud, const glm::dvec3& middle) {
+double compute_radius(const Cloud& cloud, const glm::dvec3& middle) {
   double sum = 0;
   for (const glm::dvec3& p : cloud.points) sum += glm::dot(p - middle, p - middle);
   return std::sqrt(sum / static_cast<double>(cloud.points.size()));
@@ -75,7 +75,7 @@ Sides split_ear(const HeadStock& stock, const std::vector<glm::dvec3>& points) {
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
     if (surface.mirror[v] < v) continue;
     double share = 0, hollow = 0;
-    for (const auto& [point, weight] : find_limit_row(surface, v)) {
+    for (const auto& [point, weight] : compute_limit_row(surface, v)) {
       const int ring = find_ear_ring(stock.adult.names[point]);
       if (ring >= 2) share += weight;
       if (ring > kInnermostSeen) hollow += weight;
@@ -104,14 +104,14 @@ void span_root(const Cage& cage, const std::vector<glm::dvec3>& points, Cloud& h
     }
 }
 
-double find_distance(const Cloud& cloud, const glm::dvec3& point) {
+double compute_distance(const Cloud& cloud, const glm::dvec3& point) {
   double least = 1e300;
   for (const glm::dvec3& p : cloud.points) least = std::min(least, glm::dot(p - point, p - point));
   return std::sqrt(least);
 }
 
 // The scan's points that stand out around the middle; right ones mirrored.
-Cloud find_standing_out(const PlacedScan& scan, const Cloud& head, const glm::dvec3& middle) {
+Cloud compute_standing_out(const PlacedScan& scan, const Cloud& head, const glm::dvec3& middle) {
   Cloud near_head;
   for (const glm::dvec3& p : head.points)
     if (glm::distance(p, middle) < kAround_mm + 2 * kStandsOut_mm) near_head.points.push_back(p);
@@ -121,7 +121,7 @@ Cloud find_standing_out(const PlacedScan& scan, const Cloud& head, const glm::dv
     glm::dvec3 at = scan.turn * scan.tree.positions[v] + scan.shift,
                normal = scan.turn * scan.tree.normals[v];
     if (at.x < 0) at = mirror(at), normal = mirror(normal);
-    if (glm::distance(at, middle) > kAround_mm || find_distance(near_head, at) < kStandsOut_mm) continue;
+    if (glm::distance(at, middle) > kAround_mm || compute_distance(near_head, at) < kStandsOut_mm) continue;
     out.points.push_back(at);
     out.normals.push_back(normal);
   }
@@ -208,12 +208,12 @@ EarFit find_ear(const HeadStock& stock, const PlacedScan& scan, const std::vecto
   Cloud head = split_ear(stock, points).head;
   span_root(stock.adult, points, head);
   const Cloud ear = thin_out(split_ear(stock, stock.adult.points).ear);
-  const glm::dvec3 own_middle = find_middle(ear);
-  const Cloud all = find_standing_out(scan, head, apply_similarity(start, own_middle));
+  const glm::dvec3 own_middle = compute_middle(ear);
+  const Cloud all = compute_standing_out(scan, head, apply_similarity(start, own_middle));
   if (all.points.size() < kLeastPoints) return {start, 0, false};
   const Cloud theirs = thin_out(all);
-  const glm::dvec3 middle = find_middle(theirs);
-  const double size = find_radius(theirs, middle) / find_radius(ear, own_middle);
+  const glm::dvec3 middle = compute_middle(theirs);
+  const double size = compute_radius(theirs, middle) / compute_radius(ear, own_middle);
   std::vector<Trial> trials;
   for (const double tilt : kTilts_deg)
     for (const double factor : kSizes) {

@@ -52,7 +52,7 @@ Similarity align_marks(const HeadStock& stock, const Scan& scan) {
 }
 
 // How much larger the scanned head is than the one we wrapped, which was laid on the adult.
-double find_growth(const Scan& scan, double ours_per_unit) {
+double compute_growth(const Scan& scan, double ours_per_unit) {
   const auto growth_of = [&](double unit_mm) { return unit_mm / ours_per_unit; };
   if (scan.unit_mm > 0) {
     constexpr double kLeast = 0.4, kMost = 2.5;  // an infant's head is 0.75 of the adult's

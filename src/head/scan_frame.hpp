@@ -12,6 +12,6 @@ Similarity align_marks(const HeadStock& stock, const Scan& scan);
 
 // How much larger than the adult the scanned head is, laid on it with `ours_per_unit` mm for a unit of the
 // scan. Throws InputError if the scan's own unit would make a giant or a dwarf of it.
-double find_growth(const Scan& scan, double ours_per_unit);
+double compute_growth(const Scan& scan, double ours_per_unit);
 
 }  // namespace mien

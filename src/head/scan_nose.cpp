@@ -23,8 +23,8 @@ bool find_pull(const NosePatch& patch, double reach_mm, NosePull& pull) {
 
 }  // namespace
 
-std::vector<NosePull> find_nose_pulls(const PlacedScan& scan, const NosePatch& patch,
-                                      const glm::dvec3& middle, double radius_mm, double reach_mm) {
+std::vector<NosePull> compute_nose_pulls(const PlacedScan& scan, const NosePatch& patch,
+                                         const glm::dvec3& middle, double radius_mm, double reach_mm) {
   std::vector<NosePull> pulls;
   for (std::size_t v = 0; v < scan.tree.positions.size(); ++v) {
     NosePull pull;

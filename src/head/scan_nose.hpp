@@ -21,7 +21,7 @@ struct NosePull {
 // A nose that is narrower than the scan's finds the scan's cheek before its wing: so each of the scan's
 // points within `radius_mm` of `middle` asks which of ours is nearest and faces the same way, `reach_mm` at
 // most. Nostrils' insides ask nothing; right ones are mirrored.
-std::vector<NosePull> find_nose_pulls(const PlacedScan& scan, const NosePatch& patch,
-                                      const glm::dvec3& middle, double radius_mm, double reach_mm);
+std::vector<NosePull> compute_nose_pulls(const PlacedScan& scan, const NosePatch& patch,
+                                         const glm::dvec3& middle, double radius_mm, double reach_mm);
 
 }  // namespace mien

@@ -22,8 +22,8 @@ namespace {
 constexpr double kZigzag = 0.96;
 
 // How far each point of the cage lies from the place, along the skin; only those within `reach` are exact.
-std::vector<double> find_distances(const NeutralHead& head, const std::vector<PointRing>& rings,
-                                   const LinearRow& place, const glm::dvec3& at, double reach_mm) {
+std::vector<double> compute_distances(const NeutralHead& head, const std::vector<PointRing>& rings,
+                                      const LinearRow& place, const glm::dvec3& at, double reach_mm) {
   std::vector<double> distances(rings.size(), 1e9);
   using Entry = std::pair<double, std::uint32_t>;
   std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
@@ -51,9 +51,9 @@ void apply_stroke(const HeadStock& stock, const std::vector<PointRing>& rings, c
   NeutralHead head = build_bare_head(stock, form.points);
   head.hairline = form.hairline;
   const SkinSpot spot = find_place(head, stroke.at);
-  const LinearRow place = find_mean_row(*stock.surface, spot.vertices, spot.shares);
+  const LinearRow place = compute_mean_row(*stock.surface, spot.vertices, spot.shares);
   const glm::dvec3 at = sample_row(place, form.points);
-  const std::vector<double> distances = find_distances(head, rings, place, at, stroke.radius_mm);
+  const std::vector<double> distances = compute_distances(head, rings, place, at, stroke.radius_mm);
 
   // Where the two sides' strokes meet they are one, not twice as strong; aside moves fade toward the middle.
   std::vector<glm::dvec3> shares(form.points.size(), glm::dvec3(0));
@@ -79,7 +79,7 @@ void apply_stroke(const HeadStock& stock, const std::vector<PointRing>& rings, c
 
 void sculpt_form(const HeadStock& stock, const std::vector<SculptStroke>& strokes, HeadForm& form) {
   if (strokes.empty()) return;
-  const std::vector<PointRing> rings = find_rings(stock.adult);
+  const std::vector<PointRing> rings = compute_rings(stock.adult);
   const std::vector<glm::dvec3> before = form.points;
   for (const SculptStroke& stroke : strokes) apply_stroke(stock, rings, stroke, form);
   fit_eye(stock, before, form);

@@ -32,7 +32,7 @@ glm::dvec3 warp_point(const Warp& warp, const glm::dvec3& p) {
 }
 
 // What a character field leaves alone: ear, back and crown of the head, the eye opening, the neck.
-std::vector<bool> find_anchors(const Cage& cage, const Handles& handles) {
+std::vector<bool> compute_anchors(const Cage& cage, const Handles& handles) {
   const bool moves_neck = handles.contains("m12_N1");
   std::vector<bool> anchors(cage.points.size(), false);
   for (std::size_t i = 0; i < anchors.size(); ++i) {
@@ -54,7 +54,7 @@ void add_field(const Cage& cage, const Handles& handles, double scale, std::vect
   Cage warped = cage;
   warped.points = points;
   const Field field =
-      solve_field(build_field_solver(warped), handles, find_anchors(warped, handles), Reach::both);
+      solve_field(build_field_solver(warped), handles, compute_anchors(warped, handles), Reach::both);
   for (std::size_t i = 0; i < points.size(); ++i) points[i] += scale * field[i];
 }
 
@@ -214,7 +214,7 @@ HeadForm apply_warp(const Cage& cage, const Eye& eye, const Warp& warp) {
     const glm::dvec3 side(cage.names[i].starts_with("R:") ? -1 : 1, 1, 1);
     const glm::dvec3 carried = (shape.eye.centre + warp.eye * (cage.points[i] * side - eye.centre)) * side;
     shape.points[i] = glm::mix(warp_point(warp, cage.points[i]), carried,
-                               find_eye_share(cage.names[i], warp.carry_e3, warp.carry_e4, 0));
+                               compute_eye_share(cage.names[i], warp.carry_e3, warp.carry_e4, 0));
   }
   return shape;
 }
@@ -225,7 +225,7 @@ void shape_head(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adul
   form = std::move(shape);
 }
 
-GuideLines find_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& cage, const Eye& eye) {
+GuideLines compute_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& cage, const Eye& eye) {
   return measure_guides(cage, build_shape(shapes, spec, cage, {cage.points, eye}));
 }
 
@@ -236,7 +236,7 @@ std::vector<std::pair<std::string, double>> measure_guide_heights(const NeutralH
   std::vector<std::pair<std::string, double>> heights{{"chin", ends.x}};
   for (const std::string& line : kGuides)
     heights.emplace_back(line, glm::mix(ends.x, ends.y, lines.at(line)));
-  heights.emplace_back("crown", find_bounds(head.skin.positions).high.y);
+  heights.emplace_back("crown", compute_bounds(head.skin.positions).high.y);
   return heights;
 }
 

@@ -33,7 +33,7 @@ void add_form(HeadForm& sum, const HeadForm& addition, double weight);
 void close_lips(const Cage& adult, double size, HeadForm& form);
 
 // The guide lines of a head made by `spec` without its own guides.
-GuideLines find_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Eye& eye);
+GuideLines compute_guides(const HeadShapes& shapes, const HeadSpec& spec, const Cage& adult, const Eye& eye);
 
 // Where the guide lines stand on a head as it was built, mm: chin, mouth_line, nose_base, eye_line,
 // brow_line, hairline and crown (the skin's highest place), upward.

@@ -25,7 +25,7 @@ struct Tint {
 };
 constexpr Tint make_tint(const glm::vec3& any) { return {any, any}; }
 constexpr std::array<Tint, kSkinMaskCount> kTints = {{
-    make_tint(glm::vec3(1)),                                           // lips: see find_lip_colour
+    make_tint(glm::vec3(1)),                                           // lips: see compute_lip_colour
     make_tint(glm::vec3(1)),                                           // inside of the lips: there too
     make_tint(glm::vec3(1)),                                           // corners of the lips: there too
     make_tint(glm::vec3(1)),                                           // mouth: a colour of its own
@@ -62,7 +62,7 @@ glm::vec3 to_linear(const glm::vec3& srgb) { return glm::pow(srgb, glm::vec3(2.2
 glm::vec3 to_srgb(const glm::vec3& linear) {
   return glm::pow(glm::clamp(linear, 0.0f, 1.0f), glm::vec3(1 / 2.2f));
 }
-float find_luminance(const glm::vec3& linear) {
+float compute_luminance(const glm::vec3& linear) {
   return glm::dot(linear, glm::vec3(0.2126f, 0.7152f, 0.0722f));
 }
 
@@ -84,10 +84,10 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
 }
 
 // Lips keep less green and blue than the skin around them; the darker the skin, the less they differ.
-glm::vec3 find_lip_colour(const glm::vec3& skin, const Look& look) {
+glm::vec3 compute_lip_colour(const glm::vec3& skin, const Look& look) {
   const auto share = static_cast<float>(look.lips ? look.lips_share : 0);
   if (share == 1) return to_linear(*look.lips);
-  const float light = std::clamp(find_luminance(skin) / kLightSkin, 0.0f, 1.0f);
+  const float light = std::clamp(compute_luminance(skin) / kLightSkin, 0.0f, 1.0f);
   const glm::vec3 own =
       skin * glm::mix(glm::vec3(0.92f, 0.66f, 0.70f), glm::vec3(0.80f, 0.49f, 0.52f), light);
   return share == 0 ? own : glm::mix(own, to_linear(*look.lips), share);
@@ -99,12 +99,12 @@ constexpr float kOldPatch_mm = 13, kOldVein_mm = 2.2f, kOldUneven = 0.085f, kOld
                 kOldSocket = 0.5f, kOldLips = 0.4f;
 constexpr glm::vec3 kOldBrown{0.75f, 1.0f, 1.25f};  // how much more the uneven takes of green and blue
 
-float find_share_of_old(const NeutralHead& head) {
+float compute_share_of_old(const NeutralHead& head) {
   const auto found = head.ages.find("old");
   return found == head.ages.end() ? 0 : static_cast<float>(found->second);
 }
 
-glm::vec3 find_old_tint(const glm::vec3& place, float old) {
+glm::vec3 compute_old_tint(const glm::vec3& place, float old) {
   const float uneven = 0.65f * sample_noise(place + 20.0f, kOldPatch_mm) + 0.35f * sample_noise(place, 5);
   return 1.0f - old * kOldUneven * (0.4f + 1.6f * uneven) * kOldBrown;
 }
@@ -124,7 +124,7 @@ glm::vec2 unroll(const glm::vec3& p) {
 
 // Before the part's own: gloss of dry skin, and what sheen (mask) and socket add. Dark skin gives back little
 // else, so that its sheen is what shows its form.
-float find_gloss(const SkinMasks& masks, std::size_t i, float light) {
+float compute_gloss(const SkinMasks& masks, std::size_t i, float light) {
   float gloss = 0.24f + 0.24f * masks[kShine][i] - 0.15f * masks[kSocket][i];
   gloss *= glm::mix(1.45f, 1.0f, light);
   const float lip = glm::mix(0.42f, 0.62f, masks[kLipInner][i]);  // moist, and wet inside
@@ -134,8 +134,8 @@ float find_gloss(const SkinMasks& masks, std::size_t i, float light) {
 
 }  // namespace
 
-float find_lightness(const glm::vec3& skin_srgb) {
-  return std::clamp(find_luminance(to_linear(skin_srgb)) / kLightSkin, 0.0f, 1.0f);
+float compute_lightness(const glm::vec3& skin_srgb) {
+  return std::clamp(compute_luminance(to_linear(skin_srgb)) / kLightSkin, 0.0f, 1.0f);
 }
 
 Part build_skin_part(const NeutralHead& head, const Look& look) {
@@ -143,11 +143,11 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const std::vector<float> openness = measure_openness(head.skin, head.surface->mirror);
 
   const glm::vec3 given = to_linear(look.skin),
-                  skin = given * (kExposure - kShoulder * find_luminance(given));
-  const float old = find_share_of_old(head);
-  glm::vec3 lips = find_lip_colour(skin, look);
+                  skin = given * (kExposure - kShoulder * compute_luminance(given));
+  const float old = compute_share_of_old(head);
+  glm::vec3 lips = compute_lip_colour(skin, look);
   if (!look.lips) lips = glm::mix(lips, skin * glm::vec3(0.86f, 0.72f, 0.70f), kOldLips * old);
-  const float light = find_lightness(look.skin);
+  const float light = compute_lightness(look.skin);
   std::array<glm::vec3, kSkinMaskCount> tints{};
   for (std::size_t mask = 0; mask < kSkinMaskCount; ++mask)
     tints[mask] = glm::mix(kTints[mask].on_dark, kTints[mask].on_light, light);
@@ -156,7 +156,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
   part.wear = old;
-  const std::vector<glm::vec3> places = find_places_on_adult(head);
+  const std::vector<glm::vec3> places = compute_places_on_adult(head);
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
     glm::vec3 place = places[i];
     part.grain.push_back(unroll(place));
@@ -170,7 +170,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
       const float veins = std::max(0.0f, 1 - 4 * std::abs(sample_noise(place + 70.0f, kOldVein_mm)));
       masks[kBlood][i] *= 1 + old * kOldVeins * (veins - 0.2f);
       masks[kSocket][i] = std::min(1.0f, masks[kSocket][i] * (1 + kOldSocket * old));
-      colour *= find_old_tint(place, old);
+      colour *= compute_old_tint(place, old);
     }
     for (std::size_t mask = kNostril; mask < kSkinMaskCount; ++mask)
       colour *= glm::mix(glm::vec3(1), tints[mask], masks[mask][i]);
@@ -183,7 +183,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
                       masks[kMouth][i]);
 
     // No lamp is mirrored in a slit.
-    float gloss = find_gloss(masks, i, light) * smooth_step(0.0f, kOpenEnough, openness[i]);
+    float gloss = compute_gloss(masks, i, light) * smooth_step(0.0f, kOpenEnough, openness[i]);
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
     gloss = std::round(gloss * kGlossSteps) / kGlossSteps;

@@ -8,7 +8,7 @@ namespace mien {
 
 // How light a skin is, from 0 (black) to 1 (fair and lighter): the lighter, the more blood shows through, the
 // darker, the more of its light is sheen.
-float find_lightness(const glm::vec3& skin_srgb);
+float compute_lightness(const glm::vec3& skin_srgb);
 
 // The skin as a part that a writer draws: name and material "skin", the neutral mesh, and a shade a vertex.
 // Lips, lids, cheeks, sockets, nostrils and mouth are masks on named rings and spots of the cage; hollows are

@@ -83,7 +83,7 @@ struct Ground {
 };
 
 // No spots on lips, lids and what is wet.
-std::vector<double> find_bare_skin(const NeutralHead& head) {
+std::vector<double> compute_bare_skin(const NeutralHead& head) {
   const SkinMasks masks = paint_skin_masks(head);
   std::vector<double> bare(head.surface->vertex_count(), 1);
   for (const SkinMask mask : {kLips, kMouth, kNostril, kRim, kLash, kLid})
@@ -91,7 +91,7 @@ std::vector<double> find_bare_skin(const NeutralHead& head) {
   return bare;
 }
 
-double find_density(const NeutralHead& head, const Mesh& adult, const SpotKind& kind, glm::vec3 place) {
+double compute_density(const NeutralHead& head, const Mesh& adult, const SpotKind& kind, glm::vec3 place) {
   place.x = std::abs(place.x);
   double none = 1;  // areas overlap like veils
   for (const Area& area : kind.areas) {
@@ -105,7 +105,7 @@ std::vector<double> sum_densities(const NeutralHead& head, const Mesh& adult, co
                                   const SpotKind& kind) {
   std::vector<double> at(adult.positions.size());
   for (std::size_t i = 0; i < at.size(); ++i)
-    at[i] = bare[i] > 0.5 ? bare[i] * find_density(head, adult, kind, adult.positions[i]) : 0;
+    at[i] = bare[i] > 0.5 ? bare[i] * compute_density(head, adult, kind, adult.positions[i]) : 0;
   std::vector<double> sums;
   double sum = 0;
   for (const auto& [a, b, c] : adult.triangles) {
@@ -244,15 +244,15 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
 std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look) {
   if (look.freckles == 0 && look.age_spots == 0) return {};
   Mesh adult;
-  adult.positions = find_places_on_adult(head);
+  adult.positions = compute_places_on_adult(head);
   adult.triangles = head.skin.triangles;
   update_normals(adult);
-  const std::vector<double> bare = find_bare_skin(head);
+  const std::vector<double> bare = compute_bare_skin(head);
   HeadPart part;
   part.part.name = "spots";
   part.part.material = "spot";
   part.part.is_printed = false;
-  part.part.palette = make_spot_palette(find_lightness(look.skin));
+  part.part.palette = make_spot_palette(compute_lightness(look.skin));
   part.mount = Mount::strands;
   append_spots(head, adult, bare, 0, look.freckles, part);
   append_spots(head, adult, bare, 1, look.age_spots, part);

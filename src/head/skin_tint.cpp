@@ -36,13 +36,13 @@ std::vector<SkinTint> list_hair_tints(const NeutralHead& head, const HeadSpec& s
     return covers;
   };
   const BrowNumbers& brow = head.data->parts.brow;
-  const double youth = 1 - smooth_step(brow.grown_mm[0], brow.grown_mm[1], find_eye_to_chin_mm(head));
+  const double youth = 1 - smooth_step(brow.grown_mm[0], brow.grown_mm[1], compute_eye_to_chin_mm(head));
   std::vector<SkinTint> tints;
   tints.push_back(
       {scale(paint_brows(head, brow), brow.paint * (1 - brow.infant_paint * youth)), spec.look.brow});
   if (spec.look.beard != "none")
-    tints.push_back({scale(paint_beard(head, spec.look.beard), find_beard_paint(head, spec.look.beard)),
-                     find_beard_colour(spec.look)});
+    tints.push_back({scale(paint_beard(head, spec.look.beard), compute_beard_paint(head, spec.look.beard)),
+                     compute_beard_colour(spec.look)});
   if (spec.hair != "none") tints.push_back({paint_scalp(head, spec.hair), 0.8f * spec.look.hair});
   return tints;
 }

@@ -35,7 +35,7 @@ constexpr std::array kRegions{
     RegionFairness{"k", 0.35},  RegionFairness{"n", 0.35},
 };
 
-double find_fairness(const SkinPoint& point) {
+double compute_fairness(const SkinPoint& point) {
   const std::string_view name = point.name;
   if (!point.skin) return 3;
   if (name.find("_N") != name.npos || name.ends_with("_D2")) return 4;
@@ -114,7 +114,7 @@ void solve_pass(const HalfHead& half, const std::vector<PointRing>& rings, bool 
       normals.add(has_limit ? limit_row(rings[i], i) : Row{{i, 1.0}}, point.weight, *point.skin * side);
     }
     const double share = is_broad_form(cage.names[i]) ? kBroadUmbrella : 1;
-    normals.add(umbrellas[i], kFairness * find_fairness(point) * share, glm::dvec3(0));
+    normals.add(umbrellas[i], kFairness * compute_fairness(point) * share, glm::dvec3(0));
   }
   for (std::uint32_t i = 0; i < count; ++i) {
     if (!is_broad_form(cage.names[i]) || rings[i].is_boundary) continue;
@@ -137,7 +137,7 @@ void solve_pass(const HalfHead& half, const std::vector<PointRing>& rings, bool 
 }  // namespace
 
 void solve_cage(const HalfHead& half, Cage& cage) {
-  const std::vector<PointRing> rings = find_rings(cage);
+  const std::vector<PointRing> rings = compute_rings(cage);
   constexpr int kPasses = 3;  // the edge lengths of pass 2 hardly differ from those of pass 1
   for (int pass = 0; pass < kPasses; ++pass) solve_pass(half, rings, pass == 0, cage);
 }

@@ -60,7 +60,7 @@ constexpr double kTouch =
 constexpr double kLeastGrown = 0.12;  // of a tooth deep in the gum: a body, if a small one
 
 // Height of the biting edge above its own lowest place, mm of the adult.
-double find_edge_rise_mm(const TeethRowNumbers& row, std::size_t kind, double across) {
+double compute_edge_rise_mm(const TeethRowNumbers& row, std::size_t kind, double across) {
   const double side = std::abs(across), far = across > 0 ? 1.25 : 0.8;  // the far corner is the rounder one
   const double corner = far * kCorner_mm * side * side * side * side;
   const double slope = row.cusps[kind] == 2 ? std::abs(2 * side - 1) : side;
@@ -93,7 +93,7 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
   const TeethRowNumbers& numbers = shape.row.numbers;
   const double scale = shape.arch.scale, wide = 0.5 * (kTouch * tooth.width_mm - tooth.free_mm);
   const double grown = std::max(tooth.grown, kLeastGrown);
-  const double edge = tooth.edge_mm + scale * (find_edge_rise_mm(numbers, tooth.kind, point.across) +
+  const double edge = tooth.edge_mm + scale * (compute_edge_rise_mm(numbers, tooth.kind, point.across) +
                                                0.5 * point.behind * (numbers.cusps[tooth.kind] > 0));
   const double root = tooth.edge_mm + kStations.back().height * (tooth.neck_mm - tooth.edge_mm);
   double height = edge + station.height * (tooth.neck_mm - edge);
@@ -107,15 +107,15 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
   // The inner half of a front tooth is narrower: the arch is round there.
   const double taper = 0.2 * (1 - smooth_step(0.35, 0.65, tooth.share));
   const double across = wide * small * narrow * station.wide * point.across * (1 - taper * point.behind);
-  const double behind = find_lean_mm(shape.arch, shape.row, height, tooth.share) + scale * station.back_mm +
-                        bow * (1 - point.behind) + thick * point.behind;
+  const double behind = compute_lean_mm(shape.arch, shape.row, height, tooth.share) +
+                        scale * station.back_mm + bow * (1 - point.behind) + thick * point.behind;
   return shape.place(across, behind, height);
 }
 
 constexpr int kHeightShades = 5, kDepthShades = 7, kGapShades = 3, kMilkShades = 2;
 constexpr double kBehind = 0.95;  // of the throat's shade; less of it shows the far row as a grey band
 
-std::uint16_t find_tooth_shade(const Tooth& tooth, double height, double across, double behind) {
+std::uint16_t compute_tooth_shade(const Tooth& tooth, double height, double across, double behind) {
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
   const double far = std::max(smooth_step(0.12, 0.95, tooth.share), kBehind * behind);
   const auto depth = std::lround(far * (kDepthShades - 1));
@@ -153,19 +153,19 @@ std::vector<Shade> make_teeth_palette() {
 void append_tooth(const ToothShape& shape, Mesh& mesh, std::vector<std::uint16_t>& shades) {
   const Tooth& tooth = shape.tooth;
   std::vector<Ring> rings;
-  shades.push_back(find_tooth_shade(tooth, 0, 0, 0.5));
+  shades.push_back(compute_tooth_shade(tooth, 0, 0, 0.5));
   for (const Station& station : kStations) {
     rings.emplace_back();
     for (const RingPoint& point : kRing) {
       rings.back().push_back(place_on_tooth(shape, station, point));
-      shades.push_back(find_tooth_shade(tooth, station.height, point.across, point.behind));
+      shades.push_back(compute_tooth_shade(tooth, station.height, point.across, point.behind));
     }
   }
-  shades.push_back(find_tooth_shade(tooth, 1, 0, 0.5));
-  glm::vec3 table = find_middle(rings.front());
+  shades.push_back(compute_tooth_shade(tooth, 1, 0, 0.5));
+  glm::vec3 table = compute_middle(rings.front());
   if (shape.row.numbers.cusps[tooth.kind] > 0 && tooth.kind > 2)
     table.y += static_cast<float>(shape.row.sign * shape.arch.scale * kFossa_mm * tooth.grown);
-  append_loft(mesh, table, rings, find_middle(rings.back()));
+  append_loft(mesh, table, rings, compute_middle(rings.back()));
 }
 
 constexpr int kGumShades = 6;
@@ -195,7 +195,7 @@ std::vector<GumCut> cut_gum(const DentalArch& arch, const TeethRow& row) {
     const auto blend = [&](double own, double its) { return own + (its - own) * near; };
     GumCut cut;
     cut.across = across;
-    cut.place = find_arch_place(line, tooth.from_mm + 0.5 * tooth.width_mm * (1 + across) + beyond_mm);
+    cut.place = compute_arch_place(line, tooth.from_mm + 0.5 * tooth.width_mm * (1 + across) + beyond_mm);
     cut.grown = blend(tooth.grown, other.grown);
     cut.neck_mm = blend(tooth.neck_mm, other.neck_mm);
     cut.share = std::min(1.0, tooth.share + 0.5 * across * tooth.width_mm / line.length_mm.back());
@@ -220,7 +220,7 @@ Ring build_gum_ring(const DentalArch& arch, const TeethRow& row, const GumCut& c
   const double scale = arch.scale, thick = scale * arch.numbers.gum_thick_mm;
   const double side = std::abs(cut.across);
   const auto front_at = [&](double height) {
-    return find_lean_mm(arch, row, height, cut.share) + 0.6 * cut.bow_mm;
+    return compute_lean_mm(arch, row, height, cut.share) + 0.6 * cut.bow_mm;
   };
   Ring ring;
   const auto add = [&](double height, double behind_mm, double dark) {
@@ -255,7 +255,7 @@ std::vector<Shade> make_gum_palette() {
 constexpr std::array<float, 2> kEndSizes{0.92f, 0.3f};
 
 void draw_together(Ring& ring, float size) {
-  const glm::vec3 middle = find_middle(ring);
+  const glm::vec3 middle = compute_middle(ring);
   for (glm::vec3& p : ring) p = middle + (p - middle) * size;
 }
 
@@ -331,7 +331,7 @@ HeadPart build_gum(const DentalArch& arch, const TeethRow& row) {
   for (std::size_t i = left.size() - 1; i > 0; --i) take(i, true);
   for (std::size_t i = 0; i < left.size(); ++i) take(i, false);
   shade.push_back(left_shades.back().front());
-  const glm::vec3 end = find_middle(left.back());
+  const glm::vec3 end = compute_middle(left.back());
   append_loft(part.part.rest, {-end.x, end.y, end.z}, rings, end);
   part.part.name = row.sign > 0 ? "gum_upper" : "gum_lower";
   part.part.material = "gum";

@@ -20,12 +20,12 @@ constexpr double kTip_mm = 11;          // over which it grows from its tip to i
 double square(double value) { return value * value; }
 
 // Half the free way between the lower teeth at a way behind the upper row's front, mm.
-double find_room_mm(const DentalArch& arch, double behind_mm) {
+double compute_room_mm(const DentalArch& arch, double behind_mm) {
   const MouthNumbers& numbers = arch.numbers;
   const TeethRowNumbers& row = numbers.lower;
   const double inset = arch.scale * row.inset_mm, share = std::clamp(behind_mm / arch.depth_mm, 0.0, 1.0);
   const double thick = row.thick_mm[2] + (row.thick_mm[5] - row.thick_mm[2]) * smooth_step(0.2, 0.6, share);
-  return find_arch_half_mm(arch, behind_mm) - inset - arch.scale * (thick + numbers.tongue.room_mm);
+  return compute_arch_half_mm(arch, behind_mm) - inset - arch.scale * (thick + numbers.tongue.room_mm);
 }
 
 }  // namespace
@@ -50,7 +50,7 @@ HeadPart build_tongue(const DentalArch& arch) {
     const double tip = std::clamp(from_tip_mm / kTip_mm, 0.0, 1.0);
     const double round = std::sqrt(1 - square(1 - tip));  // a quarter of a circle
     const double widest =
-        std::min(scale * tongue.half_mm, std::max(find_room_mm(arch, behind_mm), 3 * scale));
+        std::min(scale * tongue.half_mm, std::max(compute_room_mm(arch, behind_mm), 3 * scale));
     const double free = std::min(1.0, 0.62 + 0.38 * smooth_step(0, 16, from_tip_mm));
     const double half = widest * round * free;
     const double rise =
@@ -82,8 +82,8 @@ HeadPart build_tongue(const DentalArch& arch) {
   }
   part.part.shade.push_back(find_shade(0, 0));
   Mesh& mesh = part.part.rest;
-  append_loft(mesh, find_middle(rings.front()), rings,
-              find_middle(rings.back()) + glm::vec3(0, 0, 0.25f * scale));
+  append_loft(mesh, compute_middle(rings.front()), rings,
+              compute_middle(rings.back()) + glm::vec3(0, 0, 0.25f * scale));
   for (glm::vec3* end : {&mesh.positions.front(), &mesh.positions.back()}) end->x = 0;
   update_normals(mesh);
   part.part.name = "tongue";

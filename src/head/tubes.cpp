@@ -40,7 +40,7 @@ double sample_stations(const std::vector<double>& knots, const std::vector<doubl
   return values[next - 1] + (values[next] - values[next - 1]) * 0.5 * (share + eased);
 }
 
-glm::vec3 find_middle(const Ring& ring) {
+glm::vec3 compute_middle(const Ring& ring) {
   glm::vec3 sum(0);
   for (const glm::vec3& p : ring) sum += p;
   return sum / static_cast<float>(ring.size());

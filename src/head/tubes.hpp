@@ -21,7 +21,7 @@ double sample_stations(const std::vector<double>& knots, const std::vector<doubl
 using Ring = std::vector<glm::vec3>;
 
 // The mean of a ring's points.
-glm::vec3 find_middle(const Ring& ring);
+glm::vec3 compute_middle(const Ring& ring);
 
 // A closed skin over `rings` (each of the same count of points, at least 3), its two ends closed by a fan to
 // `start` and to `end`. The rings run counter-clockwise seen from `end`. Adds 1 + rings x points + 1 vertices

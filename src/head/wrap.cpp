@@ -62,7 +62,7 @@ bool is_hidden(std::string_view name) {
 
 bool is_ear(std::string_view name) { return find_ear_ring(name) > 1; }  // its root belongs to the side
 
-double find_least_stiffness(std::string_view name) {
+double compute_least_stiffness(std::string_view name) {
   if (is_ear(name)) return kEarStiffness;
   if (is_hidden(name)) return kHiddenStiffness;
   for (const char* prefix : {"E1_", "M1_"})
@@ -93,18 +93,18 @@ struct Problem {
 
 // The share of such points in the vertex.
 template <typename Test>
-double find_share(const HeadStock& stock, std::size_t v, Test is_such) {
+double compute_share(const HeadStock& stock, std::size_t v, Test is_such) {
   double share = 0;
-  for (const auto& [point, weight] : find_limit_row(*stock.surface, v))
+  for (const auto& [point, weight] : compute_limit_row(*stock.surface, v))
     if (is_such(stock.adult.names[point])) share += weight;
   return share;
 }
 
 Zone find_zone(const HeadStock& stock, std::size_t v) {
   constexpr double kLeastShare = 0.3, kLeastNostril = 0.02;
-  if (find_share(stock, v, is_ear) > kLeastShare) return Zone::ear;
+  if (compute_share(stock, v, is_ear) > kLeastShare) return Zone::ear;
   const auto is_nostril = [](std::string_view name) { return has_prefix(name, "na_"); };
-  return find_share(stock, v, is_nostril) > kLeastNostril ? Zone::nostril : Zone::skin;
+  return compute_share(stock, v, is_nostril) > kLeastNostril ? Zone::nostril : Zone::skin;
 }
 
 void choose_samples(Problem& problem) {
@@ -112,24 +112,24 @@ void choose_samples(Problem& problem) {
   const Surface& surface = *stock.surface;
   constexpr double kMostHidden = 0.3;  // beyond, the skin turns inward
   for (std::uint32_t v = 0; v < surface.vertex_count(); ++v) {
-    if (surface.mirror[v] < v || find_share(stock, v, is_hidden) > kMostHidden) continue;
+    if (surface.mirror[v] < v || compute_share(stock, v, is_hidden) > kMostHidden) continue;
     problem.vertices.push_back(v);
     problem.zones.push_back(find_zone(stock, v));
-    problem.samples.push_back(build_half_row(stock.adult, find_limit_row(surface, v)));
-    problem.adult.push_back(sample_row(find_limit_row(surface, v), stock.adult.points));
+    problem.samples.push_back(build_half_row(stock.adult, compute_limit_row(surface, v)));
+    problem.adult.push_back(sample_row(compute_limit_row(surface, v), stock.adult.points));
   }
 }
 
 void choose_fairness(Problem& problem) {
   const Cage& cage = problem.stock->adult;
-  const std::vector<LinearRow> umbrellas = find_umbrella_rows(cage);
+  const std::vector<LinearRow> umbrellas = compute_umbrella_rows(cage);
   for (std::uint32_t i = 0; i < problem.stock->data->half.points.size(); ++i) {
     problem.bends.push_back(build_half_row(cage, umbrellas[i]));
-    problem.least_stiffness.push_back(find_least_stiffness(cage.names[i]));
+    problem.least_stiffness.push_back(compute_least_stiffness(cage.names[i]));
   }
   for (std::uint32_t i = 0; i < problem.stock->data->half.points.size(); ++i)
     if (find_ear_ring(cage.names[i]) > 0) problem.ear_points.push_back(build_half_row(cage, {{i, 1.0}}));
-  for (const Quad& quad : find_half_quads(*problem.stock))
+  for (const Quad& quad : compute_half_quads(*problem.stock))
     for (int i = 0; i < 4; ++i)
       problem.edges.push_back(build_half_row(cage, {{quad[i], 1.0}, {quad[(i + 1) % 4], -1.0}}));
 }
@@ -146,7 +146,7 @@ void choose_marks(Problem& problem, const Scan& scan, const Similarity& ours_fro
   }
 }
 
-Step find_step(int index) {
+Step compute_step(int index) {
   const double way = static_cast<double>(index) / (kSteps - 1);
   const auto between = [&](double a, double b) { return a * std::pow(b / a, way); };
   return {between(kFirst.stiffness, kLast.stiffness), between(kFirst.landmark, kLast.landmark),
@@ -170,7 +170,7 @@ bool is_asked(const Problem& problem, const Step& step, std::size_t i) {
   return problem.zones[i] != Zone::ear || problem.ear.is_found;
 }
 
-Matches find_matches(const Problem& problem, const Step& step, bool is_right, const Skin& skin) {
+Matches compute_matches(const Problem& problem, const Step& step, bool is_right, const Skin& skin) {
   const std::size_t count = problem.vertices.size();
   // Not bools: threads write side by side.
   std::vector<char> is_found(count, 0);
@@ -225,7 +225,7 @@ void orient_scan(const Scan& scan, Problem& problem, const HeadForm& form) {
   Step step = kFirst;
   step.facing = -1;  // all
   const Skin skin = build_skin(*problem.stock->surface, form.points);
-  const Matches matches = find_matches(problem, step, false, skin);
+  const Matches matches = compute_matches(problem, step, false, skin);
   std::size_t near = 0, outward = 0;
   for (std::size_t i = 0; i < problem.vertices.size(); ++i) {
     if (!matches.is_found[i]) continue;
@@ -246,7 +246,7 @@ void orient_scan(const Scan& scan, Problem& problem, const HeadForm& form) {
 }
 
 // Where the row goes with the ear that was found; nowhere unless all of its points are the ear's.
-glm::dvec3 find_rest(const Problem& problem, const HalfRow& row) {
+glm::dvec3 compute_rest(const Problem& problem, const HalfRow& row) {
   glm::dvec3 sum(0);
   for (const HalfTerm& term : row.terms) {
     if (find_ear_ring(problem.stock->adult.names[term.point]) == 0) return glm::dvec3(0);
@@ -257,14 +257,14 @@ glm::dvec3 find_rest(const Problem& problem, const HalfRow& row) {
 
 void add_fairness(Problem& problem, double stiffness) {
   for (std::size_t i = 0; i < problem.bends.size(); ++i)
-    add_equation(problem.system, problem.bends[i], find_rest(problem, problem.bends[i]), glm::dvec3(0), 0,
+    add_equation(problem.system, problem.bends[i], compute_rest(problem, problem.bends[i]), glm::dvec3(0), 0,
                  std::max(stiffness, problem.least_stiffness[i]));
   for (const HalfRow& point : problem.ear_points)
     if (problem.ear.is_found)
-      add_equation(problem.system, point, find_rest(problem, point), glm::dvec3(0), 0,
+      add_equation(problem.system, point, compute_rest(problem, point), glm::dvec3(0), 0,
                    is_ear(problem.stock->adult.names[point.terms[0].point]) ? kEarHold : kRootHold);
   for (const HalfRow& edge : problem.edges)
-    add_equation(problem.system, edge, find_rest(problem, edge), glm::dvec3(0), 0,
+    add_equation(problem.system, edge, compute_rest(problem, edge), glm::dvec3(0), 0,
                  std::max(kCalm * stiffness, kLeastCalm));
 }
 
@@ -290,7 +290,7 @@ struct NosePlace {
   double radius_mm = 0;
 };
 
-NosePlace find_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
+NosePlace compute_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
   const glm::dvec3 tip = points[find_point(cage, "p_tip")], wing = points[find_point(cage, "k_tip")],
                    base = points[find_point(cage, "M6_0")];
   constexpr double kRadius = 0.9;  // of the way from tip to wing: more would reach lids and lips
@@ -298,7 +298,7 @@ NosePlace find_nose(const Cage& cage, const std::vector<glm::dvec3>& points) {
 }
 
 void add_nose(Problem& problem, const Step& step, const HeadForm& form, const Skin& skin) {
-  const NosePlace nose = find_nose(problem.stock->adult, form.points);
+  const NosePlace nose = compute_nose(problem.stock->adult, form.points);
   NosePatch patch;
   std::vector<std::size_t> samples;  // of each vertex of the patch
   for (std::size_t i = 0; i < problem.vertices.size(); ++i) {
@@ -308,8 +308,8 @@ void add_nose(Problem& problem, const Step& step, const HeadForm& form, const Sk
     patch.normals.emplace_back(skin.normals[problem.vertices[i]]);
     samples.push_back(i);
   }
-  const std::vector<NosePull> pulls = find_nose_pulls(problem.scan, patch, nose.middle, nose.radius_mm,
-                                                      std::min(step.reach_mm, kNoseReach_mm));
+  const std::vector<NosePull> pulls = compute_nose_pulls(problem.scan, patch, nose.middle, nose.radius_mm,
+                                                         std::min(step.reach_mm, kNoseReach_mm));
   if (pulls.empty()) return;
   // A dense scan is not to count for more than our own skin.
   const double weight = static_cast<double>(samples.size()) / static_cast<double>(pulls.size());
@@ -323,11 +323,11 @@ void add_nose(Problem& problem, const Step& step, const HeadForm& form, const Sk
 
 void add_surface(Problem& problem, const Step& step, const HeadForm& form) {
   const Skin skin = build_skin(*problem.stock->surface, form.points);
-  std::array<Matches, 2> sides{find_matches(problem, step, false, skin),
-                               find_matches(problem, step, true, skin)};
+  std::array<Matches, 2> sides{compute_matches(problem, step, false, skin),
+                               compute_matches(problem, step, true, skin)};
   if (step.stride > 1) {
     turn_scan(problem, skin, sides);
-    sides = {find_matches(problem, step, false, skin), find_matches(problem, step, true, skin)};
+    sides = {compute_matches(problem, step, false, skin), compute_matches(problem, step, true, skin)};
   }
   const auto weight = static_cast<double>(step.stride);
   for (const Matches& matches : sides)
@@ -370,11 +370,11 @@ Problem build_problem(const HeadStock& stock, const Scan& scan, const Similarity
 // The first steps, until the ears have been looked for.
 HeadForm begin_fit(Problem& problem, const Scan& scan) {
   HeadForm form{problem.stock->adult.points, Eye{}};
-  fit_step(problem, find_step(0), false, form);
+  fit_step(problem, compute_step(0), false, form);
   orient_scan(scan, problem, form);
   for (int i = 0; i < kEarStep; ++i) {
     problem.has_nose = i >= kNoseStep;
-    fit_step(problem, find_step(i), true, form);
+    fit_step(problem, compute_step(i), true, form);
   }
   place_ears(problem, form);
   return form;
@@ -384,10 +384,10 @@ HeadForm begin_fit(Problem& problem, const Scan& scan) {
 
 HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
   const Similarity ours_from_scan = align_marks(stock, scan);
-  const double growth = find_growth(scan, ours_from_scan.scale);
+  const double growth = compute_growth(scan, ours_from_scan.scale);
   Problem problem = build_problem(stock, scan, ours_from_scan);
   HeadForm form = begin_fit(problem, scan);
-  for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, find_step(i), true, form);
+  for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, compute_step(i), true, form);
   finish_wrap(stock, growth, form);
   return form;
 }

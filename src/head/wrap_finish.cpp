@@ -27,7 +27,7 @@ void place_head(const HeadStock& stock, double growth, HeadForm& form) {
 
 // Where the outside of a lip lies at a height, on the way through the points of a column of the rings M2 to
 // M5.
-double find_lip_z(const Cage& cage, const std::vector<glm::dvec3>& points, int column, double y_mm) {
+double compute_lip_z(const Cage& cage, const std::vector<glm::dvec3>& points, int column, double y_mm) {
   constexpr std::array kRings{"M2_", "M3_", "M4_", "MA_", "M5_"};
   std::array<glm::dvec3, kRings.size()> line{};
   for (std::size_t i = 0; i < kRings.size(); ++i)
@@ -50,9 +50,9 @@ void keep_lips_thick(const Cage& cage, HeadForm& form) {
       if (column == kCorner) continue;
       const std::uint32_t inside = find_point(cage, ring + std::to_string(column));
       const glm::dvec3& adult = cage.points[inside];
-      const double thick_mm = scale * (find_lip_z(cage, cage.points, column, adult.y) - adult.z);
+      const double thick_mm = scale * (compute_lip_z(cage, cage.points, column, adult.y) - adult.z);
       glm::dvec3& p = form.points[inside];
-      p.z = std::min(p.z, find_lip_z(cage, form.points, column, p.y) - thick_mm);
+      p.z = std::min(p.z, compute_lip_z(cage, form.points, column, p.y) - thick_mm);
     }
   mirror_half(cage, form.points);
 }

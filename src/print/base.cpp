@@ -22,7 +22,7 @@ std::span<const ProfilePoint> find_profile(BaseShape shape) {
 }
 
 // The outline's distance from the axis in the direction (c, s).
-double find_outline_mm(const Base& base, double c, double s) {
+double compute_outline_mm(const Base& base, double c, double s) {
   const double n = base.shape == BaseShape::round ? 2 : kSquareness;
   return base.radius_mm * std::pow(std::pow(std::abs(c), n) + std::pow(std::abs(s), n), -1 / n);
 }
@@ -94,7 +94,7 @@ std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std:
     std::vector<glm::vec3>& ring = rings.emplace_back();
     for (const glm::vec3& p : foot) {
       const double x = p.x, y = p.y, from = std::hypot(x, y), c = x / from, s = y / from;
-      const double to = std::max(find_outline_mm(base, c, s), kSpread * from);
+      const double to = std::max(compute_outline_mm(base, c, s), kSpread * from);
       const double radius = from + out * (to - from);
       ring.emplace_back(radius * c, radius * s, base.height_mm * up);
     }
@@ -110,7 +110,7 @@ Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Lett
   for (std::vector<glm::vec3>& ring : rings)
     if (area < 0) std::reverse(ring.begin(), ring.end());
   const LabelRoom room =
-      find_label_room(rings[rings.size() - kLabelRing - 1], rings[rings.size() - kLabelRing]);
+      compute_label_room(rings[rings.size() - kLabelRing - 1], rings[rings.size() - kLabelRing]);
   const double asked = base.label_size_mm > 0 ? base.label_size_mm : kMostLetter_mm;
   return set_label(letters, base.label, std::min(asked, room.height_mm), std::min(asked, kLeastLetter_mm),
                    room.width_mm);

@@ -39,7 +39,7 @@ std::vector<glm::vec3> build_ring(const CavityPlan& plan, const CavityPlan::Wall
 }
 
 // How far the ring is from the axis, sides and not corners taken.
-double find_inner_radius(const std::vector<glm::vec3>& ring) {
+double compute_inner_radius(const std::vector<glm::vec3>& ring) {
   double least = 1e9;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     const glm::dvec2 a(ring[i]), b(ring[(i + 1) % ring.size()]), way = b - a;
@@ -50,8 +50,8 @@ double find_inner_radius(const std::vector<glm::vec3>& ring) {
   return least;
 }
 
-double find_drain_mm(const Cavity& cavity, const Hollow& hollow) {
-  double drain = std::min(hollow.drain_mm, kDrainShare * 2 * find_inner_radius(cavity.rings.front()));
+double compute_drain_mm(const Cavity& cavity, const Hollow& hollow) {
+  double drain = std::min(hollow.drain_mm, kDrainShare * 2 * compute_inner_radius(cavity.rings.front()));
   if (hollow.pocket_mm > 0) drain = std::min(drain, hollow.pocket_mm - 2 * kMagnetLedge_mm);
   if (drain < std::min(kLeastDrain_mm, hollow.drain_mm))
     throw RunError(
@@ -84,7 +84,7 @@ Cavity build_cavity(const CavityPlan& plan, const Hollow& hollow) {
     throw RunError(fmt::format("a wall of {} mm leaves nothing to hollow", hollow.wall_mm));
   else
     cavity.rings.emplace_back(columns, glm::vec3(0));  // no drain goes through
-  if (hollow.drain_mm > 0) cavity.drain_mm = find_drain_mm(cavity, hollow);
+  if (hollow.drain_mm > 0) cavity.drain_mm = compute_drain_mm(cavity, hollow);
   for (++k; is_open(k); ++k)
     if (plan.heights_mm[k] > floor + kCavityStep_mm && plan.heights_mm[k] < wall.top_mm - kCavityStep_mm)
       cavity.rings.push_back(build_ring(plan, wall, k, 0, hollow.lift_mm));

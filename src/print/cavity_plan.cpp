@@ -45,7 +45,7 @@ struct Tracer {
 };
 
 // The row's middle goes with the deepest place; above the deepest of all it goes straight up.
-void find_middles(const Tracer& tracer, double straight_mm, CavityPlan& plan) {
+void compute_middles(const Tracer& tracer, double straight_mm, CavityPlan& plan) {
   constexpr int kWays = 3;        // to either side
   constexpr double kSlope = 0.9;  // of the way up
   const double step = plan.heights_mm[1] - plan.heights_mm[0];
@@ -124,7 +124,7 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
   const auto is_open = [&](std::size_t k) { return wall.reaches_mm[k * columns] > 0; };
   std::vector<char> is_asked(rows * columns, 1);
   for (int round = 0; round < kRounds; ++round) {
-    std::vector<double> lacks(rows * columns, 0);  // of the corners of each cell
+    std::vector<double> shortfalls(rows * columns, 0);  // of the corners of each cell
     for_each_index(rows - 1, count_workers(), [&](std::size_t k, int) {
       for (std::size_t j = 0; j < columns; ++j) {
         if (!is_open(k) || !is_open(k + 1) || !is_asked[k * columns + j]) continue;
@@ -135,8 +135,8 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
         for (int i = 1; i < steps; ++i)
           for (const glm::dvec3& at : {glm::mix(a, c, double(i) / steps), glm::mix(a, d, double(i) / steps),
                                        glm::mix(b, c, double(i) / steps)})
-            lacks[k * columns + j] = std::max(lacks[k * columns + j],
-                                              wall.wall_mm - find_nearest(tree, at, wall.wall_mm).distance);
+            shortfalls[k * columns + j] = std::max(
+                shortfalls[k * columns + j], wall.wall_mm - find_nearest(tree, at, wall.wall_mm).distance);
       }
     });
     std::vector<char> is_moved(rows * columns, 0);
@@ -144,11 +144,11 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
     bool has_moved = false;
     for (std::size_t k = 0; k + 1 < rows; ++k)
       for (std::size_t j = 0; j < columns; ++j)
-        if (const double lack = lacks[k * columns + j]; lack > 0)
+        if (const double shortfall = shortfalls[k * columns + j]; shortfall > 0)
           for (const std::size_t row : {k, k + 1})
             for (const std::size_t column : {j, (j + 1) % columns}) {
               double& way = move[row * columns + column];
-              way = std::max(way, kMore * lack);
+              way = std::max(way, kMore * shortfall);
               for (const std::size_t beside : {column, (column + columns - 1) % columns})
                 is_moved[row * columns + beside] = is_moved[(row - (row > 0)) * columns + beside] = 1;
               has_moved = true;
@@ -166,12 +166,12 @@ void draw_in(const CavityPlan& plan, const SurfaceTree& tree, CavityPlan::Wall& 
 CavityPlan plan_cavity(const Mesh& surfaces, const CavityRequest& request) {
   CavityPlan plan;
   plan.directions = request.directions;
-  const double high = find_bounds(surfaces.positions).high.z;
+  const double high = compute_bounds(surfaces.positions).high.z;
   for (std::size_t k = 0; k < kRows; ++k)
     plan.heights_mm.push_back(request.low_mm + (high - request.low_mm) * double(k) / double(kRows));
   const SurfaceTree tree = build_solid_tree(surfaces);
   const Tracer tracer{tree};
-  find_middles(tracer, request.straight_mm, plan);
+  compute_middles(tracer, request.straight_mm, plan);
 
   const std::size_t columns = plan.directions.size();
   std::vector<CavityPlan::Wall> walls(request.walls_mm.size());
@@ -212,7 +212,7 @@ Mesh join_poses(const std::vector<Triangle>& triangles, const std::vector<std::v
   Mesh joined{poses.front(), {}, triangles};
   update_normals(joined);
   const std::vector<glm::vec3> normals = std::move(joined.normals);
-  const float far_mm = kFar * find_bounds(poses.front()).high.z;
+  const float far_mm = kFar * compute_bounds(poses.front()).high.z;
   for (std::size_t i = 1; i < poses.size(); ++i) {
     std::vector<bool> is_inward(poses[i].size());
     for (std::size_t v = 0; v < is_inward.size(); ++v) {

@@ -113,8 +113,8 @@ const Glyph& find_glyph(const Letters& letters, char32_t code) {
 struct Setting {
   double unit_mm = 0, pen_mm = 0, gap_mm = 0;
   explicit Setting(double size_mm)
-      : unit_mm((size_mm - find_pen_mm(size_mm)) / kCapital),
-        pen_mm(find_pen_mm(size_mm)),
+      : unit_mm((size_mm - compute_pen_mm(size_mm)) / kCapital),
+        pen_mm(compute_pen_mm(size_mm)),
         gap_mm(std::max(kLeastLetterGap_mm, kLetterGap * unit_mm)) {}
   double measure(const Letters& letters, const std::vector<Character>& line) const {
     double width = line.empty() ? 0 : -gap_mm;
@@ -125,7 +125,7 @@ struct Setting {
 
 }  // namespace
 
-double find_pen_mm(double size_mm) { return std::max(kLeastPen_mm, kPenShare * size_mm); }
+double compute_pen_mm(double size_mm) { return std::max(kLeastPen_mm, kPenShare * size_mm); }
 
 Letters build_letters(const Template& table) {
   Letters letters;
@@ -170,7 +170,7 @@ Label set_label(const Letters& letters, const std::string& text, double size_mm,
   return label;
 }
 
-double find_stroke_distance(const std::vector<Stroke>& strokes, const glm::dvec2& p) {
+double compute_stroke_distance(const std::vector<Stroke>& strokes, const glm::dvec2& p) {
   double least = 1e9;
   for (const Stroke& stroke : strokes)
     for (std::size_t i = 0; i + 1 < stroke.size(); ++i) {

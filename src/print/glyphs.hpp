@@ -37,7 +37,7 @@ struct Label {
 };
 
 // The pen for letters of this size: never thinner than kLeastPen_mm.
-double find_pen_mm(double size_mm);
+double compute_pen_mm(double size_mm);
 
 // `text` in letters of `size_mm`, smaller ones down to `least_mm` if it is wider than `width_mm`; cut if it
 // still is. No strokes if nothing fits. Any bytes may be in `text`: what is no UTF-8 is set as boxes.
@@ -45,7 +45,7 @@ Label set_label(const Letters& letters, const std::string& text, double size_mm,
                 double width_mm);
 
 // The distance from `p` to the middle line of the nearest stroke; 1e9 without any.
-double find_stroke_distance(const std::vector<Stroke>& strokes, const glm::dvec2& p);
+double compute_stroke_distance(const std::vector<Stroke>& strokes, const glm::dvec2& p);
 
 // The strokes as a list of lists of points, in OpenSCAD's words.
 std::string build_openscad_strokes(const std::vector<Stroke>& strokes);

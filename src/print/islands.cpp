@@ -40,7 +40,7 @@ std::vector<Run> list_runs(const Mesh& solid, const Grid& grid) {
 }  // namespace
 
 std::vector<Island> find_islands(const Mesh& solid, double layer_mm) {
-  const Box box = find_bounds(solid.positions);
+  const Box box = compute_bounds(solid.positions);
   const glm::dvec3 size(box.high - box.low);
   Grid grid = place_grid(box, std::max(kStep_mm, std::max({size.x, size.y, size.z}) / kSteps));
   const std::vector<Run> runs = list_runs(solid, grid);

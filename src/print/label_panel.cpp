@@ -23,7 +23,7 @@ struct Front {
 };
 
 // The ring's stretch around the front that is within the sector.
-Front find_front(const std::vector<glm::vec3>& ring) {
+Front compute_front(const std::vector<glm::vec3>& ring) {
   const std::size_t n = ring.size();
   const auto at = [&](std::size_t i) { return glm::dvec2(ring[i % n].x, ring[i % n].y); };
   std::size_t first = n;
@@ -98,7 +98,7 @@ Relief build_relief(const Front& front, const Label& label, double raise_mm, dou
   for (int j = 0; j <= rows; ++j)
     for (int i = 0; i <= columns; ++i) {
       const double along = -half + 2 * half * i / columns, z = low + (high - low) * j / rows;
-      const double out = label.pen_mm / 2 - find_stroke_distance(label.strokes, {along, z - bottom});
+      const double out = label.pen_mm / 2 - compute_stroke_distance(label.strokes, {along, z - bottom});
       // Half of the slope is beyond the pen's border, half within; the frame stays in the wall.
       const bool is_frame = i == 0 || j == 0 || i == columns || j == rows;
       const double share = is_frame ? 0 : std::clamp(0.5 + out / kLabelSlope_mm, 0.0, 1.0);
@@ -136,8 +136,8 @@ void simplify_relief(Relief& relief) {
 
 }  // namespace
 
-LabelRoom find_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low) {
-  const Front front = find_front(low);
+LabelRoom compute_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low) {
+  const Front front = compute_front(low);
   const double side = std::min(-front.along.front(), front.along.back());
   return {std::max(0.0, 2 * (side - 3 * kLabelMargin_mm)),
           std::max(0.0, double(high[0].z - low[0].z) - 2 * kLabelMargin_mm)};
@@ -147,7 +147,7 @@ void append_label_band(Mesh& mesh, const Loop& high, const Loop& low, const Labe
   mesh.normals.clear();
   std::vector<glm::vec3> ring;
   for (const std::uint32_t v : low) ring.push_back(mesh.positions[v]);
-  const Front front = find_front(ring);
+  const Front front = compute_front(ring);
   // As few columns of the wall as hold the label.
   const double half = label.width_mm / 2 + 2 * kLabelMargin_mm;
   std::size_t begin = 0, end = front.along.size() - 1;

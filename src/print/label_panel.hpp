@@ -13,10 +13,10 @@ struct LabelRoom {
 };
 
 // `high` and `low` are the wall's rings, one above the other, counter-clockwise as seen from above.
-LabelRoom find_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low);
+LabelRoom compute_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low);
 
-// The band between the rings (vertices of `mesh`, as for find_label_room, of one length) with `label` raised
-// from its front by `raise_mm`; it must fit the room.
+// The band between the rings (vertices of `mesh`, as for compute_label_room, of one length) with `label`
+// raised from its front by `raise_mm`; it must fit the room.
 void append_label_band(Mesh& mesh, const Loop& high, const Loop& low, const Label& label, double raise_mm);
 
 }  // namespace mien

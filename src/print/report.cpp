@@ -86,7 +86,7 @@ std::string count_things(std::size_t count, const char* one, const char* many) {
 
 PrintReport measure_print(const Mesh& mesh, std::size_t inner_first, std::size_t inner_count) {
   PrintReport report;
-  const Box box = find_bounds(mesh.positions);
+  const Box box = compute_bounds(mesh.positions);
   report.size_mm = glm::dvec3(box.high) - glm::dvec3(box.low);
   report.volume_mm3 = compute_volume_mm3(mesh);
   report.pla_g = kPla_g_per_mm3 * report.volume_mm3;

@@ -77,15 +77,15 @@ struct Wish {
 };
 
 // The free space that a vertex may take.
-double find_room_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
-                    double least_mm) {
+double compute_room_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
+                       double least_mm) {
   constexpr double kStart_mm = 1e-3;
   const double gap = find_hit(tree, place, normal, kStart_mm, 4 * least_mm).distance;
   return kGapShare * std::min(gap, 4 * least_mm);
 }
 
-double find_need_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
-                    double least_mm) {
+double compute_need_mm(const SurfaceTree& tree, const glm::dvec3& place, const glm::dvec3& normal,
+                       double least_mm) {
   return std::max(0.0, (least_mm - measure_thickness_mm(tree, place, normal, 2 * least_mm)) / 2);
 }
 
@@ -102,7 +102,7 @@ std::vector<Wish> list_wishes(const Body& body, const SurfaceTree& tree,
     if (is_asked[v] || body.is_fixed[v] || normals[v] == glm::dvec3(0)) return false;
     is_asked[v] = true;
     ring.push_back(v);
-    wishes[v].room_mm = find_room_mm(tree, positions[v], normals[v], least_mm);
+    wishes[v].room_mm = compute_room_mm(tree, positions[v], normals[v], least_mm);
     return true;
   };
   std::uint32_t last = UINT32_MAX;
@@ -112,10 +112,10 @@ std::vector<Wish> list_wishes(const Body& body, const SurfaceTree& tree,
     const auto& [a, b, c] = body.mesh.triangles[last];
     const glm::dvec3 middle =
         (glm::dvec3(positions[a]) + glm::dvec3(positions[b]) + glm::dvec3(positions[c])) / 3.0;
-    const double need = find_need_mm(tree, middle, patch.normal, least_mm);
-    const double room = find_room_mm(tree, middle, patch.normal, least_mm);
+    const double need = compute_need_mm(tree, middle, patch.normal, least_mm);
+    const double room = compute_room_mm(tree, middle, patch.normal, least_mm);
     for (const std::uint32_t v : {a, b, c}) {
-      if (ask(v)) wishes[v].need_mm = find_need_mm(tree, positions[v], normals[v], least_mm);
+      if (ask(v)) wishes[v].need_mm = compute_need_mm(tree, positions[v], normals[v], least_mm);
       wishes[v] = {std::max(wishes[v].need_mm, need), std::min(wishes[v].room_mm, room)};
     }
   }
@@ -234,7 +234,7 @@ void hold_apart(const std::vector<std::vector<glm::vec3>>& poses, const std::vec
   }
 }
 
-std::vector<glm::vec3> find_thickening(const Mesh& mesh, double least_mm) {
+std::vector<glm::vec3> compute_thickening(const Mesh& mesh, double least_mm) {
   std::vector<glm::vec3> moves(mesh.positions.size(), glm::vec3(0));
   if (!(least_mm > 0)) return moves;
   Body body = build_thick_body(mesh);

@@ -12,7 +12,7 @@ namespace mien {
 // apart, along their normals, fading out over its neighbours; never so far that a triangle turns over, or
 // into what is opposite in the air: what remains thin for that is for the report to tell. Nothing moves where
 // z is 0. Mirror-symmetric bodies give mirror-symmetric moves.
-std::vector<glm::vec3> find_thickening(const Mesh& body, double least_mm);
+std::vector<glm::vec3> compute_thickening(const Mesh& body, double least_mm);
 
 // Takes back those of the moves that lead the surface of any of the poses through itself where it did not
 // before, in a wider and wider circle up to three times `least_mm`. The same for any number of threads.

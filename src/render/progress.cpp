@@ -32,18 +32,18 @@ ProgressState find_state(const Progress& progress) {
           read_clock_s() - progress.started_s};
 }
 
-double find_speed(const ProgressState& state) {
+double compute_speed(const ProgressState& state) {
   return state.elapsed_s > 0 ? state.rendered / state.elapsed_s : 0;
 }
 
 std::string format_speed(const ProgressState& state) {
-  const double speed = find_speed(state);
+  const double speed = compute_speed(state);
   if (speed >= 99.5) return fmt::format("{:.0f} {}/s", speed, state.label);
   return fmt::format("{:.{}f} {}/s", speed, speed >= 0.95 ? 1 : 2, state.label);
 }
 
 std::string format_time_left(const ProgressState& state) {
-  return format_duration(std::ceil((state.total - state.rendered - state.kept) / find_speed(state))) +
+  return format_duration(std::ceil((state.total - state.rendered - state.kept) / compute_speed(state))) +
          " left";
 }
 
@@ -76,7 +76,7 @@ std::string paint_bar(const std::string& text) {
 
 void draw_bar(const Progress& progress) {
   const std::string text =
-      format_progress_bar(find_state(progress), find_terminal_width(progress.stream, kWidest));
+      format_progress_bar(find_state(progress), compute_terminal_width(progress.stream, kWidest));
   fmt::print(progress.stream, "{}{}", kEraseLine, paint_bar(text));
   std::fflush(progress.stream);
 }
@@ -98,7 +98,7 @@ void print_json(const Progress& progress, const nlohmann::ordered_json& event) {
 
 }  // namespace
 
-ProgressStyle find_progress_style(std::FILE* stream, bool is_quiet, bool is_json) {
+ProgressStyle compute_progress_style(std::FILE* stream, bool is_quiet, bool is_json) {
   if (is_quiet) return ProgressStyle::quiet;
   if (is_json) return ProgressStyle::json;
   const char* terminal = std::getenv("TERM");

@@ -10,7 +10,7 @@ namespace mien {
 enum class ProgressStyle { bar, lines, json, quiet };
 
 // bar if `stream` is a terminal that can erase a line, else lines. Quiet wins over JSON.
-ProgressStyle find_progress_style(std::FILE* stream, bool is_quiet, bool is_json);
+ProgressStyle compute_progress_style(std::FILE* stream, bool is_quiet, bool is_json);
 
 // Counts frames done; shows frames, frames a second and the time left. All writes go to one stream. Not
 // copied. Safe to call from several threads.

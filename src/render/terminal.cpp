@@ -11,7 +11,7 @@ namespace mien {
 
 bool is_terminal(std::FILE* stream) { return ::isatty(::fileno(stream)) != 0; }
 
-int find_terminal_width(std::FILE* stream, int widest) {
+int compute_terminal_width(std::FILE* stream, int widest) {
   winsize size{};
   if (::ioctl(::fileno(stream), TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return widest;
   return std::min<int>(size.ws_col - 1, widest);  // the last column would wrap on some terminals

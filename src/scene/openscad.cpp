@@ -174,8 +174,7 @@ std::string build_label_settings(const PosableBust& bust) {
 }
 
 // A template that becomes a part of another one.
-std::string fill_part(const Templates& templates, std::string_view name,
-                      const ScadValues& values) {
+std::string fill_part(const Templates& templates, std::string_view name, const ScadValues& values) {
   std::string text = fill_template(templates, name, values);
   while (!text.empty() && text.back() == '\n') text.pop_back();
   return text;

@@ -186,7 +186,7 @@ void append_camera(std::string& text, const CameraView& view) {
   const double height = std::clamp(view.height_deg, -kSteepest_deg, kSteepest_deg) * kRadiansPerDegree;
   const glm::vec3 toward_camera(std::sin(angle) * std::cos(height), std::sin(height),
                                 std::cos(angle) * std::cos(height));
-  const double distance_mm = find_camera_distance_mm(view);
+  const double distance_mm = compute_camera_distance_mm(view);
   text += view.is_orthographic ? "stage_flat_camera(" : "stage_camera(";
   append_vector(text, view.look_at + static_cast<float>(distance_mm * view.distance) * toward_camera, 4);
   text += ", ";
@@ -198,7 +198,7 @@ void append_camera(std::string& text, const CameraView& view) {
 
 }  // namespace
 
-double find_camera_distance_mm(const CameraView& view) {
+double compute_camera_distance_mm(const CameraView& view) {
   return kLensDistance_mm * (view.lens_mm / kPortraitLens_mm) * view.frame_height_mm /
          CameraView{}.frame_height_mm;
 }
@@ -225,7 +225,8 @@ void append_povray_start(std::string& text, const FrameStart& start) {
 void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError("internal: a drawing has not the model's parts");
-  constexpr std::size_t kPerVertex = 56;  // bytes of a place and a normal; fewer and the text is moved as it grows
+  constexpr std::size_t kPerVertex =
+      56;  // bytes of a place and a normal; fewer and the text is moved as it grows
   std::size_t vertices = 0;
   for (const PartShape& shape : drawing.parts) vertices += shape.positions.size();
   text.reserve(text.size() + vertices * kPerVertex);

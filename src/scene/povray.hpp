@@ -55,7 +55,7 @@ struct Overlay {
 };
 
 // How far the camera stands from the middle of the framed box at distance 1, mm.
-double find_camera_distance_mm(const CameraView& view);
+double compute_camera_distance_mm(const CameraView& view);
 
 // Each part's shades, faces and (for rigid parts) vertices, as frames refer to them by the parts' names. A
 // material is the macro NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds

@@ -20,7 +20,7 @@ std::string build_plaster_scene(const Mesh& mesh, double aspect, const Templates
   }
   for (const Triangle& t : mesh.triangles)
     faces += fmt::format("{}<{},{},{}>", faces.empty() ? "" : ",\n", t[0], t[1], t[2]);
-  const Box box = find_bounds(mesh.positions);
+  const Box box = compute_bounds(mesh.positions);
   return fill_template(templates, "povray/bust.pov",
                        {{"height_mm", format_number(box.high.z, 3)},
                         {"width_mm", format_number(box.high.x - box.low.x, 3)},

@@ -127,7 +127,7 @@ StlFacts measure_stl(const Mesh& mesh) {
   facts.parts = split_pieces(mesh).size();
   facts.open_edges = count_open_edges(mesh.triangles);
   facts.volume_mm3 = compute_volume_mm3(mesh);
-  facts.box = find_bounds(mesh.positions);
+  facts.box = compute_bounds(mesh.positions);
   return facts;
 }
 

@@ -61,7 +61,7 @@ struct Frame {
   double left = kMargin + kNameWidth, right = 0;  // of the curves
 };
 
-double find_row_height(const StripRow& row) {
+double compute_row_height(const StripRow& row) {
   return std::max(kLeastRow, 20 + kLine * static_cast<double>(row.moves.size()));
 }
 
@@ -74,11 +74,11 @@ Frame find_frame(const StripPage& page) {
   const int lines = (count + frame.across - 1) / frame.across;
   frame.curves_top = frame.pictures_top + lines * (page.picture_height_px + kCaption + kGap) + 46;
   frame.height = frame.curves_top + kMargin;
-  for (const StripRow& row : page.rows) frame.height += find_row_height(row) + kGap;
+  for (const StripRow& row : page.rows) frame.height += compute_row_height(row) + kGap;
   return frame;
 }
 
-double find_x(const StripPage& page, const Frame& frame, double time_s) {
+double compute_x(const StripPage& page, const Frame& frame, double time_s) {
   const double end_s = static_cast<double>(page.frame_count) / page.fps;
   return frame.left + (frame.right - frame.left) * std::clamp(time_s / end_s, 0.0, 1.0);
 }
@@ -112,7 +112,7 @@ void append_ruler(std::string& svg, const StripPage& page, const Frame& frame) {
       break;
     }
   for (int i = 0; i * step_s < end_s; ++i) {
-    const double x = find_x(page, frame, i * step_s);
+    const double x = compute_x(page, frame, i * step_s);
     append_words(svg, x, frame.curves_top - 30, format_number(i * step_s, 2) + " s", {10, kInk, "middle"});
     append_line(svg, x, frame.curves_top - 26, x, frame.height - kMargin, kPale, " stroke-dasharray=\"1 3\"");
   }
@@ -121,15 +121,15 @@ void append_ruler(std::string& svg, const StripPage& page, const Frame& frame) {
 // Keys as red lines, blinks as grey ones, and the strip's drawings by their numbers.
 void append_marks(std::string& svg, const StripPage& page, const Frame& frame) {
   for (const double blink_s : page.blinks_s) {
-    const double x = find_x(page, frame, blink_s);
+    const double x = compute_x(page, frame, blink_s);
     append_line(svg, x, frame.curves_top, x, frame.height - kMargin, kPale, " stroke-width=\"3\"");
   }
   for (const StripMark& key : page.keys) {
-    const double x = find_x(page, frame, key.time_s);
+    const double x = compute_x(page, frame, key.time_s);
     append_line(svg, x, frame.curves_top - 6, x, frame.height - kMargin, kRed, " stroke-opacity=\"0.5\"");
   }
   for (std::size_t i = 0; i < page.pictures.size(); ++i)
-    append_words(svg, find_x(page, frame, page.pictures[i].time_s), frame.curves_top - 10,
+    append_words(svg, compute_x(page, frame, page.pictures[i].time_s), frame.curves_top - 10,
                  std::to_string(i + 1), {10, page.pictures[i].is_key ? kRed : kInk, "middle"});
 }
 
@@ -141,7 +141,7 @@ void append_curve(std::string& svg, const StripPage& page, const Frame& frame, d
     const double time_s = static_cast<double>(i) / page.fps;
     const double y = middle - half * std::clamp(values[i], -kBeyond, kBeyond);
     points +=
-        fmt::format("{}{},{}", points.empty() ? "" : " ", number(find_x(page, frame, time_s)), number(y));
+        fmt::format("{}{},{}", points.empty() ? "" : " ", number(compute_x(page, frame, time_s)), number(y));
   }
   svg += fmt::format("<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"1.5\"/>\n", points,
                      colour);
@@ -150,7 +150,7 @@ void append_curve(std::string& svg, const StripPage& page, const Frame& frame, d
 void append_rows(std::string& svg, const StripPage& page, const Frame& frame) {
   double top = frame.curves_top;
   for (const StripRow& row : page.rows) {
-    const double height = find_row_height(row), middle = top + height / 2;
+    const double height = compute_row_height(row), middle = top + height / 2;
     append_line(svg, frame.left, middle, frame.right, middle, kPale);
     for (const double limit : {-1.0, 1.0})
       append_line(svg, frame.left, middle + limit * height / 2 / kBeyond, frame.right,

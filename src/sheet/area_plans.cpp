@@ -114,7 +114,7 @@ SheetCell build_limit_cell(const AreaInfo& area) {
 
 SheetTable build_limit_table(Area area) {
   SheetTable table;
-  table.tells_limits = table.has_header = true;
+  table.shows_limits = table.has_header = true;
   table.columns = {{0.22, 0}, {0.42, 0}, {0.24, 0}, {0.12, 1}};
   table.rows.push_back({{"limit"}, {"in the thesis"}, {"value"}, {"skin, mm"}});
   for (const LimitName& limit : list_limits())

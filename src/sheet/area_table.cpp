@@ -48,7 +48,7 @@ double find_value(const Pose& pose, const AreaInfo& area, Side side, std::string
 }
 
 // Up or down and aside, as the viewer sees it.
-glm::dvec2 find_way(const Pose& pose, const AreaInfo& area, Side side) {
+glm::dvec2 compute_way(const Pose& pose, const AreaInfo& area, Side side) {
   const auto aside = find_move(area.area, side, area.aside);
   const double mirror = aside && kMoves[*aside].is_outward && side == Side::right ? -1 : 1;
   return {mirror * find_value(pose, area, side, area.aside), find_value(pose, area, side, "up")};
@@ -71,7 +71,7 @@ void append_pair(double upper, double lower, std::vector<PlateLine>& strokes) {
 void append_turned(const Pose& pose, const AreaInfo& area, Side side, std::vector<PlateLine>& strokes) {
   const double outward = side == Side::left ? 1 : -1;
   const double turn = find_value(pose, area, side, "turn");
-  const glm::dvec2 way = find_way(pose, area, side);
+  const glm::dvec2 way = compute_way(pose, area, side);
   const bool has_both = turn != 0 && glm::length(way) > 0;
   const glm::dvec2 middle_of_way = glm::length(way) > 0 ? glm::normalize(way) * (kMore / 2) : glm::dvec2(0);
   append_arrow(glm::dvec2(has_both ? -2 * kApart : 0, 0) - middle_of_way, way, strokes);
@@ -93,7 +93,7 @@ void append_side(const Pose& pose, const AreaInfo& area, Side side, double x,
   const auto value = [&](const char* move) { return find_value(pose, area, side, move); };
   switch (area.sign) {
     case AreaSign::way:
-      return append_way(find_way(pose, area, side), x, strokes);
+      return append_way(compute_way(pose, area, side), x, strokes);
     case AreaSign::turned_way:
       return append_turned(pose, area, side, strokes);
     case AreaSign::pair:
@@ -117,7 +117,7 @@ std::vector<PlateLine> draw_area(const Pose& pose, const Column& column) {
 }
 
 // "up 0.8, in 0.5".
-std::string tell_moves(const Pose& pose, const AreaInfo& area, Side side) {
+std::string describe_moves(const Pose& pose, const AreaInfo& area, Side side) {
   std::string words;
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     const double value = pose.values[i];
@@ -129,10 +129,10 @@ std::string tell_moves(const Pose& pose, const AreaInfo& area, Side side) {
   return words;
 }
 
-std::string tell_area(const Pose& pose, const Column& column) {
-  if (column.sides.size() == 1) return tell_moves(pose, *column.area, column.sides.front());
-  const std::string right = tell_moves(pose, *column.area, Side::right);
-  const std::string left = tell_moves(pose, *column.area, Side::left);
+std::string describe_area(const Pose& pose, const Column& column) {
+  if (column.sides.size() == 1) return describe_moves(pose, *column.area, column.sides.front());
+  const std::string right = describe_moves(pose, *column.area, Side::right);
+  const std::string left = describe_moves(pose, *column.area, Side::left);
   if (left == right) return left;
   return (right.empty() ? "" : "right " + right) + (right.empty() || left.empty() ? "" : "; ") +
          (left.empty() ? "" : "left " + left);
@@ -155,7 +155,7 @@ SheetTable build_area_table(const std::vector<Expression>& expressions) {
     std::vector<SheetField>& row = table.rows.emplace_back();
     row.push_back({build_caption(expression.name)});
     for (const Column& column : columns)
-      row.push_back({tell_area(expression.pose, column), draw_area(expression.pose, column)});
+      row.push_back({describe_area(expression.pose, column), draw_area(expression.pose, column)});
   }
   return table;
 }

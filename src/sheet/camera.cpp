@@ -88,7 +88,7 @@ std::vector<glm::dvec3> find_places(const HeadMeasures& head, const std::vector<
 
 }  // namespace
 
-glm::vec3 find_toward_camera(const CameraView& view) {
+glm::vec3 compute_toward_camera(const CameraView& view) {
   const double angle = view.angle_deg * kRadiansPerDegree;
   return {std::sin(angle), 0, std::cos(angle)};
 }
@@ -115,11 +115,11 @@ HeadMeasures measure_head(const Figure& figure) {
   std::vector<glm::vec3> above;
   for (const glm::vec3& p : figure.head.skin.positions)
     if (p.y >= measures.chin_mm()) above.push_back(p);
-  measures.head = find_bounds(above);
+  measures.head = compute_bounds(above);
   return measures;
 }
 
-CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale) {
+CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale) {
   CameraView view;
   view.is_orthographic = true;
   view.angle_deg = cell.angle_deg;
@@ -146,7 +146,7 @@ CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const 
   return view;
 }
 
-double find_line_radius_mm(double share, double tall_mm, int height_px) {
+double compute_line_radius_mm(double share, double tall_mm, int height_px) {
   constexpr double kThinnest_px = 1.2;  // thinner lines break up between the pixels
   return std::max(share * tall_mm, kThinnest_px / 2 * tall_mm / height_px);
 }
@@ -156,12 +156,12 @@ Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraVie
   const double aspect = static_cast<double>(size_px.first) / size_px.second;
   const double tall_mm = std::max(view.frame_height_mm, view.frame_width_mm / aspect);
   const double half_width_mm = tall_mm * aspect / 2;
-  const glm::vec3 toward = find_toward_camera(view);
+  const glm::vec3 toward = compute_toward_camera(view);
   const glm::vec3 right(toward.z, 0, -toward.x);
   const glm::vec3 away = toward * static_cast<float>(head.height_mm());  // before all of the head, or behind
   const glm::vec3 reach = right * static_cast<float>(half_width_mm * 1.1);
 
-  OverlayLine guides{{}, {}, find_line_radius_mm(kGuideRadius, tall_mm, size_px.second), kGuideInk};
+  OverlayLine guides{{}, {}, compute_line_radius_mm(kGuideRadius, tall_mm, size_px.second), kGuideInk};
   Overlay overlay;
   for (const auto& [name, y_mm] : head.guides) {
     const glm::vec3 middle(view.look_at.x, y_mm, view.look_at.z);
@@ -175,7 +175,7 @@ Overlay build_guides(const HeadMeasures& head, const Mesh& skin, const CameraVie
   append_contour(skin, {1, 0, 0}, 0, head.chin_mm(), guides);
   if (has_frame)
     overlay.lines.push_back(build_frame(head, right, view.look_at - away,
-                                        find_line_radius_mm(kFrameRadius, tall_mm, size_px.second)));
+                                        compute_line_radius_mm(kFrameRadius, tall_mm, size_px.second)));
   overlay.lines.push_back(std::move(guides));
   return overlay;
 }

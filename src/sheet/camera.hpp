@@ -33,14 +33,14 @@ struct HeadMeasures {
 HeadMeasures measure_head(const Figure& figure);
 
 // Level, of length 1.
-glm::vec3 find_toward_camera(const CameraView& view);
+glm::vec3 compute_toward_camera(const CameraView& view);
 
 // `scale` is the head that `cell.framing.scale_of` names.
-CameraView find_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale);
+CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, const HeadMeasures& scale);
 
 // How thick a line is drawn in a picture `height_px` high that holds `tall_mm`: this share of its height, but
 // not so thin that it breaks up.
-double find_line_radius_mm(double share, double tall_mm, int height_px);
+double compute_line_radius_mm(double share, double tall_mm, int height_px);
 
 // Andrew Loomis, "Drawing the Head and Hands" (1956): the guide lines as contours on the skin, drawn on to
 // the picture's edges and named there; the middle line; the frame 3 (from the side 3.5) units wide and 3.5

@@ -46,7 +46,7 @@ struct StripFrames {
 
 // The first frame of the drawing that shows a moment.
 int find_first_frame(const ClipSpec& clip, double time_s) {
-  const double drawing_s = find_drawing_time_s(clip, find_key_frame(clip, time_s));
+  const double drawing_s = compute_drawing_time_s(clip, compute_key_frame(clip, time_s));
   return static_cast<int>(std::lround(drawing_s * clip.fps));
 }
 
@@ -100,12 +100,12 @@ void render_pictures(const Performance& performance, const Figure& figure, const
     const Moment moment = sample_performance(performance, picture.time_s);
     deform_figure(figure, moment.pose, moment.turn, buffers, drawing);
     std::string scene;
-    append_povray_frame(scene, figure.model, drawing, find_view(figure, moment.camera, render));
+    append_povray_frame(scene, figure.model, drawing, compute_view(figure, moment.camera, render));
     const std::string name = fmt::format("f{}", picture.frame);
     write_file(work.path / (name + ".pov"), scene);
     jobs.push_back({picture.frame, work.path / (name + ".pov"), work.path / (name + ".png"), ""});
   }
-  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "drawings",
+  Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), "drawings",
                     static_cast<int>(jobs.size()));
   render_frames(jobs, list_settings(render, {work.path}, count_jobs(options)),
                 [&](int frame, bool was_kept) { progress.advance(was_kept, frame); });
@@ -127,7 +127,7 @@ StripPage build_page(const Spec& spec, const Performance& performance, const Ren
   std::set<int> all = frames.keys;
   all.insert(frames.between.begin(), frames.between.end());
   for (const int frame : all)
-    page.pictures.push_back({"", find_label(clip, frame), find_drawing_time_s(clip, frame), frame + 1,
+    page.pictures.push_back({"", find_label(clip, frame), compute_drawing_time_s(clip, frame), frame + 1,
                              frames.keys.contains(frame)});
   fill_rows(performance, page);
   return page;
@@ -145,7 +145,7 @@ fs::path write_strip(const Options& options, const Resources& resources) {
   const Figure figure = build_figure(resources.heads, spec.head);
   require_programs({{"povray", "povray"}});
   Performance performance = build_performance(spec.clip);
-  performance.idle.eyes = find_eyes(figure, render);
+  performance.idle.eyes = compute_eyes(figure, render);
   StripPage page = build_page(spec, performance, render);
   render_pictures(performance, figure, render, path.has_parent_path() ? path.parent_path() : ".", options,
                   resources.stock.templates, page);
@@ -157,7 +157,7 @@ fs::path write_exposure(const Options& options, const Resources& resources) {
   const Spec spec = load_actor_request(options, *resources.stock.language);
   const fs::path path = find_path(options, spec, "exposure.csv");
   Performance performance = build_performance(spec.clip);
-  performance.idle.eyes = find_eyes(build_figure(resources.heads, spec.head), spec.render);
+  performance.idle.eyes = compute_eyes(build_figure(resources.heads, spec.head), spec.render);
   write_file(path, build_exposure_csv(build_exposure(performance)));
   return path;
 }

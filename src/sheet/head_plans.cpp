@@ -25,7 +25,7 @@ struct View {
 constexpr std::array kViews{View{"front", 0}, View{"three-quarter", kThreeQuarter_deg},
                             View{"side", kSide_deg}, View{"back", kBack_deg}};
 
-double find_angle(const std::string& view) {
+double compute_angle(const std::string& view) {
   return view == "front" ? 0 : view == "side" ? kSide_deg : kThreeQuarter_deg;
 }
 
@@ -108,10 +108,10 @@ SheetPlan plan_ages(const SheetSubject& subject, const HeadData&) {
   }
   for (const std::string& age : kAges) {
     SheetCell cell{build_caption(age), heads.at(age)};
-    cell.tells_height = true;
+    cell.shows_height = true;
     cell.framing.scale_of = heads.at(kAdult);
     plan.blocks[0].cells.push_back(cell);
-    cell.tells_height = false;
+    cell.shows_height = false;
     cell.has_guides = true;
     cell.framing.scale_of = cell.head;
     plan.blocks[1].cells.push_back(cell);
@@ -150,7 +150,7 @@ SheetPlan plan_features(const SheetSubject& subject, const HeadData& data) {
         plan.heads.push_back(subject.spec.head);
         plan.heads.back().features[feature.name] = value;
       }
-      cell.angle_deg = find_angle(feature.view);
+      cell.angle_deg = compute_angle(feature.view);
       cell.framing = frame_feature(feature);
       block.cells.push_back(cell);
     }

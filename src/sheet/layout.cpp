@@ -49,7 +49,7 @@ int count_rows(const SheetBlock& block) {
 }
 
 Grid build_grid(const SheetPlan& plan, std::pair<int, int> cell_px) {
-  Grid grid{find_sheet_ruler(cell_px), cell_px.first, cell_px.second, 1, 0};
+  Grid grid{compute_sheet_ruler(cell_px), cell_px.first, cell_px.second, 1, 0};
   for (const SheetBlock& block : plan.blocks) {
     grid.columns = std::max(grid.columns, count_columns(block));
     if (!block.heading.empty()) grid.heading_height = grid.ruler.px(kHeadingHeight);
@@ -59,7 +59,7 @@ Grid build_grid(const SheetPlan& plan, std::pair<int, int> cell_px) {
 
 int find_height(const SheetBlock& block, const Grid& grid) {
   return grid.heading_height + grid.rows_height(count_rows(block)) +
-         find_table_height(block.table, grid.ruler);
+         compute_table_height(block.table, grid.ruler);
 }
 
 void append_heading(const SheetBlock& block, int left_px, int top_px, const Grid& grid, Plate& plate) {

@@ -31,10 +31,10 @@ struct Sketch {
   }
   glm::vec3 lift(const glm::dvec2& place) const {
     return glm::vec3(glm::dvec3(view.look_at) + right * place.x + glm::dvec3(0, place.y, 0) +
-                     toward * (kAway * find_camera_distance_mm(view)));
+                     toward * (kAway * compute_camera_distance_mm(view)));
   }
   OverlayLine& begin(double radius, bool is_rest) {
-    const double radius_mm = find_line_radius_mm(radius, tall_mm, height_px);
+    const double radius_mm = compute_line_radius_mm(radius, tall_mm, height_px);
     overlay.lines.push_back({{}, {}, radius_mm, is_rest ? kRestInk : kLimitInk});
     return overlay.lines.back();
   }
@@ -116,7 +116,7 @@ void draw_arrow(const glm::dvec2& from, const glm::dvec2& to, Sketch& sketch) {
 
 DrawnMarks draw_marks(const SheetCell& cell, const FigurePlaces& places, const CameraView& view,
                       std::pair<int, int> size_px) {
-  const glm::dvec3 toward = find_toward_camera(view);
+  const glm::dvec3 toward = compute_toward_camera(view);
   const double aspect = static_cast<double>(size_px.first) / size_px.second;
   const double tall_mm = std::max(view.frame_height_mm, view.frame_width_mm / aspect);
   Sketch sketch{view, {toward.z, 0, -toward.x}, toward, tall_mm, tall_mm * aspect, size_px.second, {}};

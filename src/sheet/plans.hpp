@@ -47,7 +47,7 @@ struct SheetCell {
   SheetFraming framing{};
   bool has_guides = false;         // the guide lines are drawn over
   bool has_frame = false;          // and Loomis' frame of units around the head
-  bool tells_height = false;       // behind the caption: ", 228 mm", from chin to crown
+  bool shows_height = false;       // behind the caption: ", 228 mm", from chin to crown
   std::vector<SheetMark> marks{};  // with arrows, the skin's way stands behind the caption: ", 12.7 mm"
 };
 
@@ -66,7 +66,7 @@ struct SheetTable {
   bool is_tall = false;     // rows with strokes
   // Each row begins with the name of a limit; the last two fields are its value and its millimetres, which
   // are filled in when the head is built.
-  bool tells_limits = false;
+  bool shows_limits = false;
 };
 
 // Cells in rows under a heading, and a table under the cells.

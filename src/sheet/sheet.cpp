@@ -74,7 +74,7 @@ void check_heads(const SheetPlan& plan, const Options& options, const HeadStock&
 
 // How far the skin goes in a cell with arrows: where it shows a limit, at the limit's place, so that all
 // sheets say the same.
-double find_way_mm(const HeadMeasures& measures, const SheetCell& cell, const DrawnMarks& marks) {
+double compute_way_mm(const HeadMeasures& measures, const SheetCell& cell, const DrawnMarks& marks) {
   for (const Limit& limit : measures.limits)
     if (cell.pose.values[limit.name->move] == limit.name->sign) return limit.skin_mm;
   return marks.way_mm;
@@ -95,7 +95,7 @@ void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, 
     SheetCell& cell = *cells[i];
     if (cell.head != index) continue;
     throw_if_interrupted();
-    const CameraView view = find_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
+    const CameraView view = compute_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
     deform_figure(figure, cell.pose, {}, buffers, drawing);
     std::string scene;
     append_povray_frame(scene, figure.model, drawing, view);
@@ -111,16 +111,16 @@ void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, 
     append_povray_overlay(scene, marks.overlay, view);
     write_file(folder / fmt::format("cell{}.pov", i), scene);
     if (marks.way_mm > 0)
-      cell.caption += fmt::format(", {} mm", format_number(find_way_mm(measures[index], cell, marks), 1));
-    if (cell.tells_height)
+      cell.caption += fmt::format(", {} mm", format_number(compute_way_mm(measures[index], cell, marks), 1));
+    if (cell.shows_height)
       cell.caption += fmt::format(", {} mm", format_number(measures[index].height_mm(), 0));
   }
 }
 
 // The values of this head's limits in the tables that tell them.
-void tell_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
+void fill_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
   for (SheetBlock& block : plan.blocks) {
-    if (!block.table.tells_limits) continue;
+    if (!block.table.shows_limits) continue;
     for (std::vector<SheetField>& row : block.table.rows)
       for (const Limit& limit : limits)
         if (limit.name->name == row.front().words) {
@@ -145,12 +145,12 @@ void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path&
     progress.advance(false, static_cast<int>(i) + 1);
   }
   progress.finish();
-  tell_limits(measures.front().limits, plan);
+  fill_limits(measures.front().limits, plan);
 }
 
 void render_scenes(const std::vector<FrameJob>& jobs, const RenderSettings& settings, const Options& options,
                    const char* label) {
-  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), label,
+  Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), label,
                     static_cast<int>(jobs.size()));
   render_frames(jobs, settings, [&](int number, bool was_kept) { progress.advance(was_kept, number); });
   progress.finish();
@@ -200,7 +200,7 @@ std::filesystem::path write_sheet(const Options& options, const Resources& resou
   check_heads(plan, options, resources.heads);
 
   const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
-  Progress progress(stderr, find_progress_style(stderr, options.is_quiet, options.is_json), "heads",
+  Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), "heads",
                     static_cast<int>(plan.heads.size()));
   write_all_scenes(plan, render, work.path, resources, progress);
   const std::vector<SheetCell*> cells = list_cells(plan);

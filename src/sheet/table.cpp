@@ -21,7 +21,7 @@ constexpr double kStrokesMiddle = 0.38;   // and where strokes have their middle
 constexpr double kStrokes = 0.8;          // their size: below 1 so that rules and words stay clear of them
 constexpr double kRoom = 0.95;            // of a column's width, for its words
 
-double find_row_height(const SheetTable& table, std::size_t row, const SheetRuler& ruler) {
+double compute_row_height(const SheetTable& table, std::size_t row, const SheetRuler& ruler) {
   const bool is_header = row == 0 && table.has_header;
   return ruler.px(table.is_tall && !is_header ? kTallRow : kRow);
 }
@@ -32,14 +32,14 @@ int SheetRuler::px(double hundredths) const {
   return std::max(1, static_cast<int>(std::lround(unit_px * hundredths)));
 }
 
-SheetRuler find_sheet_ruler(std::pair<int, int> cell_px) {
+SheetRuler compute_sheet_ruler(std::pair<int, int> cell_px) {
   return {std::sqrt(static_cast<double>(cell_px.first) * cell_px.second) / 100};
 }
 
-int find_table_height(const SheetTable& table, const SheetRuler& ruler) {
+int compute_table_height(const SheetTable& table, const SheetRuler& ruler) {
   if (table.rows.empty()) return 0;
   double height = ruler.px(kAir);
-  for (std::size_t row = 0; row < table.rows.size(); ++row) height += find_row_height(table, row, ruler);
+  for (std::size_t row = 0; row < table.rows.size(); ++row) height += compute_row_height(table, row, ruler);
   return static_cast<int>(height);
 }
 
@@ -53,7 +53,7 @@ void append_table(const SheetTable& table, int left_px, int top_px, int width_px
   };
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const bool is_header = row == 0 && table.has_header;
-    const double height = find_row_height(table, row, ruler);
+    const double height = compute_row_height(table, row, ruler);
     double left = left_px;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
       const auto [share, align] = table.columns[i];

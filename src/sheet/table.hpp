@@ -14,10 +14,10 @@ struct SheetRuler {
   int px(double hundredths) const;  // 1 at least
 };
 
-SheetRuler find_sheet_ruler(std::pair<int, int> cell_px);
+SheetRuler compute_sheet_ruler(std::pair<int, int> cell_px);
 
 // With the air below it; 0 for a table without rows.
-int find_table_height(const SheetTable& table, const SheetRuler& ruler);
+int compute_table_height(const SheetTable& table, const SheetRuler& ruler);
 
 void append_table(const SheetTable& table, int left_px, int top_px, int width_px, const SheetRuler& ruler,
                   Plate& plate);

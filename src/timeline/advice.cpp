@@ -29,7 +29,7 @@ struct Frames {
   std::size_t find_at(double time_s) const {
     return static_cast<std::size_t>(std::ranges::lower_bound(drawn_s, time_s) - drawn_s.begin());
   }
-  std::size_t find_after(double time_s) const {
+  std::size_t compute_after(double time_s) const {
     return static_cast<std::size_t>(std::ranges::upper_bound(drawn_s, time_s) - drawn_s.begin());
   }
 };
@@ -74,7 +74,7 @@ void judge_hold(const ClipSpec& clip, std::size_t i, std::vector<Diagnostic>& ad
 }
 
 // The move of one area of one side, mm, combined over its moves.
-double find_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, const Group& group) {
+double compute_step_mm(const Pose& from, const Pose& to, const MoveReach& reach, const Group& group) {
   double squares = 0;
   for (std::size_t i = group.begin; i < group.end; ++i) {
     const auto place_mm = [&](double value) {
@@ -100,7 +100,8 @@ void judge_speed(const ClipSpec& clip, std::size_t key, const Frames& frames, co
     if (before_s > to.at_s - kSameTime_s) break;
     const double held_frames = (now_s - before_s) * clip.fps;
     for (const Group& group : groups) {
-      const double step_mm = find_step_mm(frames.poses[f - 1], frames.poses[f], reach, group) / held_frames;
+      const double step_mm =
+          compute_step_mm(frames.poses[f - 1], frames.poses[f], reach, group) / held_frames;
       constexpr double kSame_mm = 1e-6;  // of two equal steps the first one is told
       if (step_mm <= worst_mm + kSame_mm) continue;
       worst_mm = step_mm;
@@ -117,7 +118,7 @@ void judge_speed(const ClipSpec& clip, std::size_t key, const Frames& frames, co
       advice);
 }
 
-double find_distance(const Pose& a, const Pose& b) {
+double compute_distance(const Pose& a, const Pose& b) {
   double most = 0;
   for (std::size_t i = 0; i < kMoveCount; ++i) most = std::max(most, std::abs(a.values[i] - b.values[i]));
   return most;
@@ -135,14 +136,14 @@ void judge_apex(const ClipSpec& clip, std::size_t i, const Frames& frames, std::
                                   show_time(clip, key.at_s), show_time(clip, clip.length_s)),
                       advice);
   }
-  const double whole = find_distance(keys[i - 1].pose, key.pose);
+  const double whole = compute_distance(keys[i - 1].pose, key.pose);
   if (whole < kLeastChange) return;
   const double until_s = i + 1 < keys.size() ? keys[i + 1].at_s : end_s;
   double nearest = whole;
-  const std::size_t last = frames.find_after(until_s + kSameTime_s);
+  const std::size_t last = frames.compute_after(until_s + kSameTime_s);
   for (std::size_t f = frames.find_at(keys[i - 1].at_s - kSameTime_s); f < last; ++f)
-    nearest = std::min(nearest, find_distance(frames.poses[f], key.pose));
-  const std::size_t next = frames.find_after(key.at_s), here = frames.find_at(key.at_s);
+    nearest = std::min(nearest, compute_distance(frames.poses[f], key.pose));
+  const std::size_t next = frames.compute_after(key.at_s), here = frames.find_at(key.at_s);
   const double after_s = next == frames.count() ? end_s : frames.drawn_s[next];
   const double before_s = here == 0 ? 0 : frames.drawn_s[here - 1];
   const double share = 1 - nearest / whole;
@@ -174,7 +175,7 @@ void judge_release(const ClipSpec& clip, std::size_t i, std::vector<Diagnostic>&
 }
 
 // How much of a cue there is at a time, whatever its areas' lead: 0..1.
-double find_presence(const CueSpec& cue, double time_s) {
+double compute_presence(const CueSpec& cue, double time_s) {
   if (time_s < cue.from_s || time_s >= cue.end_s) return 0;
   const double come = time_s >= cue.full_s ? 1 : (time_s - cue.from_s) / (cue.full_s - cue.from_s);
   const double stays = time_s <= cue.ebb_s ? 1 : (cue.end_s - time_s) / (cue.end_s - cue.ebb_s);
@@ -190,9 +191,9 @@ void judge_cue(const ClipSpec& clip, const CueSpec& cue, const Frames& frames,
                                   show_time(clip, cue.from_s), show_time(clip, frames.drawn_s.back())),
                       advice);
   double most = 0;
-  const std::size_t last = frames.find_after(std::min(cue.end_s, clip.length_s));
+  const std::size_t last = frames.compute_after(std::min(cue.end_s, clip.length_s));
   for (std::size_t f = frames.find_at(cue.from_s); f < last && most < kReached; ++f)
-    most = std::max(most, find_presence(cue, frames.drawn_s[f]));
+    most = std::max(most, compute_presence(cue, frames.drawn_s[f]));
   if (most >= kReached) return;
   add_advice(cue.what,
              fmt::format("{} is never fully drawn, {:.0f} % of it at most; it is all there from {} {}", begin,

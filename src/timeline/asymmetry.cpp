@@ -23,13 +23,13 @@ struct Way {
   double from_s = 0, length_s = 0;
 };
 
-Way find_way(const std::vector<double>& keys_s, double time_s) {
+Way compute_way(const std::vector<double>& keys_s, double time_s) {
   const auto next = std::upper_bound(keys_s.begin(), keys_s.end(), time_s);
   if (next == keys_s.begin() || next == keys_s.end()) return {};
   return {*(next - 1), *next - *(next - 1)};
 }
 
-double find_side_time_s(const Way& way, double time_s, double delay_s, bool is_late) {
+double compute_side_time_s(const Way& way, double time_s, double delay_s, bool is_late) {
   if (way.length_s == 0 || delay_s == 0) return time_s;
   const double waited_s = std::min(delay_s, kMostOfWay * way.length_s);
   const double moving_s = way.length_s - waited_s;
@@ -58,17 +58,17 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
   return asymmetry;
 }
 
-double find_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late) {
-  return find_side_time_s(find_way(keys_s, time_s), time_s, delay_s, is_late);
+double compute_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late) {
+  return compute_side_time_s(compute_way(keys_s, time_s), time_s, delay_s, is_late);
 }
 
 Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample) {
   Pose pose = sample(time_s, std::bitset<kMoveCount>().set());
   if (asymmetry.areas.empty()) return pose;
-  const Way way = find_way(asymmetry.keys_s, time_s);
+  const Way way = compute_way(asymmetry.keys_s, time_s);
   for (const AreaLean& lean : asymmetry.areas) {
     for (const Side side : {Side::left, Side::right}) {
-      const double side_s = find_side_time_s(way, time_s, lean.delay_s, side == lean.late);
+      const double side_s = compute_side_time_s(way, time_s, lean.delay_s, side == lean.late);
       const std::bitset<kMoveCount>& moves = lean.moves[side == Side::left ? 0 : 1];
       const Pose other = side_s == time_s ? pose : sample(side_s, moves);
       for_each_move(moves, [&](std::size_t i) {

@@ -33,7 +33,7 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
 // The time at which a side shows what both would show at `time_s`. Between two neighbours of `keys_s`
 // (ascending) the late side waits at the first, the early one is there before the second: at a key's time
 // both show the key.
-double find_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late);
+double compute_side_time_s(const std::vector<double>& keys_s, double time_s, double delay_s, bool is_late);
 
 // The pose of a face that leans. `sample` is the symmetric one's at a time. Key poses keep their times
 // exactly; their weak sides are weaker, since that is what was asked for. A shut lid stays shut.

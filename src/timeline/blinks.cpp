@@ -38,9 +38,9 @@ double sample_interval_s(std::mt19937_64& random, double mean_s) {
 double snap_to_drawing_s(const ClipSpec& clip, double time_s) {
   const int last = count_frames(clip) - 1;
   const double frame = std::clamp(time_s * clip.fps, 0.0, static_cast<double>(last));
-  const int before = find_drawn_frame(clip, static_cast<int>(frame));
+  const int before = compute_drawn_frame(clip, static_cast<int>(frame));
   int after = static_cast<int>(frame) + 1;
-  while (after <= last && find_drawn_frame(clip, after) != after) ++after;
+  while (after <= last && compute_drawn_frame(clip, after) != after) ++after;
   const bool is_after = after <= last && after - frame <= frame - before;
   return static_cast<double>(is_after ? after : before) / clip.fps;
 }
@@ -102,7 +102,7 @@ std::vector<Blink> place_blinks(const ClipSpec& clip) {
   return blinks;
 }
 
-double find_blink_closure(const std::vector<Blink>& blinks, double time_s) {
+double compute_blink_closure(const std::vector<Blink>& blinks, double time_s) {
   const auto first = std::ranges::lower_bound(blinks, time_s - kBlinkOpening_s, {}, &Blink::at_s);
   double closure = 0;
   for (auto blink = first; blink != blinks.end() && blink->at_s < time_s + kBlinkClosing_s; ++blink) {

@@ -32,7 +32,7 @@ struct Blink {
 std::vector<Blink> place_blinks(const ClipSpec& clip);
 
 // How far the lids are shut at a time: 0 not at all, 1 fully; at each blink's moment exactly its depth.
-double find_blink_closure(const std::vector<Blink>& blinks, double time_s);
+double compute_blink_closure(const std::vector<Blink>& blinks, double time_s);
 
 // Brings both upper lids `closure` of their way to shut (-1). A lid that is lower already stays where it is.
 void close_lids(Pose& pose, double closure);

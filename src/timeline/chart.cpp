@@ -72,11 +72,11 @@ struct Columns {
   }
 };
 
-double find_column_amount(const ChartRow& row, const Columns& columns, int column) {
+double compute_column_amount(const ChartRow& row, const Columns& columns, int column) {
   const int first = columns.first_frame(column);
   const int end = std::max(first + 1, columns.first_frame(column + 1));
   double amount = 0;
-  for (int frame = first; frame < end; ++frame) amount = std::max(amount, find_amount(row, frame));
+  for (int frame = first; frame < end; ++frame) amount = std::max(amount, compute_amount(row, frame));
   return amount;
 }
 
@@ -88,7 +88,7 @@ std::size_t find_level(double amount) {
 }
 
 // The time between two of the ruler's words.
-double find_step_s(const Columns& columns) {
+double compute_step_s(const Columns& columns) {
   constexpr std::array kSteps_s{0.1, 0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 300.0, 600.0};
   for (const double step_s : kSteps_s)
     if (step_s * columns.fps * columns.count / columns.frames >= kLeastTick) return step_s;
@@ -101,7 +101,7 @@ std::string trim_line(std::string line) {
 }
 
 std::string build_ruler(const Columns& columns) {
-  const double step_s = find_step_s(columns);
+  const double step_s = compute_step_s(columns);
   std::string line(static_cast<std::size_t>(columns.count), ' ');
   for (int i = 0; i * step_s * columns.fps < columns.frames; ++i) {
     const std::string time = format_number(i * step_s, 2) + "s";
@@ -149,7 +149,7 @@ std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double a
   return rows;
 }
 
-double find_amount(const ChartRow& row, int frame) {
+double compute_amount(const ChartRow& row, int frame) {
   double amount = 0;
   for (const std::vector<double>& values : row.values)
     amount = std::max(amount, std::abs(values.at(static_cast<std::size_t>(frame))));
@@ -163,7 +163,7 @@ std::string build_chart(const ClipSpec& clip, const std::vector<Shown>& frames, 
   for (const ChartRow& row : list_chart_rows(frames, kSameSide)) {
     text += fmt::format("{:<{}} ", row.name, kNameWidth);
     for (int column = 0; column < columns.count; ++column) {
-      const std::size_t level = find_level(find_column_amount(row, columns, column));
+      const std::size_t level = find_level(compute_column_amount(row, columns, column));
       if (style.is_ascii)
         text += kLetters[level];
       else

@@ -20,7 +20,7 @@ struct ChartRow {
 std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double apart = 0);
 
 // How far the row's furthest move is at `frame`: 0..1, whatever the direction.
-double find_amount(const ChartRow& row, int frame);
+double compute_amount(const ChartRow& row, int frame);
 
 struct ChartStyle {
   int width = 80;        // columns, 40 at least

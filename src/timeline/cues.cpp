@@ -19,7 +19,7 @@ bool covers(const Cue& cue) {
 // another one comes over it meanwhile.
 using Covers = std::vector<std::array<Ticks, kMoveCount>>;
 
-Covers find_covers(std::span<const Cue> cues) {
+Covers compute_covers(std::span<const Cue> cues) {
   Covers until(cues.size());
   for (std::size_t i = cues.size(); i-- > 0;) {
     until[i].fill(cues[i].full);
@@ -37,7 +37,7 @@ Covers find_covers(std::span<const Cue> cues) {
 
 // The cues of one layer, by their times.
 void freeze_cues(std::span<Cue> cues) {
-  const Covers covered = find_covers(cues);
+  const Covers covered = compute_covers(cues);
   for (std::size_t i = 0; i < cues.size(); ++i) {
     Cue& cue = cues[i];
     cue.gone = cue.end;
@@ -61,7 +61,7 @@ void freeze_cues(std::span<Cue> cues) {
 
 // What a cue shows now, of some moves.
 FaceState show(const Cue& cue, Ticks time, const Moves& only) {
-  if (cue.script) return sample_layers(*cue.script, find_script_time(cue, time), only);
+  if (cue.script) return sample_layers(*cue.script, compute_script_time(cue, time), only);
   FaceState shown;
   if (!cue.table.keys.empty()) {
     std::array<double, kMaxChannels> row;
@@ -70,7 +70,7 @@ FaceState show(const Cue& cue, Ticks time, const Moves& only) {
     for (std::size_t i = 0; i < moves.size(); ++i) shown.values[moves[i]] = row[i];
     shown.reach.fill(cue.spec.what.reach);
   } else if (cue.spec.what.live) {
-    shown.reach.fill(evaluate_pose(*cue.spec.what.live, find_seconds(time), only, shown.values));
+    shown.reach.fill(evaluate_pose(*cue.spec.what.live, compute_seconds(time), only, shown.values));
   } else {
     shown.values = cue.spec.what.pose.values;
     shown.reach.fill(cue.spec.what.reach);
@@ -78,13 +78,13 @@ FaceState show(const Cue& cue, Ticks time, const Moves& only) {
   return shown;
 }
 
-Ticks find_after(const Lead& lead, std::size_t move) { return lead.after.empty() ? 0 : lead.after[move]; }
+Ticks compute_after(const Lead& lead, std::size_t move) { return lead.after.empty() ? 0 : lead.after[move]; }
 
-double find_envelope(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
+double compute_envelope(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
   if (time < cue.from || time >= cue.end) return 0;
   const auto sample = [&](Ticks begin, Ticks end, const Lead& lead) {
-    return ease(Easing::in_out,
-                find_led_fraction(begin, end, find_after(lead, move), lead.widest, time, lead.most_share));
+    return ease(Easing::in_out, compute_led_fraction(begin, end, compute_after(lead, move), lead.widest, time,
+                                                     lead.most_share));
   };
   const double come = sample(cue.from, cue.full, stack.leads[cue.come]);
   const double gone = time <= cue.ebb ? 0 : sample(cue.ebb, cue.end, stack.leads[cue.go]);
@@ -135,14 +135,15 @@ void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, const Moves& o
   if (moves.none() && !turns) return;
   const FaceState shown = show(cue, time, turns ? only : moves);
   for (std::size_t i = 0; turns && i < shown.turn_deg.size(); ++i)
-    face.turn_deg[i] += find_envelope(stack, cue, 0, time) * shown.turn_deg[i];
+    face.turn_deg[i] += compute_envelope(stack, cue, 0, time) * shown.turn_deg[i];
   // Most cues come and go with all their moves, or with a few together.
   const bool is_even = cue.freezes.empty();
   std::pair<Ticks, Ticks> known_after{-1, -1};
   double weight = 0;
   for_each_move(moves, [&](std::size_t move) {
-    const std::pair after(find_after(stack.leads[cue.come], move), find_after(stack.leads[cue.go], move));
-    if (!is_even || after != known_after) weight = find_weight(stack, cue, move, time);
+    const std::pair after(compute_after(stack.leads[cue.come], move),
+                          compute_after(stack.leads[cue.go], move));
+    if (!is_even || after != known_after) weight = compute_weight(stack, cue, move, time);
     known_after = after;
     if (weight == 0) return;
     if (cue.spec.rule == Rule::share)
@@ -174,11 +175,11 @@ CueStack build_cue_stack(const ClipSpec& clip) {
   stack.leads.emplace_back();
   for (const CueSpec& spec : clip.cues) {
     Cue cue{spec,
-            find_ticks(spec.from_s),
-            find_ticks(spec.full_s),
-            find_ticks(spec.ebb_s),
-            find_ticks(spec.end_s),
-            find_ticks(spec.start_s),
+            compute_ticks(spec.from_s),
+            compute_ticks(spec.full_s),
+            compute_ticks(spec.ebb_s),
+            compute_ticks(spec.end_s),
+            compute_ticks(spec.start_s),
             spec.script ? std::make_shared<const Layers>(build_layers(*spec.script)) : nullptr,
             {},
             {},
@@ -229,16 +230,16 @@ std::span<const Cue> find_cues(const CueStack& stack, std::size_t layer, Ticks t
   return here.subspan(first, last - first);
 }
 
-double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
+double compute_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time) {
   for (const Freeze& freeze : cue.freezes)
     if (freeze.moves[move] && freeze.from <= time && time < freeze.until) {
       time = freeze.from;  // the first one is the earliest
       break;
     }
-  return find_envelope(stack, cue, move, time);
+  return compute_envelope(stack, cue, move, time);
 }
 
-Ticks find_script_time(const Cue& cue, Ticks time) {
+Ticks compute_script_time(const Cue& cue, Ticks time) {
   const Ticks since = std::max<Ticks>(time - cue.start, 0), length = cue.script->length;
   if (length == 0) return 0;
   return cue.spec.is_repeated ? since % length : std::min(since, length);

@@ -58,9 +58,9 @@ std::size_t count_layers(const CueStack& stack);
 std::span<const Cue> find_cues(const CueStack& stack, std::size_t layer, Ticks time);
 
 // How much of a cue there is at a time, for a move: 0..1.
-double find_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time);
+double compute_weight(const CueStack& stack, const Cue& cue, std::size_t move, Ticks time);
 
 // A script's own time: since it began, again and again if it is repeated.
-Ticks find_script_time(const Cue& cue, Ticks time);
+Ticks compute_script_time(const Cue& cue, Ticks time);
 
 }  // namespace mien

@@ -11,7 +11,7 @@ struct Ways {
   std::vector<double> length_s, slopes;  // of the straight lines from key to key
 };
 
-Ways find_ways(std::span<const double> at_s, std::span<const double> values) {
+Ways compute_ways(std::span<const double> at_s, std::span<const double> values) {
   Ways ways;
   for (std::size_t i = 0; i + 1 < at_s.size(); ++i) {
     ways.length_s.push_back(at_s[i + 1] - at_s[i]);
@@ -21,7 +21,7 @@ Ways find_ways(std::span<const double> at_s, std::span<const double> values) {
 }
 
 // Steffen's slope at an end, beside the way of slope `near` and length `h`, `far` and `g` of the next one.
-double find_end_slope(double near, double h, double far, double g) {
+double compute_end_slope(double near, double h, double far, double g) {
   const double slope = near * (1 + h / (h + g)) - far * h / (h + g);
   if (slope * near <= 0) return 0;
   return std::abs(slope) > 2 * std::abs(near) ? 2 * near : slope;
@@ -29,10 +29,10 @@ double find_end_slope(double near, double h, double far, double g) {
 
 }  // namespace
 
-std::vector<double> find_spline_slopes(std::span<const double> at_s, std::span<const double> values) {
+std::vector<double> compute_spline_slopes(std::span<const double> at_s, std::span<const double> values) {
   const std::size_t count = at_s.size();
   if (count < 2) return std::vector<double>(count, 0);
-  const Ways ways = find_ways(at_s, values);
+  const Ways ways = compute_ways(at_s, values);
   // Equal second derivatives at inner keys, none at the ends: three unknown slopes a row, solved from row to
   // row.
   std::vector<double> above(count), right(count);
@@ -51,10 +51,10 @@ std::vector<double> find_spline_slopes(std::span<const double> at_s, std::span<c
   return right;
 }
 
-std::vector<double> find_smooth_slopes(std::span<const double> at_s, std::span<const double> values) {
+std::vector<double> compute_smooth_slopes(std::span<const double> at_s, std::span<const double> values) {
   const std::size_t count = at_s.size();
   if (count < 2) return std::vector<double>(count, 0);
-  const auto [h, way] = find_ways(at_s, values);
+  const auto [h, way] = compute_ways(at_s, values);
   if (count == 2) return {way[0], way[0]};
   std::vector<double> slopes(count, 0);
   for (std::size_t i = 1; i + 1 < count; ++i) {
@@ -63,8 +63,8 @@ std::vector<double> find_smooth_slopes(std::span<const double> at_s, std::span<c
     slopes[i] = way[i - 1] * way[i] <= 0 ? 0 : std::copysign(2 * least, way[i]);
   }
   const std::size_t last = count - 1;
-  slopes[0] = find_end_slope(way[0], h[0], way[1], h[1]);
-  slopes[last] = find_end_slope(way[last - 1], h[last - 1], way[last - 2], h[last - 2]);
+  slopes[0] = compute_end_slope(way[0], h[0], way[1], h[1]);
+  slopes[last] = compute_end_slope(way[last - 1], h[last - 1], way[last - 2], h[last - 2]);
   return slopes;
 }
 

@@ -11,8 +11,8 @@ namespace mien {
 
 // A value a key, `at_s` strictly rising, as many of both; the slopes are a second. Two keys are joined by a
 // straight line, one has slope 0.
-std::vector<double> find_spline_slopes(std::span<const double> at_s, std::span<const double> values);
-std::vector<double> find_smooth_slopes(std::span<const double> at_s, std::span<const double> values);
+std::vector<double> compute_spline_slopes(std::span<const double> at_s, std::span<const double> values);
+std::vector<double> compute_smooth_slopes(std::span<const double> at_s, std::span<const double> values);
 
 // The cubic from one key to the next, `length_s` later, at a share `u` of the way's time; exact at both ends.
 double sample_cubic(double from, double to, double slope_from, double slope_to, double length_s, double u);

@@ -29,35 +29,36 @@ std::string key_of(const Moment& moment) {
 
 }  // namespace
 
-std::string find_drawing_key(const Performance& performance, double time_s, Moment unlooking) {
+std::string compute_drawing_key(const Performance& performance, double time_s, Moment unlooking) {
   // Eyes that no limit holds: two looks that these eyes cannot tell apart may differ on another head.
   EyeRig eyes;
   eyes.left = eyes.right = {180, 180, 180, 180};
   add_looks_and_blinks(performance.idle, eyes, time_s, unlooking.camera, unlooking.turn, unlooking.pose);
   const std::vector<HeadKey>& heads = performance.clip.head;
-  return key_of(unlooking) + (heads.empty() ? "" : find_head_key(sample_head(heads, time_s)));
+  return key_of(unlooking) + (heads.empty() ? "" : compute_head_key(sample_head(heads, time_s)));
 }
 
 std::vector<std::string> list_drawing_keys(const Performance& performance) {
   std::vector<std::string> keys(static_cast<std::size_t>(count_frames(performance.clip)));
   for_each_index(keys.size(), count_workers(), [&](std::size_t frame, int) {
-    const double time_s = find_drawing_time_s(performance.clip, static_cast<int>(frame));
-    const FaceState asked = sample_layers(*performance.layers, find_ticks(time_s));
-    keys[frame] = find_drawing_key(performance, time_s, sample_unlooking(performance, time_s, asked));
+    const double time_s = compute_drawing_time_s(performance.clip, static_cast<int>(frame));
+    const FaceState asked = sample_layers(*performance.layers, compute_ticks(time_s));
+    keys[frame] = compute_drawing_key(performance, time_s, sample_unlooking(performance, time_s, asked));
   });
   return keys;
 }
 
-std::vector<int> find_drawings(const Performance& performance) {
-  return find_drawings(performance.clip, {list_drawing_keys(performance)});
+std::vector<int> compute_drawings(const Performance& performance) {
+  return compute_drawings(performance.clip, {list_drawing_keys(performance)});
 }
 
-std::vector<int> find_drawings(const ClipSpec& clip, const std::vector<std::vector<std::string>>& everybody) {
+std::vector<int> compute_drawings(const ClipSpec& clip,
+                                  const std::vector<std::vector<std::string>>& everybody) {
   const int count = count_frames(clip);
   std::vector<int> first(static_cast<std::size_t>(count));
   std::unordered_map<std::string, int> seen;
   for (int frame = 0; frame < count; ++frame) {
-    std::string key = find_stage_key(sample_stage(clip, find_drawing_time_s(clip, frame)));
+    std::string key = compute_stage_key(sample_stage(clip, compute_drawing_time_s(clip, frame)));
     for (const std::vector<std::string>& keys : everybody) key += keys.at(static_cast<std::size_t>(frame));
     first[static_cast<std::size_t>(frame)] = seen.emplace(std::move(key), frame).first->second;
   }

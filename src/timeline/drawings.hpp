@@ -12,15 +12,16 @@ namespace mien {
 // and the camera equal to the last bit. A frame of its own shows itself. Held drawings (twos), rests and
 // cycles fall together. Of `everybody` who plays the keys of the drawings (list_drawing_keys), each with as
 // many frames as the clip, whose light, camera and background count too.
-std::vector<int> find_drawings(const ClipSpec& clip, const std::vector<std::vector<std::string>>& everybody);
-std::vector<int> find_drawings(const Performance& performance);
+std::vector<int> compute_drawings(const ClipSpec& clip,
+                                  const std::vector<std::vector<std::string>>& everybody);
+std::vector<int> compute_drawings(const Performance& performance);
 
 // Frame by frame a word that two frames share if and only if one drawing does for both: of the pose, the turn
 // and the head, and of the camera's numbers. The head's own eyes do not count.
 std::vector<std::string> list_drawing_keys(const Performance& performance);
 
 // The same of one moment, to which looks and blinks are still to be added (sample_unlooking).
-std::string find_drawing_key(const Performance& performance, double time_s, Moment unlooking);
+std::string compute_drawing_key(const Performance& performance, double time_s, Moment unlooking);
 
 // The frame (from 0) that says most: the first that shows the key whose areas are moved furthest in sum. For
 // posters.

@@ -31,8 +31,8 @@ bool has_changed(const CameraKey& from, const CameraKey& to) {
 std::map<int, std::string> find_key_labels(const ClipSpec& clip) {
   std::map<int, std::string> labels;
   for (const PoseKey& key : clip.keys) {
-    const int frame = find_key_frame(clip, key.at_s);
-    if (find_drawing_time_s(clip, frame) < key.at_s - kSameTime_s) continue;  // after the last drawing
+    const int frame = compute_key_frame(clip, key.at_s);
+    if (compute_drawing_time_s(clip, frame) < key.at_s - kSameTime_s) continue;  // after the last drawing
     std::string& label = labels[frame];
     label += (label.empty() ? "" : ", ") + key.label;
   }
@@ -63,16 +63,16 @@ std::vector<std::string> list_changed(const std::vector<ChartRow>& rows, int fra
 
 }  // namespace
 
-int find_key_frame(const ClipSpec& clip, double time_s) {
+int compute_key_frame(const ClipSpec& clip, double time_s) {
   const int last = count_frames(clip) - 1;
   int frame = std::clamp(static_cast<int>(std::ceil(time_s * clip.fps - kSameTime_s)), 0, last);
-  while (frame < last && find_drawing_time_s(clip, frame) < time_s - kSameTime_s) ++frame;
+  while (frame < last && compute_drawing_time_s(clip, frame) < time_s - kSameTime_s) ++frame;
   return frame;
 }
 
 std::vector<ExposureLine> build_exposure(const Performance& performance) {
   const Rehearsal rehearsal = rehearse(performance);
-  const std::vector<int> first = find_drawings(performance.clip, {rehearsal.drawings});
+  const std::vector<int> first = compute_drawings(performance.clip, {rehearsal.drawings});
   const std::vector<ChartRow> rows = list_chart_rows(rehearsal.shown);
   const std::map<int, std::string> labels = find_key_labels(performance.clip);
   std::map<int, int> numbers;  // of drawings, by their first frames
@@ -87,7 +87,7 @@ std::vector<ExposureLine> build_exposure(const Performance& performance) {
     line.is_held = frame > 0 && shown == first[static_cast<std::size_t>(frame - 1)];
     if (const auto label = labels.find(frame); label != labels.end()) line.key = label->second;
     const CameraKey camera =
-        sample_performance(performance, find_drawing_time_s(performance.clip, frame)).camera;
+        sample_performance(performance, compute_drawing_time_s(performance.clip, frame)).camera;
     if (frame > 0) line.changed = list_changed(rows, frame);
     if (frame > 0 && has_changed(before, camera)) line.changed.emplace_back("camera");
     before = camera;

@@ -18,7 +18,7 @@ struct ExposureLine {
 };
 
 // The first frame (from 0) whose drawing shows `time_s` or a later moment; the last one if none does.
-int find_key_frame(const ClipSpec& clip, double time_s);
+int compute_key_frame(const ClipSpec& clip, double time_s);
 
 std::vector<ExposureLine> build_exposure(const Performance& performance);
 

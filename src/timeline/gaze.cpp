@@ -22,8 +22,8 @@ constexpr double kWanderSide_deg = 8, kWanderUp_deg = 4;
 constexpr double kLeastFixation_s = 0.2, kMeanFixation_s = 1.1;
 constexpr double kFixationSpread = 0.6;  // of the logarithm: many short ones, a few long
 
-// From one end of what angles there are to the other (find_saccade_s): whoever is to arrive later than that
-// has not set out.
+// From one end of what angles there are to the other (compute_saccade_s): whoever is to arrive later than
+// that has not set out.
 constexpr double kLongestSaccade_s = 1;
 
 constexpr double kQuickTurn_degps = 25;  // a head that turns more slowly takes no blink along
@@ -36,19 +36,19 @@ struct EyesAim {
   EyeAim left, right;
 };
 
-EyeAim find_aim(const glm::dvec3& toward) {
+EyeAim compute_aim(const glm::dvec3& toward) {
   return {std::atan2(toward.x, toward.z) / kRadiansPerDegree,
           std::atan2(toward.y, std::hypot(toward.x, toward.z)) / kRadiansPerDegree};
 }
 
-glm::dvec3 find_direction(double side_deg, double up_deg) {
+glm::dvec3 compute_direction(double side_deg, double up_deg) {
   const double side = side_deg * kRadiansPerDegree, up = up_deg * kRadiansPerDegree;
   return {std::cos(up) * std::sin(side), std::sin(up), std::cos(up) * std::cos(side)};
 }
 
-glm::dvec3 find_camera_mm(const EyeRig& rig, const CameraKey& camera) {
+glm::dvec3 compute_camera_mm(const EyeRig& rig, const CameraKey& camera) {
   return rig.camera_target_mm +
-         rig.camera_mm * camera.distance * find_direction(camera.angle_deg, camera.height_deg);
+         rig.camera_mm * camera.distance * compute_direction(camera.angle_deg, camera.height_deg);
 }
 
 // The eyes of a head as it is turned, and the camera.
@@ -61,26 +61,27 @@ struct EyesNow {
   EyesNow(const EyeRig& rig_, const TurnKey& turn, const CameraKey& camera_)
       : rig(rig_),
         camera(camera_),
-        world_from_head(find_turn(rig_.pivot_mm, turn, 1)),
+        world_from_head(compute_turn(rig_.pivot_mm, turn, 1)),
         head_from_world(glm::transpose(glm::dmat3(world_from_head))) {}  // of a rotation
 };
 
 // One key's aim, seen from the head.
-EyesAim find_aim(const GazeKey& key, const EyesNow& eyes) {
+EyesAim compute_aim(const GazeKey& key, const EyesNow& eyes) {
   if (key.look == LookAt::ahead) return {};
   if (key.look == LookAt::direction) {
-    const EyeAim aim = find_aim(eyes.head_from_world * find_direction(key.side_deg, key.up_deg));
+    const EyeAim aim = compute_aim(eyes.head_from_world * compute_direction(key.side_deg, key.up_deg));
     return {aim, aim};
   }
-  const glm::dvec3 place = key.look == LookAt::camera ? find_camera_mm(eyes.rig, eyes.camera) : key.point_mm;
+  const glm::dvec3 place =
+      key.look == LookAt::camera ? compute_camera_mm(eyes.rig, eyes.camera) : key.point_mm;
   const auto aim_from = [&](const glm::dvec3& centre) {
-    return find_aim(eyes.head_from_world *
-                    (place - glm::dvec3(eyes.world_from_head * glm::dvec4(centre, 1))));
+    return compute_aim(eyes.head_from_world *
+                       (place - glm::dvec3(eyes.world_from_head * glm::dvec4(centre, 1))));
   };
   return {aim_from(eyes.rig.left_mm), aim_from(eyes.rig.left_mm * glm::dvec3(-1, 1, 1))};
 }
 
-double find_amplitude_deg(const EyeAim& from, const EyeAim& to) {
+double compute_amplitude_deg(const EyeAim& from, const EyeAim& to) {
   return std::hypot(to.side_deg - from.side_deg, to.up_deg - from.up_deg);
 }
 
@@ -89,15 +90,15 @@ EyeAim mix_aims(const EyeAim& from, const EyeAim& to, double share) {
 }
 
 // The share of a saccade gone that arrives at `at_s`, having left no sooner than `after_s`.
-double find_saccade_share(double amplitude_deg, double after_s, double at_s, double time_s) {
-  const double length_s = std::min(find_saccade_s(amplitude_deg), at_s - after_s);
+double compute_saccade_share(double amplitude_deg, double after_s, double at_s, double time_s) {
+  const double length_s = std::min(compute_saccade_s(amplitude_deg), at_s - after_s);
   if (time_s >= at_s || length_s <= 0) return time_s >= at_s ? 1 : 0;
   return ease(Easing::out, 1 - (at_s - time_s) / length_s);
 }
 
 // The first of a list by time that is later than `time_s`.
 template <typename Timed>
-auto find_next(const std::vector<Timed>& list, double time_s) {
+auto compute_next(const std::vector<Timed>& list, double time_s) {
   return std::upper_bound(list.begin(), list.end(), time_s,
                           [](double time, const Timed& timed) { return time < timed.at_s; });
 }
@@ -112,29 +113,30 @@ KeysAim sample_keys(const Gaze& gaze, const EyeRig& rig, double time_s, const Tu
                     const CameraKey& camera) {
   const std::vector<GazeKey>& keys = gaze.spec.keys;
   if (keys.empty()) return {};
-  const auto next = find_next(keys, time_s);
+  const auto next = compute_next(keys, time_s);
   const GazeKey& now = next == keys.begin() ? *next : *(next - 1);
   const EyesNow eyes(rig, turn, camera);
-  const EyesAim from = find_aim(now, eyes);
+  const EyesAim from = compute_aim(now, eyes);
   if (next == keys.begin() || next == keys.end() || next->at_s - time_s > kLongestSaccade_s)
     return {from, &now};
-  const EyesAim to = find_aim(*next, eyes);
+  const EyesAim to = compute_aim(*next, eyes);
   // One time for both eyes, though one of them may have further to go.
   const double amplitude_deg =
-      std::max(find_amplitude_deg(from.left, to.left), find_amplitude_deg(from.right, to.right));
-  const double share = find_saccade_share(amplitude_deg, now.at_s, next->at_s, time_s);
+      std::max(compute_amplitude_deg(from.left, to.left), compute_amplitude_deg(from.right, to.right));
+  const double share = compute_saccade_share(amplitude_deg, now.at_s, next->at_s, time_s);
   return {{mix_aims(from.left, to.left, share), mix_aims(from.right, to.right, share)},
           share == 0 ? &now : nullptr};
 }
 
 EyeAim sample_fixations(const std::vector<Fixation>& fixations, double time_s) {
   if (fixations.empty()) return {};
-  const auto next = find_next(fixations, time_s);
+  const auto next = compute_next(fixations, time_s);
   const Fixation& now = next == fixations.begin() ? *next : *(next - 1);
   const EyeAim from{now.side_deg, now.up_deg};
   if (next == fixations.begin() || next == fixations.end()) return from;
   const EyeAim to{next->side_deg, next->up_deg};
-  return mix_aims(from, to, find_saccade_share(find_amplitude_deg(from, to), now.at_s, next->at_s, time_s));
+  return mix_aims(from, to,
+                  compute_saccade_share(compute_amplitude_deg(from, to), now.at_s, next->at_s, time_s));
 }
 
 // `value` of a limit's way, which may be another one upward than downward, moved by `degrees`; not held.
@@ -179,7 +181,7 @@ std::string describe(const GazeKey& key) {
 
 }  // namespace
 
-double find_saccade_s(double amplitude_deg) { return 0.021 + 0.0022 * amplitude_deg; }
+double compute_saccade_s(double amplitude_deg) { return 0.021 + 0.0022 * amplitude_deg; }
 
 Gaze build_gaze(const GazeSpec& spec, double length_s) {
   Gaze gaze{spec, {}};
@@ -233,9 +235,9 @@ std::vector<Shift> list_shifts(const GazeSpec& gaze, const std::vector<TurnKey>&
   const EyeRig rig;
   const EyesNow eyes(rig, TurnKey{}, view);
   for (std::size_t i = 1; i < gaze.keys.size(); ++i) {
-    const EyeAim from = find_aim(gaze.keys[i - 1], eyes).left, to = find_aim(gaze.keys[i], eyes).left;
-    const double amplitude_deg = find_amplitude_deg(from, to);
-    shifts.push_back({gaze.keys[i].at_s - find_saccade_s(amplitude_deg) / 2, amplitude_deg});
+    const EyeAim from = compute_aim(gaze.keys[i - 1], eyes).left, to = compute_aim(gaze.keys[i], eyes).left;
+    const double amplitude_deg = compute_amplitude_deg(from, to);
+    shifts.push_back({gaze.keys[i].at_s - compute_saccade_s(amplitude_deg) / 2, amplitude_deg});
   }
   for (std::size_t i = 1; i < turn.size(); ++i) {
     const TurnKey &from = turn[i - 1], &to = turn[i];

@@ -25,7 +25,7 @@ struct EyeRig {
 
 // A move of the eyes from one thing to another takes 21 ms and 2.2 ms for each degree (the main sequence:
 // face-facts 3.4): one to three frames at 24 a second.
-double find_saccade_s(double amplitude_deg);
+double compute_saccade_s(double amplitude_deg);
 
 // A small move of the eyes about what they look at.
 struct Fixation {

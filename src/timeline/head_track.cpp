@@ -25,7 +25,7 @@ Values mix_values(const Values& from, const Values& to, double share) {
   return mixed;
 }
 
-double find_guide_share(const HeadSpec& head, const std::string& line) {
+double compute_guide_share(const HeadSpec& head, const std::string& line) {
   if (!head.guides.contains(line)) return 0;
   const auto share = head.guide_shares.find(line);
   return share == head.guide_shares.end() ? 1 : share->second;
@@ -39,7 +39,8 @@ void mix_guides(const HeadSpec& from, const HeadSpec& to, double share, HeadSpec
       const HeadSpec& other = head == &from ? to : from;
       const bool is_both = other.guides.contains(line);
       mixed.guides[line] = is_both ? std::lerp(from.guides.at(line), to.guides.at(line), share) : height;
-      mixed.guide_shares[line] = std::lerp(find_guide_share(from, line), find_guide_share(to, line), share);
+      mixed.guide_shares[line] =
+          std::lerp(compute_guide_share(from, line), compute_guide_share(to, line), share);
     }
 }
 
@@ -95,7 +96,7 @@ HeadSpec sample_head(const std::vector<HeadKey>& keys, double time_s) {
   return mix_heads(span.from->head, span.to->head, span.share);
 }
 
-std::string find_head_key(const HeadSpec& head) {
+std::string compute_head_key(const HeadSpec& head) {
   std::string bytes;
   for (const Values* values : {&head.age, &head.skull, &head.guides, &head.guide_shares, &head.features})
     append_values(bytes, *values);

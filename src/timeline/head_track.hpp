@@ -18,6 +18,6 @@ HeadSpec mix_heads(const HeadSpec& from, const HeadSpec& to, double share);
 HeadSpec sample_head(const std::vector<HeadKey>& keys, double time_s);
 
 // 16 hexadecimal digits that differ for heads of one track that differ.
-std::string find_head_key(const HeadSpec& head);
+std::string compute_head_key(const HeadSpec& head);
 
 }  // namespace mien

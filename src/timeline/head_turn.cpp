@@ -11,7 +11,7 @@ bool is_turned(const TurnKey& turn) {
   return turn.turn_deg != 0 || turn.nod_deg != 0 || turn.tilt_deg != 0 || turn.breath_mm != 0;
 }
 
-glm::dmat4 find_turn(const glm::dvec3& pivot, const TurnKey& turn, double share) {
+glm::dmat4 compute_turn(const glm::dvec3& pivot, const TurnKey& turn, double share) {
   const double degrees = share * kRadiansPerDegree;
   const double rise_mm = turn.breath_mm * std::lerp(1.0, kHeadRise, share);
   glm::dmat4 world = glm::translate(glm::dmat4(1), pivot + glm::dvec3(0, rise_mm, 0));

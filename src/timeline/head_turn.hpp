@@ -15,6 +15,6 @@ bool is_turned(const TurnKey& turn);
 
 // By `share` of its angles: world from rest, a rotation about `pivot` (mm), risen with the breath. At share 0
 // are the shoulders, at 1 the head.
-glm::dmat4 find_turn(const glm::dvec3& pivot, const TurnKey& turn, double share);
+glm::dmat4 compute_turn(const glm::dvec3& pivot, const TurnKey& turn, double share);
 
 }  // namespace mien

@@ -15,7 +15,7 @@ Idle build_idle(const ClipSpec& clip) {
 void add_looks_and_blinks(const Idle& idle, const EyeRig& eyes, double time_s, const CameraKey& camera,
                           const TurnKey& turn, Pose& pose) {
   aim_eyes(idle.gaze, eyes, time_s, turn, camera, pose);
-  close_lids(pose, find_blink_closure(idle.blinks, time_s));
+  close_lids(pose, compute_blink_closure(idle.blinks, time_s));
 }
 
 }  // namespace mien

@@ -107,7 +107,7 @@ void add_keys(const std::vector<Key>& keys, double end_s, const Add& add) {
 }
 
 // A script's own time, at a time of its cue.
-double find_script_s(const CueSpec& cue, double time_s) {
+double compute_script_s(const CueSpec& cue, double time_s) {
   const double since_s = std::max(time_s - cue.start_s, 0.0), length_s = cue.script->length_s;
   return cue.is_repeated && length_s > 0 ? std::fmod(since_s, length_s) : std::min(since_s, length_s);
 }
@@ -120,7 +120,7 @@ void add_script(const CueSpec& cue, double to_s, Swingers& into) {
     into.push_back({fmt::format("the {} of '{}'", kNames[i], cue.what.label), cue.what.place, cue.from_s,
                     to_s, kLeastTurn_deg, [layers, i, cue](double t) {
                       std::array<double, 3> turn{};
-                      sample_track(layers->turn, find_ticks(find_script_s(cue, t)), turn);
+                      sample_track(layers->turn, compute_ticks(compute_script_s(cue, t)), turn);
                       return turn[i];
                     }});
   for (const CueSpec& inner : cue.script->cues) {
@@ -130,7 +130,7 @@ void add_script(const CueSpec& cue, double to_s, Swingers& into) {
     add_pose(
         moved, fmt::format("'{}'", cue.what.label), cue.from_s, to_s,
         [value = build_value(inner.what), cue](std::size_t move, double t) {
-          return value(move, find_script_s(cue, t));
+          return value(move, compute_script_s(cue, t));
         },
         into);
   }
@@ -142,7 +142,7 @@ Swingers list_swingers(const ClipSpec& clip) {
   const auto layers = std::make_shared<const Layers>(build_layers(clip));
   const MoveValue pose = [layers](std::size_t move, double time_s) {
     std::array<double, kMoveCount> values{};
-    sample_track(layers->pose, find_ticks(time_s), Moves().set(move), values);
+    sample_track(layers->pose, compute_ticks(time_s), Moves().set(move), values);
     return values[move];
   };
   add_keys(clip.keys, clip.length_s, [&](const PoseKey& key, double from_s, double to_s) {
@@ -155,7 +155,7 @@ Swingers list_swingers(const ClipSpec& clip) {
         all.push_back(
             {std::string(kNames[i]), key.place, from_s, to_s, kLeastTurn_deg, [layers, i](double t) {
                std::array<double, 3> turn{};
-               sample_track(layers->turn, find_ticks(t), turn);
+               sample_track(layers->turn, compute_ticks(t), turn);
                return turn[i];
              }});
   });
@@ -180,8 +180,8 @@ std::string advise(const ClipSpec& clip, const Swing& swing) {
 
 }  // namespace
 
-Swing find_quickest_swing(const ClipSpec& clip, double from_s, double to_s, double least,
-                          const std::function<double(double)>& value) {
+Swing compute_quickest_swing(const ClipSpec& clip, double from_s, double to_s, double least,
+                             const std::function<double(double)>& value) {
   Swing quickest;
   if (to_s <= from_s) return quickest;
   const double wanted = std::ceil((to_s - from_s) * clip.fps * kSteps);
@@ -206,7 +206,7 @@ Swing find_quickest_swing(const ClipSpec& clip, double from_s, double to_s, doub
 std::vector<Diagnostic> list_jitter(const ClipSpec& clip) {
   std::vector<Diagnostic> warnings;
   for (const Swinger& each : list_swingers(clip)) {
-    const Swing swing = find_quickest_swing(clip, each.from_s, each.to_s, each.least, each.value);
+    const Swing swing = compute_quickest_swing(clip, each.from_s, each.to_s, each.least, each.value);
     if (swing.per_second == 0 || swing.drawings >= kLeastDrawings * (1 - kTolerance)) continue;
     std::string message = fmt::format(
         "{} swings {:.1f} times a second (at {}), {:.1f} drawings each time on {}; fewer than {} jitter: {}",

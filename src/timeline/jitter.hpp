@@ -23,8 +23,8 @@ struct Swing {
 
 // The swing with the fewest drawings between two times, of a number that leaves and comes back by `least` or
 // more each way; `per_second` is 0 if there is none. Looked at in steps of a fraction of a frame.
-Swing find_quickest_swing(const ClipSpec& clip, double from_s, double to_s, double least,
-                          const std::function<double(double)>& value);
+Swing compute_quickest_swing(const ClipSpec& clip, double from_s, double to_s, double least,
+                             const std::function<double(double)>& value);
 
 // Warnings at the formulas of keys and laws, and at the cues whose scripts nod, shake or tremble, that make
 // fewer than kLeastDrawings drawings of a swing.

@@ -27,7 +27,7 @@ std::vector<Ticks> build_release(const Release& release_s) {
   if (release_s == kNoRelease) return release;
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     const double part_s = release_s[static_cast<std::size_t>(find_lead_part(i))];
-    release.push_back(part_s < 0 ? -1 : find_ticks(part_s));
+    release.push_back(part_s < 0 ? -1 : compute_ticks(part_s));
   }
   return release;
 }
@@ -99,13 +99,13 @@ Layers build_layers(const ClipSpec& clip) {
   layers.reach = build_reach(layers.pose, clip.keys, layers.most_reach);
 
   Lead head;
-  head.after.assign(3, find_ticks(clip.lead.after_s[static_cast<std::size_t>(LeadPart::head)]));
+  head.after.assign(3, compute_ticks(clip.lead.after_s[static_cast<std::size_t>(LeadPart::head)]));
   head.widest = layers.pose.leads.front().widest;
   layers.turn = build_track(build_track_keys(clip.turn), 3, head);
   layers.camera = build_track(build_track_keys(clip.camera), 3);
 
   layers.cues = build_cue_stack(clip);
-  layers.length = find_ticks(clip.length_s);
+  layers.length = compute_ticks(clip.length_s);
   return layers;
 }
 

@@ -25,14 +25,14 @@ constexpr std::size_t find_one(Area area, Side side, std::string_view move) {
   return *find_move(area, side, move);
 }
 
-double find_corners(const Pose& pose, std::string_view move) {
+double compute_corners(const Pose& pose, std::string_view move) {
   return (pose.values[find_one(Area::corner, Side::left, move)] +
           pose.values[find_one(Area::corner, Side::right, move)]) /
          2;
 }
 
 // How far a mouth is open, as a share of the jaw's way: lips at their limits open a third as far.
-double find_opening(const Pose& pose) {
+double compute_opening(const Pose& pose) {
   constexpr std::size_t kDown = find_one(Area::chin, Side::none, "down"),
                         kUpper = find_one(Area::lips, Side::none, "upper"),
                         kLowerLip = find_one(Area::lips, Side::none, "lower");
@@ -44,12 +44,12 @@ double find_opening(const Pose& pose) {
 
 const WayKind* find_way_kind(const LeadSpec& asked, const Pose& from, const Pose& to) {
   if (!asked.suits_shapes) return nullptr;
-  const double wider = find_corners(to, "out") - find_corners(from, "out");
-  const double opens = find_opening(to) - find_opening(from);
-  if (wider <= -kNarrower && find_corners(to, "out") <= kRound && opens >= kOpener) return &kRounds;
-  if (wider >= kNarrower && find_corners(from, "out") <= kRound && opens <= -kOpener) return &kUnrounds;
-  const bool is_smile = find_corners(from, "up") >= kSmiling;
-  if (is_smile && find_corners(from, "up") - find_corners(to, "up") >= kLower && opens <= -kOpener)
+  const double wider = compute_corners(to, "out") - compute_corners(from, "out");
+  const double opens = compute_opening(to) - compute_opening(from);
+  if (wider <= -kNarrower && compute_corners(to, "out") <= kRound && opens >= kOpener) return &kRounds;
+  if (wider >= kNarrower && compute_corners(from, "out") <= kRound && opens <= -kOpener) return &kUnrounds;
+  const bool is_smile = compute_corners(from, "up") >= kSmiling;
+  if (is_smile && compute_corners(from, "up") - compute_corners(to, "up") >= kLower && opens <= -kOpener)
     return &kFalls;
   return nullptr;
 }
@@ -58,8 +58,8 @@ Lead build_lead(const LeadSpec& asked, const WayKind* kind) {
   const LeadSpec& spec = kind != nullptr ? kind->lead : asked;
   Lead lead;
   for (std::size_t i = 0; i < kMoveCount; ++i)
-    lead.after.push_back(find_ticks(spec.after_s[static_cast<std::size_t>(find_lead_part(i))]));
-  lead.widest = find_ticks(std::ranges::max(spec.after_s));
+    lead.after.push_back(compute_ticks(spec.after_s[static_cast<std::size_t>(find_lead_part(i))]));
+  lead.widest = compute_ticks(std::ranges::max(spec.after_s));
   if (kind != nullptr) lead.most_share = kind->most_share;
   lead.kind = kind;
   return lead;
@@ -76,7 +76,8 @@ std::size_t take_lead(const LeadSpec& asked, const Pose& from, const Pose& to, s
 
 LeadPart find_lead_part(std::size_t move) { return find_area(kMoves[move].of).lead.part; }
 
-double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time, double most_share) {
+double compute_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time,
+                            double most_share) {
   const Ticks length = end - begin;
   if (time >= end) return 1;
   if (length <= 0 || time <= begin) return 0;

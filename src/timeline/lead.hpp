@@ -44,7 +44,7 @@ LeadPart find_lead_part(std::size_t move);
 // The share of a way's time, from `begin` to `end`, that is gone for one who sets out `after` later than the
 // first and arrives so much earlier than the last, who sets out `widest` later. Nobody is later than
 // `most_share` of the way, and all are there at `end`.
-double find_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time,
-                         double most_share = 0.25);
+double compute_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time,
+                            double most_share = 0.25);
 
 }  // namespace mien

@@ -20,7 +20,7 @@ const PoseKey& find_key(const std::vector<PoseKey>& keys, double time_s) {
 // Who asked for a move: the last of the cues that are there and own it, else the key.
 const PoseKey& find_asker(const Performance& performance, double time_s, std::size_t move) {
   const CueStack& cues = performance.layers->cues;
-  const Ticks time = find_ticks(time_s);
+  const Ticks time = compute_ticks(time_s);
   const PoseKey* asker = &find_key(performance.clip.keys, time_s);
   for (std::size_t layer = 0; layer < count_layers(cues); ++layer)
     for (const Cue& cue : find_cues(cues, layer, time))
@@ -32,7 +32,7 @@ const PoseKey& find_asker(const Performance& performance, double time_s, std::si
 
 void MostHeld::add_face(const Performance& performance, double time_s, const FaceState& asked) {
   const CueStack& cues = performance.layers->cues;
-  const Ticks time = find_ticks(time_s);
+  const Ticks time = compute_ticks(time_s);
   add_live(find_key(performance.clip.keys, time_s), time_s);
   for (std::size_t layer = 0; layer < count_layers(cues); ++layer)
     for (const Cue& cue : find_cues(cues, layer, time))

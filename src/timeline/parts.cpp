@@ -16,7 +16,7 @@ bool is_led(const PoseKey& to) {
 }
 
 // How much of the later one of two keys there is.
-double find_share(const PoseKey& from, const PoseKey& to, double time_s) {
+double compute_share(const PoseKey& from, const PoseKey& to, double time_s) {
   const double fraction = (time_s - from.at_s) / (to.at_s - from.at_s);
   return to.between == Between::ease ? ease(to.ease, fraction) : fraction;
 }
@@ -25,19 +25,20 @@ double find_share(const PoseKey& from, const PoseKey& to, double time_s) {
 std::vector<std::pair<std::string, double>> list_released(const PoseKey& from, const PoseKey& to,
                                                           double time_s) {
   std::vector<std::pair<std::string, double>> released;
-  const Ticks begin = find_ticks(from.at_s), end = find_ticks(to.at_s);
+  const Ticks begin = compute_ticks(from.at_s), end = compute_ticks(to.at_s);
   for (std::size_t part = 0; part < kFacePartCount; ++part)
     if (const double part_s = from.release[part]; part_s >= 0)
-      released.emplace_back(kReleaseKeys[part],
-                            ease(to.ease, find_led_fraction(begin, std::min(begin + find_ticks(part_s), end),
-                                                            0, 0, find_ticks(time_s))));
+      released.emplace_back(
+          kReleaseKeys[part],
+          ease(to.ease, compute_led_fraction(begin, std::min(begin + compute_ticks(part_s), end), 0, 0,
+                                             compute_ticks(time_s))));
   return released;
 }
 
-double find_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
+double compute_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
   double most = 0;
   for (std::size_t move = 0; move < kMoveCount; ++move)
-    if (cue.spec.owns[move]) most = std::max(most, find_weight(stack, cue, move, time));
+    if (cue.spec.owns[move]) most = std::max(most, compute_weight(stack, cue, move, time));
   return most;
 }
 
@@ -53,7 +54,7 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
   if (next == keys.begin() || next == keys.end()) {
     add(next == keys.begin() ? keys.front() : keys.back(), 1);
   } else {
-    const double share = find_share(*(next - 1), *next, time_s);
+    const double share = compute_share(*(next - 1), *next, time_s);
     add(*(next - 1), 1 - share);
     if (!parts.empty()) parts.back().released = list_released(*(next - 1), *next, time_s);
     add(*next, share);
@@ -63,14 +64,14 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
   }
   const CueStack& stack = performance.layers->cues;
   for (const Cue& cue : stack.cues)
-    if (const double share = find_most_weight(stack, cue, find_ticks(time_s)); share > 0)
+    if (const double share = compute_most_weight(stack, cue, compute_ticks(time_s)); share > 0)
       parts.push_back(
           {cue.spec.what.label, cue.spec.from_s, share, true, cue.spec.what.reach, cue.spec.what.held});
   return parts;
 }
 
 std::vector<Held> list_held_at(const Performance& performance, double time_s) {
-  const FaceState asked = sample_layers(*performance.layers, find_ticks(time_s));
+  const FaceState asked = sample_layers(*performance.layers, compute_ticks(time_s));
   MostHeld most;
   most.add_face(performance, time_s, asked);
   most.add_looks(performance, time_s, sample_unlooking(performance, time_s, asked));

@@ -31,7 +31,7 @@ TurnKey build_turn(const FaceState& face, double time_s) {
 
 CameraKey sample_camera(const Layers& layers, double time_s) {
   std::array<double, 3> numbers;
-  sample_track(layers.camera, find_ticks(time_s), numbers);
+  sample_track(layers.camera, compute_ticks(time_s), numbers);
   CameraKey camera;
   camera.at_s = time_s;
   camera.angle_deg = hold(numbers[0], kCameraBounds[0]);
@@ -62,7 +62,7 @@ Performance build_performance(const ClipSpec& clip) {
 Moment sample_performance(const Performance& performance, double time_s) {
   const Layers& layers = *performance.layers;
   const Idle& idle = performance.idle;
-  Moment moment = sample_unlooking(performance, time_s, sample_layers(layers, find_ticks(time_s)));
+  Moment moment = sample_unlooking(performance, time_s, sample_layers(layers, compute_ticks(time_s)));
   add_looks_and_blinks(idle, idle.eyes, time_s, moment.camera, moment.turn, moment.pose);
   return moment;
 }
@@ -72,7 +72,7 @@ Pose hold_face(const FaceState& asked) { return hold_moves(asked, Moves().set())
 Moment sample_unlooking(const Performance& performance, double time_s, const FaceState& asked) {
   const Layers& layers = *performance.layers;
   const auto sample_pose = [&](double at_s, const Moves& only) {
-    return hold_moves(at_s == time_s ? asked : sample_layers(layers, find_ticks(at_s), only), only);
+    return hold_moves(at_s == time_s ? asked : sample_layers(layers, compute_ticks(at_s), only), only);
   };
   Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose), build_turn(asked, time_s),
                 sample_camera(layers, time_s)};
@@ -80,8 +80,8 @@ Moment sample_unlooking(const Performance& performance, double time_s, const Fac
   return moment;
 }
 
-double find_drawing_time_s(const ClipSpec& clip, int frame) {
-  return find_seconds(find_frame_ticks(find_drawn_frame(clip, frame), clip.fps));
+double compute_drawing_time_s(const ClipSpec& clip, int frame) {
+  return compute_seconds(compute_frame_ticks(compute_drawn_frame(clip, frame), clip.fps));
 }
 
 }  // namespace mien

@@ -38,7 +38,7 @@ Pose hold_face(const FaceState& asked);
 Moment sample_unlooking(const Performance& performance, double time_s, const FaceState& asked);
 
 // The time that frame `frame` (from 0) shows: its drawing's first frame, over fps.
-double find_drawing_time_s(const ClipSpec& clip, int frame);
+double compute_drawing_time_s(const ClipSpec& clip, int frame);
 
 // A move's value within its limits times `reach`; limits that are ends of the body (find_stop) are not
 // lifted.

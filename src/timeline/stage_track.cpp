@@ -72,7 +72,7 @@ StageMoment sample_stage(const ClipSpec& clip, double time_s) {
   return moment;
 }
 
-std::string find_stage_key(const StageMoment& moment) {
+std::string compute_stage_key(const StageMoment& moment) {
   std::string bytes;
   append_bytes(bytes, moment.lens_mm);
   for (const AimShare& aim : moment.aims) {

@@ -26,6 +26,6 @@ struct StageMoment {
 StageMoment sample_stage(const ClipSpec& clip, double time_s);
 
 // 16 hexadecimal digits that differ for moments that differ.
-std::string find_stage_key(const StageMoment& moment);
+std::string compute_stage_key(const StageMoment& moment);
 
 }  // namespace mien

@@ -17,13 +17,13 @@ bool is_curve(Between between) { return between == Between::smooth || between ==
 // The curves to the keys first + 1 .. last, which are all of one kind.
 void build_curve(KeyTrack& track, std::size_t first, std::size_t last) {
   std::vector<double> at_s, values;
-  for (std::size_t i = first; i <= last; ++i) at_s.push_back(find_seconds(track.at[i] - track.at[first]));
+  for (std::size_t i = first; i <= last; ++i) at_s.push_back(compute_seconds(track.at[i] - track.at[first]));
   const bool is_spline = track.keys[last].between == Between::spline;
   for (std::size_t i = first + 1; i <= last; ++i) track.slopes[i].resize(track.channels);
   for (std::size_t channel = 0; channel < track.channels; ++channel) {
     values.clear();
     for (std::size_t i = first; i <= last; ++i) values.push_back(track.keys[i].values[channel]);
-    const auto slopes = is_spline ? find_spline_slopes(at_s, values) : find_smooth_slopes(at_s, values);
+    const auto slopes = is_spline ? compute_spline_slopes(at_s, values) : compute_smooth_slopes(at_s, values);
     for (std::size_t i = first + 1; i <= last; ++i)
       track.slopes[i][channel] = {slopes[i - first - 1], slopes[i - first]};
   }
@@ -50,7 +50,7 @@ using Numbers = std::array<double, kMaxChannels>;
 std::span<const double> find_values(const TrackKey& key, Ticks time, Numbers& room) {
   if (!key.law) return key.values;
   const std::span<double> into = std::span(room).first(key.values.size());
-  key.law(find_seconds(time), into);
+  key.law(compute_seconds(time), into);
   return into;
 }
 
@@ -62,7 +62,7 @@ void sample_curve(const KeyTrack& track, std::size_t to, Ticks time, const Moves
   const double u = static_cast<double>(time - track.at[to - 1]) / static_cast<double>(length);
   for_each_move(only, [&](std::size_t i) {
     const auto [out, in] = track.slopes[to][i];
-    into[i] = sample_cubic(from_key.values[i], to_key.values[i], out, in, find_seconds(length), u) +
+    into[i] = sample_cubic(from_key.values[i], to_key.values[i], out, in, compute_seconds(length), u) +
               std::lerp(a[i] - from_key.values[i], b[i] - to_key.values[i], u);
   });
 }
@@ -92,12 +92,12 @@ void sample_way(const KeyTrack& track, std::size_t to, Ticks time, const Moves& 
     const Ticks after = is_led ? lead.after[i] : 0;
     if (release < 0 && after != known_after) {
       known_after = after;
-      led_share =
-          ease(eased, find_led_fraction(begin, end, after, is_led ? lead.widest : 0, time, lead.most_share));
+      led_share = ease(
+          eased, compute_led_fraction(begin, end, after, is_led ? lead.widest : 0, time, lead.most_share));
     }
     const double share =
         release < 0 ? led_share
-                    : ease(eased, find_led_fraction(begin, std::min(begin + release, end), 0, 0, time));
+                    : ease(eased, compute_led_fraction(begin, std::min(begin + release, end), 0, 0, time));
     // std::lerp: exact at both ends and never outside them, which a + (b - a) * t is not.
     into[i] = std::lerp(a[i], b[i], share);
   });
@@ -110,7 +110,7 @@ KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, Lead lead
   track.channels = channels;
   track.keys = std::move(keys);
   std::ranges::stable_sort(track.keys, {}, &TrackKey::at_s);
-  for (const TrackKey& key : track.keys) track.at.push_back(find_ticks(key.at_s));
+  for (const TrackKey& key : track.keys) track.at.push_back(compute_ticks(key.at_s));
   track.slopes.resize(track.keys.size());
   track.leads.push_back(std::move(lead));
   build_curves(track);

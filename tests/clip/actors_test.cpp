@@ -80,15 +80,15 @@ TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
   Drawing drawing;
   deform_figure(bob, {}, {}, buffers, drawing);
   place_drawing(find_place(clip.actors[1].place), drawing);
-  const Box skin = find_bounds(drawing.parts.front().positions);
+  const Box skin = compute_bounds(drawing.parts.front().positions);
   EXPECT_NEAR((skin.low.x + skin.high.x) / 2, 120, 40);
-  EXPECT_NEAR(skin.high.y, find_bounds(bob.head.skin.positions).high.y + 30, 1e-3);
+  EXPECT_NEAR(skin.high.y, compute_bounds(bob.head.skin.positions).high.y + 30, 1e-3);
 }
 
 TEST(actors, are_all_framed) {
   const Clip clip = plan_two(make_test_folder());
   const Cast cast = build_cast(clip, shipped().heads);
-  const CameraView view = find_view(cast.framing, {}, {}, clip.spec.render);
+  const CameraView view = compute_view(cast.framing, {}, {}, clip.spec.render);
   EXPECT_GT(view.frame_width_mm, 380) << "two heads, 240 mm from middle to middle";
   Options options;
   EXPECT_THROW(find_actor(clip, options), InputError);

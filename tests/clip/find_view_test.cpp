@@ -21,7 +21,7 @@ CameraView find_view_at(const Figure& figure, double angle_deg, double height_de
   CameraKey camera;
   camera.angle_deg = angle_deg;
   camera.height_deg = height_deg;
-  return find_view(figure, camera, RenderSpec{});
+  return compute_view(figure, camera, RenderSpec{});
 }
 
 // How far from the middle to the edge of the picture (1) the head's skin reaches, aside.
@@ -31,7 +31,7 @@ double find_widest(const Figure& figure, const CameraView& view) {
   const RenderSpec render;
   const double width =
       std::max(view.frame_width_mm, view.frame_height_mm * render.width_px / render.height_px);
-  const double distance = find_camera_distance_mm(view);
+  const double distance = compute_camera_distance_mm(view);
   double widest = 0;
   for (const glm::vec3& vertex : figure.head.skin.positions) {
     const glm::dvec3 p = glm::dvec3(vertex) - glm::dvec3(view.look_at);
@@ -42,14 +42,14 @@ double find_widest(const Figure& figure, const CameraView& view) {
   return widest;
 }
 
-TEST(find_view, takes_in_all_of_the_hair_above) {
+TEST(compute_view, takes_in_all_of_the_hair_above) {
   for (const char* cut : {"curls", "bun", "pixie", "wavy"}) {
     HeadSpec spec;
     spec.hair = cut;
     const Figure figure = build_figure(shipped().heads, spec);
     for (const double angle_deg : {0.0, 30.0, 90.0, 180.0}) {
       const CameraView view = find_view_at(figure, angle_deg);
-      const double angle = view.angle_deg * kRadiansPerDegree, distance = find_camera_distance_mm(view);
+      const double angle = view.angle_deg * kRadiansPerDegree, distance = compute_camera_distance_mm(view);
       const glm::dvec3 toward(std::sin(angle), 0, std::cos(angle));
       double highest = 0;
       for (const Part& part : figure.model.parts)
@@ -62,7 +62,7 @@ TEST(find_view, takes_in_all_of_the_hair_above) {
   }
 }
 
-TEST(find_view, holds_every_head_from_every_side) {
+TEST(compute_view, holds_every_head_from_every_side) {
   for (const char* age : {"infant", "child", "adult"}) {
     const Figure figure = build_head(age);
     for (double angle = -180; angle <= 180; angle += 15)
@@ -70,10 +70,10 @@ TEST(find_view, holds_every_head_from_every_side) {
   }
 }
 
-TEST(find_view, frames_an_adults_face_by_its_height_alone) {
+TEST(compute_view, frames_an_adults_face_by_its_height_alone) {
   const Figure figure = build_head("adult");
   const CameraView view = find_view_at(figure, 0);
-  const Box skin = find_bounds(figure.head.skin.positions);
+  const Box skin = compute_bounds(figure.head.skin.positions);
   const double chin = figure.head.skin.positions[figure.head.cage.index.at("m12_D1")].y;
   const double height = skin.high.y - chin;
   EXPECT_DOUBLE_EQ(view.frame_width_mm, height * 1.08);
@@ -83,7 +83,7 @@ TEST(find_view, frames_an_adults_face_by_its_height_alone) {
   EXPECT_EQ(view.look_at.z, 0);
 }
 
-TEST(find_view, does_not_jump_while_the_camera_moves) {
+TEST(compute_view, does_not_jump_while_the_camera_moves) {
   const Figure figure = build_head("infant");
   CameraView before = find_view_at(figure, -180);
   for (double angle = -179.5; angle <= 180; angle += 0.5) {

@@ -96,7 +96,7 @@ TEST(growth, is_framed_by_the_largest_head_all_through) {
   ASSERT_EQ(cast.figures.size(), 1u);
   EXPECT_EQ(cast.figures.front(), nullptr) << "no single head stands for the clip";
   Framing largest;
-  add_figure(build_figure(shipped().heads, find_head(clip.actors.front(), 2)), glm::dmat4(1), largest);
+  add_figure(build_figure(shipped().heads, compute_head(clip.actors.front(), 2)), glm::dmat4(1), largest);
   EXPECT_EQ(cast.framing.crown_mm, largest.crown_mm);
   EXPECT_EQ(cast.framing.chin_mm, largest.chin_mm);
 }

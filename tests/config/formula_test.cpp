@@ -55,7 +55,7 @@ TEST(formula, is_greater_by_what_it_is_shifted) {
   const FormulaPointer shifted = shift_formula(*shift_formula(*formula, 10), -40);
   for (const double time_s : {0.0, 1.5, 7.0})
     EXPECT_EQ(evaluate(*shifted, time_s), evaluate(*formula, time_s) - 30);
-  EXPECT_EQ(find_start_s(*shifted), 1);
+  EXPECT_EQ(compute_start_s(*shifted), 1);
 }
 
 TEST(formula, has_no_value_where_it_has_none) {

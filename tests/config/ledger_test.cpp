@@ -10,7 +10,7 @@
 namespace mien {
 namespace {
 
-std::string tell(const Spec& spec) {
+std::string report(const Spec& spec) {
   std::string text;
   for (HeldNote note : build_notes(list_held(spec))) {
     note.held.place.file = std::filesystem::path(note.held.place.file).filename();
@@ -34,7 +34,7 @@ clip:
     - {at: 2s, express: sly, areas: {eyes: {side: 1.5}, brow.left: {up: 1.8}}}
     - {at: 3s, express: sly, exaggerate: 1.5}
 )");
-  EXPECT_EQ(tell(spec),
+  EXPECT_EQ(report(spec),
             "test.yaml:7:22: note: brows.up asked for 1.3; held at its limit, 1\n"
             "test.yaml:7:42: note: lids.upper asked for -1.2; held at -1: shut is shut\n"
             "test.yaml:11:28: note: brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1\n"
@@ -53,7 +53,7 @@ TEST(ledger, is_empty_for_every_library_and_what_stays_within_its_limits) {
   for (const Expression& expression : load_expression_libraries(kData / "configs/expressions"))
     EXPECT_TRUE(expression.held.empty()) << expression.library << "/" << expression.name;
   const Spec spec = load_text("mien: 1\nclip: {keys: [{at: 0s, express: laugh, exaggerate: 2}]}\n");
-  EXPECT_EQ(tell(spec), "");
+  EXPECT_EQ(report(spec), "");
 }
 
 TEST(ledger, names_the_line_of_a_library_that_asks_for_too_much) {
@@ -62,8 +62,8 @@ TEST(ledger, names_the_line_of_a_library_that_asks_for_too_much) {
   std::filesystem::copy(kData / "templates", data / "templates", std::filesystem::copy_options::recursive);
   write_file(data / "configs/expressions/mien.yaml",
              "mien: 1\nlibrary: mien\nexpressions:\n  neutral: {}\n  gape: {chin: {down: 1.25}}\n");
-  EXPECT_EQ(tell(load_text("mien: 1\n", data)), "");
-  EXPECT_EQ(tell(load_text("mien: 1\nbusts: [{express: gape}]\n", data)),
+  EXPECT_EQ(report(load_text("mien: 1\n", data)), "");
+  EXPECT_EQ(report(load_text("mien: 1\nbusts: [{express: gape}]\n", data)),
             "mien.yaml:5:23: note: chin.down asked for 1.25; held at its limit, 1\n");
 }
 
@@ -79,7 +79,7 @@ clip:
         a1: 1
         a2: 1
 )");
-  EXPECT_EQ(tell(spec),
+  EXPECT_EQ(report(spec),
             "test.yaml:9:9: note: brow.left.up asked for 1.3 (a1 1 + a2 1); held at its limit, 1\n"
             "test.yaml:10:9: note: chin.down asked for 1.7 (a1 1 + a2 1); held at its limit, 1\n");
 }
@@ -102,7 +102,7 @@ busts: [{express: surprise}, {express: surprise, exaggerate: 2}]
   EXPECT_DOUBLE_EQ(find_value(spec.busts[0].expression.pose, "brow", Side::left, "up"), 1.5);
   EXPECT_DOUBLE_EQ(find_value(spec.busts[1].expression.pose, "brow", Side::left, "up"), 2);
   EXPECT_EQ(take_expression(spec, "surprise").pose, spec.clip.keys[0].pose);
-  EXPECT_EQ(tell(spec), "");
+  EXPECT_EQ(report(spec), "");
 }
 
 TEST(exaggerate, closes_lids_by_the_lowest_and_not_the_sum) {
@@ -132,11 +132,11 @@ TEST(pose_mix, holds_any_values_within_their_reach_and_tells_all_it_held) {
       EXPECT_GE(built.pose.values[m], kMoves[m].low * built.reach);
       EXPECT_LE(built.pose.values[m], kMoves[m].high * built.reach);
       const double asked = ask.exaggerate * ask.areas.values[m].value_or(ask.pose.values[m] * ask.strength);
-      const bool is_told = std::ranges::any_of(built.held, [&](const Held& h) {
+      const bool is_reported = std::ranges::any_of(built.held, [&](const Held& h) {
         return h.move == m && h.asked == asked && h.held == built.pose.values[m];
       });
       if (find_stop(m, asked < 0 ? -1 : 1).empty()) {
-        EXPECT_EQ(is_told, built.pose.values[m] != asked);
+        EXPECT_EQ(is_reported, built.pose.values[m] != asked);
       }
     }
   }

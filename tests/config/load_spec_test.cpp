@@ -227,7 +227,7 @@ TEST(load_spec, spots_of_the_skin_are_dials) {
 TEST(load_spec, hair_and_brows_grey_with_age_where_the_author_gave_no_colour) {
   const auto look_at_age = [](const char* head) {
     const HeadSpec spec = load_text(fmt::format("mien: 1\nhead: {}\n", head)).head;
-    return find_aged_look(spec.look, spec.age);
+    return compute_aged_look(spec.look, spec.age);
   };
   const auto find_chroma = [](const glm::vec3& srgb) {
     return std::max({srgb.r, srgb.g, srgb.b}) - std::min({srgb.r, srgb.g, srgb.b});
@@ -252,7 +252,7 @@ TEST(load_spec, hair_and_brows_grey_with_age_where_the_author_gave_no_colour) {
 TEST(load_spec, age_spots_come_with_age_where_the_author_said_nothing_of_them) {
   const auto count = [](const std::string& head) {
     const Spec spec = load_text("mien: 1\nhead: {" + head + "}\n");
-    return find_aged_look(spec.head.look, spec.head.age).age_spots;
+    return compute_aged_look(spec.head.look, spec.head.age).age_spots;
   };
   const double old = count("age: old");
   EXPECT_GT(old, 0.3);

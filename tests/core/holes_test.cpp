@@ -47,7 +47,7 @@ TEST(holes, walks_each_loop_once_against_the_mesh) {
   const std::vector<Loop> loops = find_boundary_loops(box.triangles);
   ASSERT_EQ(loops.size(), 1U);
   EXPECT_EQ(loops[0], (Loop{2, 6, 7, 3}));
-  EXPECT_EQ(find_loop_centre(box.positions, loops[0]), glm::vec3(1, 3, 2));
+  EXPECT_EQ(compute_loop_centre(box.positions, loops[0]), glm::vec3(1, 3, 2));
 }
 
 TEST(holes, refuses_what_is_not_a_surface) {

@@ -8,10 +8,10 @@ namespace mien {
 namespace {
 
 TEST(mesh, bounds_hold_every_vertex) {
-  const Box box = find_bounds({{1, -2, 3}, {-4, 5, 0}, {0, 0, 6}});
+  const Box box = compute_bounds({{1, -2, 3}, {-4, 5, 0}, {0, 0, 6}});
   EXPECT_EQ(box.low, glm::vec3(-4, -2, 0));
   EXPECT_EQ(box.high, glm::vec3(1, 5, 6));
-  EXPECT_EQ(find_bounds({}).high, glm::vec3(0));
+  EXPECT_EQ(compute_bounds({}).high, glm::vec3(0));
 }
 
 TEST(mesh, normals_point_out_and_weigh_by_area) {

@@ -13,7 +13,7 @@ TEST(nearest_point, nothing_of_the_triangle_is_nearer) {
   const auto draw = [&] { return glm::dvec3(place(random), place(random), place(random)); };
   for (int round = 0; round < 300; ++round) {
     const glm::dvec3 a = draw(), b = draw(), c = draw(), p = 2.0 * draw();
-    const glm::dvec3 at = find_nearest_barycentric(p, a, b, c);
+    const glm::dvec3 at = compute_nearest_barycentric(p, a, b, c);
     EXPECT_NEAR(at.x + at.y + at.z, 1, 1e-12);
     for (int i = 0; i < 3; ++i) EXPECT_GE(at[i], -1e-12);
     const double nearest = glm::distance(p, at.x * a + at.y * b + at.z * c);
@@ -27,7 +27,7 @@ TEST(nearest_point, nothing_of_the_triangle_is_nearer) {
 
 TEST(nearest_point, finds_a_corner_of_what_has_no_area) {
   const glm::vec3 a(1, 2, 3);
-  EXPECT_EQ(find_nearest_barycentric(glm::vec3(5, 5, 5), a, a, a), glm::vec3(1, 0, 0));
+  EXPECT_EQ(compute_nearest_barycentric(glm::vec3(5, 5, 5), a, a, a), glm::vec3(1, 0, 0));
 }
 
 }  // namespace

@@ -58,12 +58,12 @@ TEST(refine, splits_only_what_is_marked_and_leaves_no_crack) {
 TEST(refine, comes_nearer_to_the_round_shape) {
   Mesh ball = build_ball({0, 0, 0}, 10, 10);
   const double exact = 4.0 / 3 * std::numbers::pi * 1000;
-  const double lack = exact - compute_volume_mm3(ball);
+  const double shortfall = exact - compute_volume_mm3(ball);
   update_normals(ball);
   std::vector<bool> marks(ball.positions.size(), true);
   refine_marked(ball, marks);
   EXPECT_EQ(count_open_edges(ball.triangles), 0U);
-  EXPECT_LT(std::abs(exact - compute_volume_mm3(ball)), lack / 3);
+  EXPECT_LT(std::abs(exact - compute_volume_mm3(ball)), shortfall / 3);
   EXPECT_TRUE(std::all_of(marks.begin(), marks.end(), [](bool mark) { return mark; }));
 }
 

@@ -318,7 +318,7 @@ TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
     EXPECT_EQ(facts.open_edges, 0u) << set;
     EXPECT_EQ(facts.parts, asked.drain_mm > 0 ? 1u : 2u) << set;
     EXPECT_NEAR(facts.volume_mm3, compute_volume_mm3(meant), 0.002 * compute_volume_mm3(meant)) << set;
-    const Box box = find_bounds(meant.positions);
+    const Box box = compute_bounds(meant.positions);
     EXPECT_LT(glm::distance(facts.box.low, box.low), 0.02) << set;
     EXPECT_LT(glm::distance(facts.box.high, box.high), 0.02) << set;
   };

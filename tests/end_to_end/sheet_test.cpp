@@ -53,7 +53,7 @@ TEST(sheet, draws_each_guide_line_at_its_height_in_every_view) {
   ASSERT_EQ(head.guides.size(), 7u);
   for (std::size_t i = 0; i < 4; ++i) {
     const SheetCell& cell = plan.blocks[1].cells[i];
-    const CameraView view = find_cell_view(cell, head, head);
+    const CameraView view = compute_cell_view(cell, head, head);
     const double tall_mm = std::max(view.frame_height_mm, view.frame_width_mm * kCell.second / kCell.first);
     const auto [left, top] = layout.places[4 + i];
     const int x = left + kCell.first - 3;  // beside the head

@@ -50,7 +50,7 @@ std::map<std::string, glm::dvec3> find_places(const Pose& pose) {
   return places;
 }
 
-double find_way_mm(const glm::dvec3& from, const glm::dvec3& to, const std::string& way) {
+double compute_way_mm(const glm::dvec3& from, const glm::dvec3& to, const std::string& way) {
   const glm::dvec3 moved = to - from;
   if (way == "up") return moved.y;
   if (way == "down") return -moved.y;
@@ -73,7 +73,7 @@ TEST(amplitudes, are_as_the_table_says_and_where_it_says_so_as_people_move) {
     const Spec spec = load_text("mien: 1\nexpressions: {row: {" + cells[1] + "}}\n");
     const auto posed = find_places(find_expression(spec, "row").pose);
     ASSERT_TRUE(rest.contains(cells[2])) << line;
-    const double mm = find_way_mm(rest.at(cells[2]), posed.at(cells[2]), cells[3]);
+    const double mm = compute_way_mm(rest.at(cells[2]), posed.at(cells[2]), cells[3]);
     EXPECT_NEAR(mm, std::stod(cells[4]), 0.051) << line;
     const double low = std::stod(cells[5]), high = std::stod(cells[5].substr(cells[5].find("to") + 2));
     const bool is_within = low <= mm && mm <= high;

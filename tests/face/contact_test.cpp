@@ -51,7 +51,7 @@ glm::dvec3 find_skin(const Subject& s, const Pose& pose, const std::string& name
   return sum;
 }
 
-glm::dvec3 find_way(const Subject& s, const Pose& pose, const std::string& name) {
+glm::dvec3 compute_way(const Subject& s, const Pose& pose, const std::string& name) {
   return find_skin(s, pose, name) - find_skin(s, Pose{}, name);
 }
 
@@ -63,8 +63,8 @@ const Subject& adult() {
 TEST(contact, a_kiss_brings_the_lips_forward_and_keeps_their_red) {
   const Pose kiss = build_pose({{"corner", "out", -1}, {"lips", "press", 0.6}});
   for (const char* border : {"M3_0", "M3_12"}) {
-    EXPECT_GT(find_way(adult(), kiss, border).z, 7) << border;
-    EXPECT_LT(find_way(adult(), kiss, border).z, 9) << border;
+    EXPECT_GT(compute_way(adult(), kiss, border).z, 7) << border;
+    EXPECT_LT(compute_way(adult(), kiss, border).z, 9) << border;
   }
   const auto red = [&](const Pose& pose) {
     return find_skin(adult(), pose, "M3_0").y - find_skin(adult(), pose, "M1_0").y;
@@ -84,9 +84,9 @@ TEST(contact, a_smile_thins_the_red_of_both_lips) {
 TEST(contact, anger_and_fear_flare_both_nostrils_alike) {
   for (const Pose& pose : {build_pose({{"brow", "out", -1}, {"brow", "turn", -1}}),
                            build_pose({{"brow", "out", -1}, {"lid", "upper", 1}})}) {
-    EXPECT_GT(find_way(adult(), pose, "k_tip").x, 1);
-    EXPECT_LT(find_way(adult(), pose, "k_tip").x, 2);
-    EXPECT_EQ(find_way(adult(), pose, "k_tip").x, -find_way(adult(), pose, "R:k_tip").x);
+    EXPECT_GT(compute_way(adult(), pose, "k_tip").x, 1);
+    EXPECT_LT(compute_way(adult(), pose, "k_tip").x, 2);
+    EXPECT_EQ(compute_way(adult(), pose, "k_tip").x, -compute_way(adult(), pose, "R:k_tip").x);
   }
 }
 
@@ -126,9 +126,9 @@ TEST(contact, lips_do_not_cross_beside_a_corner_that_is_drawn_in_and_down) {
     for (const Side side : {Side::left, Side::right}) {
       place_lip(s.face.upper_lip, points, side, upper);
       place_lip(s.face.lower_lip, points, side, lower);
-      LipLacks lacks{};
-      find_lip_lacks(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, lacks);
-      EXPECT_LT(*std::ranges::max_element(lacks), 0.05) << age;
+      LipShortfalls shortfalls{};
+      compute_lip_shortfalls(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, shortfalls);
+      EXPECT_LT(*std::ranges::max_element(shortfalls), 0.05) << age;
     }
   }
 }
@@ -138,13 +138,13 @@ TEST(contact, sheets_that_overlap_are_told_by_how_much_and_where) {
   std::vector<glm::dvec3> upper, lower;
   place_lip(s.face.upper_lip, s.head.cage.points, Side::left, upper);
   place_lip(s.face.lower_lip, s.head.cage.points, Side::left, lower);
-  LipLacks lacks{};
-  find_lip_lacks(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, lacks);
-  EXPECT_LE(*std::ranges::max_element(lacks), 0);
+  LipShortfalls shortfalls{};
+  compute_lip_shortfalls(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, shortfalls);
+  EXPECT_LE(*std::ranges::max_element(shortfalls), 0);
   for (glm::dvec3& p : lower) p.y += 1;
-  find_lip_lacks(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, lacks);
-  EXPECT_GT(lacks[0], 0.3);
-  EXPECT_LE(*std::ranges::max_element(lacks), 1);
+  compute_lip_shortfalls(s.face.upper_lip, upper, s.face.lower_lip, lower, 0, shortfalls);
+  EXPECT_GT(shortfalls[0], 0.3);
+  EXPECT_LE(*std::ranges::max_element(shortfalls), 1);
 }
 
 }  // namespace

@@ -137,7 +137,7 @@ TEST(face, mirrored_poses_give_mirrored_heads_to_the_last_bit) {
 }
 
 // Where the cage's points come to lie on the skin: lids meet there, their control points stay apart or cross.
-std::vector<glm::dvec3> find_on_skin(const Subject& s, const std::vector<glm::dvec3>& points) {
+std::vector<glm::dvec3> compute_on_skin(const Subject& s, const std::vector<glm::dvec3>& points) {
   std::vector<Float4> packed;
   std::vector<glm::vec3> skin;
   pack_points(points, packed);
@@ -153,7 +153,7 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
     for (const Side side : {Side::left, Side::right}) set(shut, "lid", side, "upper", -1);
     std::vector<glm::dvec3> points;
     pose_cage(s.head, s.face, shut, points);
-    points = find_on_skin(s, points);
+    points = compute_on_skin(s, points);
     const auto at = [&](int column) {
       return points[s.head.cage.index.find("E1_" + std::to_string(column % 16))->second];
     };
@@ -167,7 +167,7 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
     std::mt19937 random(8);
     for (int round = 0; round < 100; ++round) {
       pose_cage(s.head, s.face, build_random_pose(random), points);
-      points = find_on_skin(s, points);
+      points = compute_on_skin(s, points);
       for (const std::string side : {"", "R:"})
         for (int i = 2; i < 7; ++i) {
           const glm::dvec3 upper = points[s.head.cage.index.find(side + "E1_" + std::to_string(i))->second];
@@ -230,11 +230,11 @@ TEST(face, gaze_and_jaw_turn_the_way_the_words_say) {
   Pose pose;
   set(pose, "eye", Side::left, "side", 1);
   set(pose, "eye", Side::left, "up", 0.5);
-  const glm::dvec3 look = find_gaze(adult().face, pose, Side::left) * glm::dvec3(0, 0, 1);
+  const glm::dvec3 look = compute_gaze(adult().face, pose, Side::left) * glm::dvec3(0, 0, 1);
   EXPECT_GT(look.x, 0.4);  // toward the character's left
   EXPECT_GT(look.y, 0.1);
   set(pose, "chin", Side::none, "down", 1);
-  const glm::dvec4 chin = find_jaw(adult().face, pose) * glm::dvec4(0, -110, 90, 1);
+  const glm::dvec4 chin = compute_jaw(adult().face, pose) * glm::dvec4(0, -110, 90, 1);
   EXPECT_LT(chin.y, -130);
   EXPECT_LT(chin.z, 80);
 }

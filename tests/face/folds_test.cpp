@@ -88,18 +88,18 @@ TEST(folds, the_neutral_pose_is_smooth_to_the_last_bit) {
 
 TEST(folds, only_the_old_have_lines_at_rest_and_the_more_the_older) {
   HeadSpec spec;
-  const auto find_rest = [&](const Mix& age) {
+  const auto compute_rest = [&](const Mix& age) {
     spec.age = age;
     double sum = 0;
     for (const FoldField& field : build_figure(shipped().heads, spec).folds.fields) {
-      EXPECT_GE(find_fold_amount(field, Pose{}, Side::left), field.rest);
-      sum += find_fold_amount(field, Pose{}, Side::left);
+      EXPECT_GE(compute_fold_amount(field, Pose{}, Side::left), field.rest);
+      sum += compute_fold_amount(field, Pose{}, Side::left);
     }
     return sum;
   };
   for (const char* age : {"infant", "child", "teenager", "young_adult", "adult"})
-    EXPECT_EQ(find_rest({{age, 1.0}}), 0) << age;
-  const double half = find_rest({{"adult", 0.5}, {"old", 0.5}}), old = find_rest({{"old", 1.0}});
+    EXPECT_EQ(compute_rest({{age, 1.0}}), 0) << age;
+  const double half = compute_rest({{"adult", 0.5}, {"old", 0.5}}), old = compute_rest({{"old", 1.0}});
   EXPECT_GT(half, 0.5);
   EXPECT_NEAR(2 * half, old, 1e-9);
 }
@@ -197,7 +197,7 @@ TEST(folds, grow_without_a_jerk) {
           for (const Side side : {Side::none, Side::left})
             if (const auto move = find_move(driver.area, side, driver.move))
               pose.values[*move] = driver.sign * static_cast<double>(i) / kSteps;
-      const double now = find_fold_amount(field, pose, Side::left), slope = (now - before) * kSteps;
+      const double now = compute_fold_amount(field, pose, Side::left), slope = (now - before) * kSteps;
       EXPECT_LE(std::abs(slope), kSteepest);
       EXPECT_LE(std::abs(i > 0 ? slope - slope_before : now), i > 0 ? 0.6 : 0.0);
       before = now;

@@ -37,7 +37,7 @@ Pose build_pose(std::initializer_list<std::tuple<std::string_view, std::string_v
 // Closed by a fan under the foot.
 Mesh build_closed(const BustBody& body, std::vector<glm::vec3> positions) {
   Mesh mesh{std::move(positions), {}, body.triangles};
-  append_fan_cap(mesh, body.foot, find_loop_centre(mesh.positions, body.foot));
+  append_fan_cap(mesh, body.foot, compute_loop_centre(mesh.positions, body.foot));
   return mesh;
 }
 
@@ -51,7 +51,7 @@ TEST(bust_body, is_one_closed_surface_that_stands_on_its_foot) {
   const Mesh mesh = build_closed(body, place_bust(body, adult(), Pose{}));
   EXPECT_EQ(count_open_edges(mesh.triangles), 0U);
   EXPECT_EQ(split_pieces(mesh).size(), 1U);
-  const Box box = find_bounds(mesh.positions);
+  const Box box = compute_bounds(mesh.positions);
   EXPECT_NEAR(box.low.z, 0, 1e-4);
   EXPECT_NEAR(box.high.z, 72, 0.02);
   for (const std::uint32_t v : body.foot) EXPECT_NEAR(mesh.positions[v].z, 0, 1e-4);
@@ -75,14 +75,14 @@ TEST(bust_body, stands_flat_where_no_base_is_asked_for) {
   size.figure_mm = 80;
   const BustBody body = build_bust_body(adult(), size);
   const std::vector<glm::vec3> flat = place_bust(body, adult(), Pose{});
-  const Box box = find_bounds(flat);
+  const Box box = compute_bounds(flat);
   EXPECT_NEAR(box.low.z, 0, 1e-4);
   EXPECT_NEAR(box.high.z, 80, 0.02);
   float breadth = 0;
   for (const std::uint32_t v : body.foot) breadth = std::max(breadth, std::abs(flat[v].x));
   EXPECT_GT(breadth, 0.2f * 80);
   // On a foot the same body reaches further down.
-  EXPECT_LT(find_bounds(place_bust(body, adult(), Pose{}, Stand::foot)).low.z, -2);
+  EXPECT_LT(compute_bounds(place_bust(body, adult(), Pose{}, Stand::foot)).low.z, -2);
 }
 
 // The narrowest place of a slit in height, on the way from `at` in it to the front.
@@ -139,7 +139,7 @@ TEST(bust_body, eyes_are_carved_where_they_look) {
 TEST(bust_body, an_open_mouth_shows_teeth) {
   const BustBody& body = adult_body();
   const Pose pose = build_pose({{"chin", "down", 0.8}, {"lips", "upper", 0.7}});
-  const CarvedMouth mouth = find_carved_mouth(body, adult(), pose);
+  const CarvedMouth mouth = compute_carved_mouth(body, adult(), pose);
   CarvedMouth toothless = mouth;
   for (ToothRow* row : {&toothless.upper, &toothless.lower})
     for (int i = 0; i < kToothSamples; ++i) row->edge[i] = row->front[i] = {0, kNoTooth_mm};
@@ -197,7 +197,7 @@ const Controlled& controlled() {
   return made;
 }
 
-float find_worst_mm(const std::vector<glm::vec3>& sum, const Pose& pose) {
+float compute_worst_mm(const std::vector<glm::vec3>& sum, const Pose& pose) {
   const BustBody& body = adult_body();
   const std::vector<glm::vec3> truth = place_bust(body, adult(), pose);
   std::vector<bool> is_placed(truth.size(), false);
@@ -219,7 +219,7 @@ TEST(bust_controls, every_move_alone_is_the_faces_own) {
                            ? kMoves[m].low
                            : std::uniform_real_distribution<double>(kMoves[m].low, kMoves[m].high)(random);
       const std::vector<double> values(pose.values.begin(), pose.values.end());
-      EXPECT_LT(find_worst_mm(sum_bust_states(controlled().bust, values), pose), 0.05f)
+      EXPECT_LT(compute_worst_mm(sum_bust_states(controlled().bust, values), pose), 0.05f)
           << kMoves[m].area << ' ' << kMoves[m].move << ' ' << pose.values[m];
     }
 }
@@ -231,7 +231,7 @@ TEST(bust_controls, an_expression_is_the_faces_own_with_its_state) {
     std::vector<glm::vec3> sum = sum_bust_states(controlled().bust, expression.values);
     const BustState& state = controlled().bust.states[expression.state];
     for (std::size_t k = 0; k < state.vertices.size(); ++k) sum[state.vertices[k]] += state.offsets[k];
-    EXPECT_LT(find_worst_mm(sum, controlled().poses[i].pose), 0.11f) << expression.name;
+    EXPECT_LT(compute_worst_mm(sum, controlled().poses[i].pose), 0.11f) << expression.name;
   }
 }
 

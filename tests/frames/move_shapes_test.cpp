@@ -135,7 +135,7 @@ TEST(move_shapes, weights_of_neighbours_share_the_way) {
   const std::vector<double> values{-1, -0.5, 0.25, 1};
   const auto list = [&](double value) {
     std::vector<double> weights;
-    for (std::size_t i = 0; i < values.size(); ++i) weights.push_back(find_shape_weight(values, i, value));
+    for (std::size_t i = 0; i < values.size(); ++i) weights.push_back(compute_shape_weight(values, i, value));
     return weights;
   };
   EXPECT_EQ(list(0), (std::vector<double>{0, 0, 0, 0}));
@@ -149,7 +149,7 @@ TEST(move_shapes, weights_of_neighbours_share_the_way) {
 
 TEST(move_shapes, offsets_leave_out_what_is_slight) {
   const std::vector<glm::vec3> from(3, glm::vec3(0)), to{{0, 0.1f, 0}, {0, 1, 0}, {5, 0, 0}};
-  const VertexOffsets found = find_offsets(from, to, {0.5, 0.5, INFINITY});
+  const VertexOffsets found = compute_offsets(from, to, {0.5, 0.5, INFINITY});
   EXPECT_EQ(found.vertices, (std::vector<std::uint32_t>{1}));
   EXPECT_EQ(found.offsets, (std::vector<glm::vec3>{{0, 1, 0}}));
 }

@@ -73,7 +73,7 @@ void add_hairs(const Figure& figure, PoseProbe& probe) {
   for (std::size_t part = 0; part < figure.parts.size(); ++part) {
     if (!figure.model.parts[part].name.starts_with("brow_")) continue;
     const Mesh& rest = figure.model.parts[part].rest;
-    Box box = find_bounds(rest.positions);
+    Box box = compute_bounds(rest.positions);
     const SkinPatch patch = build_skin_patch(skin, {box.low - 4.0f, box.high + 4.0f});
     for (const Binding& binding : figure.parts[part].bindings)
       if (binding.count > 0) {  // rings have the same height all round: one vertex tells
@@ -97,8 +97,8 @@ PoseProbe build_pose_probe(const Figure& figure) {
       if (head.skin.positions[v].x > 0) probe.lid_skin.push_back(v);
   std::sort(probe.lid_skin.begin(), probe.lid_skin.end());
   probe.lid_skin.erase(std::unique(probe.lid_skin.begin(), probe.lid_skin.end()), probe.lid_skin.end());
-  probe.rims = {build_lid_line(find_lid_ring(*head.surface, head.cage, {"EB_", "E0_", "E1_"})),
-                build_lid_line(find_lid_ring(*head.surface, head.cage, {"E0_", "E1_", "E2_"}))};
+  probe.rims = {build_lid_line(compute_lid_ring(*head.surface, head.cage, {"EB_", "E0_", "E1_"})),
+                build_lid_line(compute_lid_ring(*head.surface, head.cage, {"E0_", "E1_", "E2_"}))};
   probe.lips = {find_triangles(head, {"M0_0..6", "M1_0..6", "M2_0..6"}),
                 find_triangles(head, {"M0_6..12", "M1_6..12", "M2_6..12"})};
   probe.outside = find_triangles(

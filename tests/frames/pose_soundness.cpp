@@ -74,7 +74,7 @@ double find_opening_mm(const glm::dvec3& p, const std::vector<glm::dvec3>& lower
   return std::numeric_limits<double>::max();
 }
 
-double find_distance_mm(const glm::dvec3& p, const std::vector<glm::dvec3>& line) {
+double compute_distance_mm(const glm::dvec3& p, const std::vector<glm::dvec3>& line) {
   double distance = 1e9;
   for (std::size_t i = 1; i < line.size(); ++i) {
     const glm::dvec3 ab = line[i] - line[i - 1];
@@ -91,12 +91,12 @@ void measure_eye(const PoseProbe& probe, const Pose& pose, const Positions& now,
   const auto at = [&](std::uint32_t v) { return to_left(now[vertex(v)], is_right); };
   const Side side = is_right ? Side::right : Side::left;
   const glm::dmat3 mirror = glm::dmat3(glm::dvec3(is_right ? -1 : 1, 0, 0), {0, 1, 0}, {0, 0, 1});
-  const glm::dmat3 ahead = mirror * glm::transpose(find_gaze(probe.figure->face, pose, side)) * mirror;
+  const glm::dmat3 ahead = mirror * glm::transpose(compute_gaze(probe.figure->face, pose, side)) * mirror;
   for (const std::uint32_t v : probe.lid_skin) {
     const glm::dvec3 p = at(v);
     raise(found[ball], head.eye.radius_mm - glm::distance(p, head.eye.centre), vertex(v));
     const glm::dvec3 looked = head.eye.centre + ahead * (p - head.eye.centre);
-    raise(found[cornea], -find_standoff_mm(probe.eye, head.eye, looked), vertex(v));
+    raise(found[cornea], -compute_standoff_mm(probe.eye, head.eye, looked), vertex(v));
   }
   const bool is_shut = pose.values[*find_move(Area::lid, side, "upper")] == -1;
   for (std::size_t rim = 0; rim < probe.rims.size(); ++rim) {
@@ -106,7 +106,7 @@ void measure_eye(const PoseProbe& probe, const Pose& pose, const Positions& now,
     for (std::size_t i = 1; i + 1 < upper.size(); ++i) {
       const glm::dvec3 p = at(upper[i]);
       raise(found[order], -find_opening_mm(p, lower, head.eye), vertex(upper[i]));
-      if (is_shut && rim == 1) raise(found[gap], find_distance_mm(p, lower), vertex(upper[i]));
+      if (is_shut && rim == 1) raise(found[gap], compute_distance_mm(p, lower), vertex(upper[i]));
     }
   }
 }
@@ -199,7 +199,7 @@ void measure_bites(const PoseProbe& probe, const Drawing& drawing, PoseFindings&
 void measure_hairs(const PoseProbe& probe, const Drawing& drawing, PoseFindings& found) {
   const PartShape& skin = drawing.parts.front();
   for (const HairProbe& probed : probe.hairs) {
-    const SkinFrame frame = find_skin_frame(
+    const SkinFrame frame = compute_skin_frame(
         skin.positions, skin.normals, probe.figure->head.skin.triangles[probed.triangle], probed.barycentric);
     const glm::vec3 arm = drawing.parts[probed.part].positions[probed.vertex] - frame.origin;
     raise(found[hair], std::abs(glm::dot(arm, frame.axes[2])),

@@ -211,7 +211,8 @@ TEST(hair, rides_on_the_skin) {
     const Figure figure = build_figure(shipped().heads, spec);
     Pose pose;
     for (const char* side : {"left", "right"})
-      pose.values[*find_move(Area::brow, std::string_view(side) == "left" ? Side::left : Side::right, "up")] = 1;
+      pose.values[*find_move(Area::brow, std::string_view(side) == "left" ? Side::left : Side::right, "up")] =
+          1;
     pose.values[*find_move(Area::chin, Side::none, "down")] = 0.6;
     DeformBuffers buffers;
     Drawing drawing;
@@ -278,8 +279,8 @@ TEST(beard, stands_on_the_skin) {
   look.beard = "stubble";
   const std::vector<HeadPart> parts = build_beard(adult(), look);
   for (const Binding& binding : parts[0].bindings) {
-    const SkinFrame root = find_skin_frame(adult().skin.positions, adult().skin.normals,
-                                           adult().skin.triangles[binding.triangle], binding.barycentric);
+    const SkinFrame root = compute_skin_frame(adult().skin.positions, adult().skin.normals,
+                                              adult().skin.triangles[binding.triangle], binding.barycentric);
     const glm::vec3 foot = parts[0].part.rest.positions[binding.first];
     ASSERT_LT(glm::distance(foot, root.origin), 0.5f);
   }

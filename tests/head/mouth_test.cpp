@@ -60,7 +60,7 @@ int count_teeth(const std::vector<HeadPart>& mouth, const std::string& row) {
   for (const auto& body : split_bodies(teeth)) {
     std::vector<glm::vec3> points;
     for (const std::uint32_t v : body) points.push_back(teeth.positions[v]);
-    const Box box = find_bounds(points);
+    const Box box = compute_bounds(points);
     const glm::vec3 middle = 0.5f * (box.low + box.high);
     float edge = -1e9f, margin = -1e9f;
     for (const glm::vec3& p : points) edge = std::max(edge, sign * p.y);
@@ -77,7 +77,7 @@ double find_width_mm(const std::string& age) {  // of the first upper incisor of
   const auto body = split_bodies(teeth).front();
   std::vector<glm::vec3> points;
   for (const std::uint32_t v : body) points.push_back(teeth.positions[v]);
-  const Box box = find_bounds(points);
+  const Box box = compute_bounds(points);
   return box.high.x - box.low.x;
 }
 
@@ -118,7 +118,7 @@ TEST(mouth, has_smaller_and_whiter_teeth_as_a_child) {
 
 TEST(mouth, of_an_adult_has_arches_as_deep_as_people_have) {
   for (const char* row : {"teeth_upper", "teeth_lower"}) {
-    const Box box = find_bounds(find_part(mouth_of("adult"), row).rest.positions);
+    const Box box = compute_bounds(find_part(mouth_of("adult"), row).rest.positions);
     EXPECT_GE(box.high.z - box.low.z, 33) << row;
     EXPECT_LE(box.high.z - box.low.z, 37) << row;
     EXPECT_GE(box.high.x, 24) << row;
@@ -136,8 +136,8 @@ TEST(mouth, has_its_teeth_inside_the_cavity) {
         build_skin_patch(head.skin, {at("M1_0") - reach, at("M1_0") + glm::vec3(60, 40, 2)});
     for (const HeadPart& part : build_mouth(head, Look{})) {
       if (!part.part.name.starts_with("teeth")) continue;
-      const float edge = part.mount == Mount::skull ? find_bounds(part.part.rest.positions).low.y
-                                                    : find_bounds(part.part.rest.positions).high.y;
+      const float edge = part.mount == Mount::skull ? compute_bounds(part.part.rest.positions).low.y
+                                                    : compute_bounds(part.part.rest.positions).high.y;
       for (const glm::vec3& p : part.part.rest.positions) {
         if (std::abs(p.y - edge) > 2) continue;  // the crowns' ends: what an open mouth shows
         const SkinPlace place = find_nearest_place(patch, p);
@@ -150,7 +150,7 @@ TEST(mouth, has_its_teeth_inside_the_cavity) {
 TEST(mouth, is_darker_toward_the_back) {
   for (const char* name : {"teeth_upper", "teeth_lower", "gum_upper", "gum_lower", "tongue"}) {
     const Part& part = find_part(mouth_of("adult"), name);
-    const Box box = find_bounds(part.rest.positions);
+    const Box box = compute_bounds(part.rest.positions);
     std::array<double, 2> light{}, count{};  // of the front and of the back third
     for (std::size_t i = 0; i < part.shade.size(); ++i) {
       const float back = (box.high.z - part.rest.positions[i].z) / (box.high.z - box.low.z);
@@ -185,11 +185,11 @@ TEST(mouth, tongue_rests_behind_the_lower_teeth_and_between_them) {
     for (const glm::vec3& p : teeth.positions)
       if (std::abs(p.x) < 1) front = std::min(front, p.z);
     EXPECT_LT(tip, front) << age;
-    const float wide = find_bounds(tongue.positions).high.x;
-    EXPECT_LT(wide, find_bounds(teeth.positions).high.x) << age;
+    const float wide = compute_bounds(tongue.positions).high.x;
+    EXPECT_LT(wide, compute_bounds(teeth.positions).high.x) << age;
     // The groove: along the middle it is lower than beside it.
     float middle = -1e9f, beside = -1e9f;
-    const Box box = find_bounds(tongue.positions);
+    const Box box = compute_bounds(tongue.positions);
     for (const glm::vec3& p : tongue.positions) {
       if (std::abs(p.z - 0.5f * (box.low.z + box.high.z)) > 4) continue;
       if (std::abs(p.x) < 0.2f) middle = std::max(middle, p.y);

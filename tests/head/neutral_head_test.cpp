@@ -101,7 +101,7 @@ TEST(head, is_open_only_at_neck_eyes_and_the_back_of_the_mouth) {
 }
 
 TEST(head, has_an_adults_size) {
-  const Box box = find_bounds(adult().skin.positions);
+  const Box box = compute_bounds(adult().skin.positions);
   const auto at = [](const char* name) {
     return adult().skin.positions[adult().cage.index.find(name)->second];
   };
@@ -174,7 +174,7 @@ TEST(shapes, moves_the_guide_line_that_was_asked_for) {
   const HalfHead half = shipped().stock.head->half;
   Cage cage = build_cage(half);
   solve_cage(half, cage);
-  const auto guides = find_guides(shapes, HeadSpec{}, cage, Eye{});
+  const auto guides = compute_guides(shapes, HeadSpec{}, cage, Eye{});
   EXPECT_NEAR(guides.at("eye_line"), 0.5, 0.01);
   EXPECT_NEAR(guides.at("nose_base"), 1 / 3.5, 0.02);
   EXPECT_NEAR(guides.at("brow_line"), 2 / 3.5, 0.02);

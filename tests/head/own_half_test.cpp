@@ -22,10 +22,10 @@ const HeadStock& stock() {
   return stock;
 }
 
-std::vector<glm::dvec3> half_places() { return find_half_places(stock(), stock().adult.points); }
+std::vector<glm::dvec3> half_places() { return compute_half_places(stock(), stock().adult.points); }
 
 std::filesystem::path write_half(const std::vector<glm::dvec3>& places, const std::string& name = "half.obj",
-                                 const std::vector<Quad>& quads = find_half_quads(stock())) {
+                                 const std::vector<Quad>& quads = compute_half_quads(stock())) {
   std::string text;
   append_wavefront(text, places, quads, "half", {});
   const auto file = std::filesystem::path(testing::TempDir()) / "mien_own_half" / name;
@@ -71,7 +71,7 @@ TEST(own_half, either_half_gives_the_same_head) {
   places[point("q12_C6")].z += 3;
   const NeutralHead left = build(write_half(places));
   for (glm::dvec3& p : places) p.x = -p.x;
-  auto quads = find_half_quads(stock());
+  auto quads = compute_half_quads(stock());
   for (Quad& quad : quads) std::swap(quad[1], quad[3]);
   EXPECT_TRUE(build(write_half(places, "right.obj", quads)).skin.positions == left.skin.positions);
 }
@@ -93,11 +93,11 @@ TEST(own_half, another_head_comes_back_as_it_was) {
   spec.age = {{"child", 1.0}};
   spec.features = {{"nose_length", 1.0}};
   const HeadForm child = build_form(stock(), spec);
-  const HeadForm back = build_own_half(stock(), write_half(find_half_places(stock(), child.points)));
+  const HeadForm back = build_own_half(stock(), write_half(compute_half_places(stock(), child.points)));
   EXPECT_NEAR(back.eye.radius_mm, child.eye.radius_mm, 0.02 * child.eye.radius_mm);
   EXPECT_LT(glm::distance(back.eye.centre, child.eye.centre), 0.3);
-  const auto wanted = find_half_places(stock(), child.points),
-             places = find_half_places(stock(), back.points);
+  const auto wanted = compute_half_places(stock(), child.points),
+             places = compute_half_places(stock(), back.points);
   for (std::size_t i = 0; i < wanted.size(); ++i)
     EXPECT_LT(glm::distance(places[i], wanted[i]), 0.1) << stock().adult.names[i];
 }
@@ -120,7 +120,7 @@ TEST(own_half, the_eyeball_follows_its_lids) {
 }
 
 TEST(own_half, tells_a_mesh_of_other_points_what_it_needs) {
-  auto quads = find_half_quads(stock());
+  auto quads = compute_half_quads(stock());
   quads.pop_back();
   EXPECT_EQ(
       find_fault(write_half(half_places(), "other.obj", quads)),

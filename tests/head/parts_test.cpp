@@ -176,8 +176,8 @@ TEST(parts, hairs_stand_on_the_skin_they_are_bound_to) {
   for (const char* name : {"brow_left", "brow_right", "lash_left", "lash_right"}) {
     const HeadPart& part = find_part(average_parts(), name);
     for (const Binding& binding : part.bindings) {
-      const SkinFrame frame = find_skin_frame(skin.positions, skin.normals, skin.triangles[binding.triangle],
-                                              binding.barycentric);
+      const SkinFrame frame = compute_skin_frame(skin.positions, skin.normals,
+                                                 skin.triangles[binding.triangle], binding.barycentric);
       ASSERT_LT(glm::distance(frame.origin, part.part.rest.positions[binding.first]), 1.0f) << name;
       ASSERT_EQ(frame.origin.x > 0, std::string(name).ends_with("left")) << name;
     }
@@ -186,7 +186,7 @@ TEST(parts, hairs_stand_on_the_skin_they_are_bound_to) {
 
 TEST(parts, brow_hairs_lie_along_the_skin) {
   const HeadPart& brow = find_part(average_parts(), "brow_left");
-  const SkinPatch patch = build_skin_patch(average_head().skin, find_bounds(brow.part.rest.positions));
+  const SkinPatch patch = build_skin_patch(average_head().skin, compute_bounds(brow.part.rest.positions));
   for (const glm::vec3& p : brow.part.rest.positions)
     ASSERT_LT(glm::distance(find_nearest_place(patch, p).point, p), 0.6f);
 }
@@ -253,8 +253,8 @@ TEST(parts, fit_an_infant_as_they_fit_an_adult) {
   for (const HeadPart& part : build_all(infant_head()))
     for (const Binding& binding : part.bindings) {
       const Mesh& skin = infant_head().skin;
-      const SkinFrame frame = find_skin_frame(skin.positions, skin.normals, skin.triangles[binding.triangle],
-                                              binding.barycentric);
+      const SkinFrame frame = compute_skin_frame(skin.positions, skin.normals,
+                                                 skin.triangles[binding.triangle], binding.barycentric);
       ASSERT_LT(glm::distance(frame.origin, part.part.rest.positions[binding.first]), 4.0f) << part.part.name;
     }
 }

@@ -104,13 +104,13 @@ std::vector<glm::dvec3> take_form(const NeutralHead& head, const std::vector<std
     for (const std::uint32_t v : face) points.push_back(glm::dvec3(of.skin.positions[v]) - middle);
     return points;
   };
-  const auto find_size = [](const std::vector<glm::dvec3>& points) {
+  const auto compute_size = [](const std::vector<glm::dvec3>& points) {
     double sum = 0;
     for (const glm::dvec3& p : points) sum += glm::dot(p, p);
     return std::sqrt(sum);
   };
   std::vector<glm::dvec3> form = take(head);
-  const double scale = find_size(take(adult())) / find_size(form);
+  const double scale = compute_size(take(adult())) / compute_size(form);
   for (glm::dvec3& p : form) p *= scale;
   return form;
 }

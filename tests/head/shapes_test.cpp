@@ -25,7 +25,7 @@ TEST(shapes, guide_lines_stand_where_the_head_has_them) {
     const NeutralHead head = build_neutral_head(shipped().heads, spec);
     const auto heights = measure_guide_heights(head);
     EXPECT_NEAR(heights[3].second, head.eye.centre.y, 1e-6) << age;
-    EXPECT_NEAR(heights.back().second, find_bounds(head.skin.positions).high.y, 1e-4) << age;
+    EXPECT_NEAR(heights.back().second, compute_bounds(head.skin.positions).high.y, 1e-4) << age;
     for (std::size_t i = 1; i < heights.size(); ++i)
       EXPECT_GT(heights[i].second, heights[i - 1].second + 5) << age << heights[i].first;
   }

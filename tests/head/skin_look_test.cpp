@@ -197,8 +197,8 @@ TEST(skin_look, shows_blood_on_light_skin_more_than_on_dark) {
 TEST(skin_look, gives_dark_skin_the_stronger_sheen) {
   Look dark;
   dark.skin = {0.34f, 0.23f, 0.18f};
-  EXPECT_GT(find_lightness(Look{}.skin), 0.9f);
-  EXPECT_LT(find_lightness(dark.skin), 0.2f);
+  EXPECT_GT(compute_lightness(Look{}.skin), 0.9f);
+  EXPECT_LT(compute_lightness(dark.skin), 0.2f);
   EXPECT_GT(find_shade(build_skin_part(average_head(), dark), "p_F1").gloss,
             find_shade(build_skin_part(average_head(), Look{}), "p_F1").gloss);
 }

@@ -38,7 +38,7 @@ std::string describe_place(const NeutralHead& head, std::uint32_t vertex) {
   return fmt::format("{} at {:.2f} {:.2f} {:.2f}", find_nearest_name(head, vertex), p.x, p.y, p.z);
 }
 
-std::array<glm::dvec3, 3> find_corners(const NeutralHead& head, const Triangle& t) {
+std::array<glm::dvec3, 3> compute_corners(const NeutralHead& head, const Triangle& t) {
   const auto& p = head.skin.positions;
   return {glm::dvec3(p[t[0]]), glm::dvec3(p[t[1]]), glm::dvec3(p[t[2]])};
 }
@@ -56,7 +56,7 @@ void measure_triangles(const NeutralHead& head, Soundness& sound) {
   const auto key = [](std::uint64_t from, std::uint64_t to) { return from << 32 | to; };
   for (const Triangle& t : triangles) {
     if (!visible[t[0]] || !visible[t[1]] || !visible[t[2]]) continue;
-    const auto corners = find_corners(head, t);
+    const auto corners = compute_corners(head, t);
     const glm::dvec3 area = find_area_vector(corners);
     if (glm::length(area) < sound.area_mm2.value)
       sound.area_mm2 = {glm::length(area), describe_place(head, t[0])};
@@ -105,15 +105,16 @@ void find_inverted(const NeutralHead& head, const NeutralHead& adult, Soundness&
     for (std::size_t t = 64 * q; t < 64 * (q + 1); ++t) {
       if ((t / 2) % 2 == 1) continue;  // the mirror image's
       const Triangle& triangle = head.skin.triangles[t];
-      const glm::dvec3 then = rotation * find_area_vector(find_corners(adult, triangle));
-      if (glm::dot(then, find_area_vector(find_corners(head, triangle))) > 0) continue;
+      const glm::dvec3 then = rotation * find_area_vector(compute_corners(adult, triangle));
+      if (glm::dot(then, find_area_vector(compute_corners(head, triangle))) > 0) continue;
       if (sound.inverted++ == 0) sound.first_inverted = describe_place(head, triangle[0]);
     }
   }
 }
 
 // How far out along the ray from the ball's centre through `point` the eye's parts reach, mm.
-double find_reach(const std::vector<const Mesh*>& meshes, const glm::dvec3& centre, const glm::dvec3& point) {
+double compute_reach(const std::vector<const Mesh*>& meshes, const glm::dvec3& centre,
+                     const glm::dvec3& point) {
   const glm::dvec3 way = glm::normalize(point - centre);
   double reach = 0;
   for (const Mesh* mesh : meshes)
@@ -135,9 +136,9 @@ void measure_eye(const NeutralHead& head, Soundness& sound) {
   std::vector<const Mesh*> meshes;
   for (const HeadPart& part : parts)
     if (part.part.name == "eye_left" || part.part.name == "cornea_left") meshes.push_back(&part.part.rest);
-  for (const MarginVertex& margin : find_lid_ring(*head.surface, head.cage)) {
+  for (const MarginVertex& margin : compute_lid_ring(*head.surface, head.cage)) {
     const glm::dvec3 p(head.skin.positions[margin.vertex]);
-    const double off = glm::length(p - head.eye.centre) - find_reach(meshes, head.eye.centre, p);
+    const double off = glm::length(p - head.eye.centre) - compute_reach(meshes, head.eye.centre, p);
     if (-off > sound.into_eye_mm.value) sound.into_eye_mm = {-off, fmt::format("margin {:.2f}", margin.at)};
     if (touches_eye(margin.at) && off > sound.off_eye_mm.value)
       sound.off_eye_mm = {off, fmt::format("margin {:.2f}", margin.at)};

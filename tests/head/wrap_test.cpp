@@ -29,7 +29,7 @@ const HeadStock& stock() {
 // A vertex of the skin that leans on points with one of these beginnings.
 bool is_of(std::size_t v, const std::vector<const char*>& prefixes) {
   double share = 0;
-  for (const auto& [point, weight] : find_limit_row(*stock().surface, v))
+  for (const auto& [point, weight] : compute_limit_row(*stock().surface, v))
     for (const char* prefix : prefixes)
       if (has_prefix(stock().adult.names[point], prefix)) share += weight;
   return share > 0.02;
@@ -120,7 +120,7 @@ Scan build_scan(const NeutralHead& head, const ScanMaking& making) {
   const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
   for (const char* name : {"n", "prn", "sn", "gn", "en", "ex", "ch", "t"}) {
     const SkinSpot spot = find_place(adult, name);
-    LinearRow place = find_mean_row(*stock().surface, spot.vertices, spot.shares);
+    LinearRow place = compute_mean_row(*stock().surface, spot.vertices, spot.shares);
     const bool is_middle = std::abs(sample_row(place, stock().adult.points).x) < 0.01;
     for (int side = 0; side < (is_middle ? 1 : 2); ++side) {
       if (side == 1)
@@ -195,7 +195,7 @@ Miss measure(const std::vector<glm::vec3>& from, const std::vector<glm::vec3>& t
 std::string name_nearest_point(std::size_t v) {
   double most = 0;
   std::string name;
-  for (const auto& [point, weight] : find_limit_row(*stock().surface, v))
+  for (const auto& [point, weight] : compute_limit_row(*stock().surface, v))
     if (weight > most) most = weight, name = stock().adult.names[point];
   return name;
 }
@@ -230,7 +230,7 @@ Outcome wrap(const NeutralHead& head, const ScanMaking& making) {
   std::vector<glm::vec3> ours;
   for (const glm::vec3& p : wrapped.skin.positions) ours.emplace_back(apply_similarity(same, glm::dvec3(p)));
   // The cut's own edge is nobody's to know.
-  const double lowest = std::max(making.neck_mm, double(find_bounds(head.skin.positions).low.y)) + 20;
+  const double lowest = std::max(making.neck_mm, double(compute_bounds(head.skin.positions).low.y)) + 20;
   outcome.out = measure(ours, head.skin.positions, lowest);
   outcome.back = measure(head.skin.positions, ours, lowest);
   for (const ScanMark& mark : scan.marks) {

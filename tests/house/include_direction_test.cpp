@@ -38,7 +38,7 @@ const std::map<std::string, Rooms> kMayUse{
 };
 
 // "src/core/mesh.hpp" and "core/mesh.hpp" are of "core"; "src/main.cpp" is of "main".
-std::string find_room(std::string path) {
+std::string compute_room(std::string path) {
   if (path.starts_with("src/")) path.erase(0, 4);
   return path.substr(0, path.find_first_of("/."));
 }
@@ -48,7 +48,7 @@ std::string find_wrong_includes(const std::vector<SourceFile>& sources) {
   static const std::regex kInclude(R"re(^\s*#\s*include\s*"([^"]+)")re");
   std::string wrong;
   for (const SourceFile& source : sources) {
-    const std::string room = find_room(source.path);
+    const std::string room = compute_room(source.path);
     const auto may_use = kMayUse.find(room);
     if (may_use == kMayUse.end()) {
       wrong += fmt::format("{}: '{}' is no room of the house\n", source.path, room);
@@ -57,7 +57,7 @@ std::string find_wrong_includes(const std::vector<SourceFile>& sources) {
     for (std::size_t i = 0; i < source.lines.size(); ++i) {
       std::smatch found;
       if (!std::regex_search(source.lines[i], found, kInclude)) continue;
-      const std::string used = find_room(found[1]);
+      const std::string used = compute_room(found[1]);
       if (used != room && !may_use->second.contains(used))
         wrong += fmt::format("{}:{}: {} may not include {}\n", source.path, i + 1, room, found[1].str());
     }

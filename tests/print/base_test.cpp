@@ -28,7 +28,7 @@ void expect_solid(const Mesh& mesh, const std::string& what) {
   EXPECT_EQ(split_pieces(mesh).size(), 1u) << what;
   EXPECT_GT(compute_volume_mm3(mesh), 0) << what;
   EXPECT_TRUE(find_crossings(mesh.positions, mesh.triangles).empty()) << what;
-  EXPECT_NEAR(find_bounds(mesh.positions).low.z, 0, 1e-6) << what;
+  EXPECT_NEAR(compute_bounds(mesh.positions).low.z, 0, 1e-6) << what;
 }
 
 TEST(base, every_shape_closes_the_figure) {

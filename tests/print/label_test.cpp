@@ -94,7 +94,8 @@ TEST(label, is_raised_from_the_front_of_every_base) {
       EXPECT_GT(added, 0.6 * 0.8 * length * label.pen_mm) << what;
       EXPECT_LT(added, 1.4 * 0.8 * (length + double(label.strokes.size()) * label.pen_mm) * label.pen_mm)
           << what;
-      EXPECT_NEAR(find_bounds(mesh.positions).low.y, find_bounds(plain.positions).low.y - 0.8, 0.1) << what;
+      EXPECT_NEAR(compute_bounds(mesh.positions).low.y, compute_bounds(plain.positions).low.y - 0.8, 0.1)
+          << what;
       EXPECT_LT(mesh.triangles.size() - plain.triangles.size(), 7000u) << what;
     }
 }
@@ -157,7 +158,7 @@ TEST(label, openscad_makes_it_of_the_same_letters) {
       EXPECT_EQ(facts.parts, 1u) << name << text;
       EXPECT_NEAR(facts.volume_mm3, compute_volume_mm3(ours), 0.001 * compute_volume_mm3(ours))
           << name << text;
-      const Box box = find_bounds(ours.positions);
+      const Box box = compute_bounds(ours.positions);
       EXPECT_LT(glm::distance(facts.box.low, box.low), 0.03) << name << text;
       EXPECT_LT(glm::distance(facts.box.high, box.high), 0.03) << name << text;
     }

@@ -45,7 +45,7 @@ TEST(thicken, ears_become_as_thick_as_asked) {
   for (const double ear : {0.3, 0.5, 0.7}) {
     const Mesh mesh = build_eared(ear);
     ASSERT_LT(find_thinnest(mesh), 0.78) << ear;
-    const Mesh thick = move(mesh, find_thickening(mesh, 0.8));
+    const Mesh thick = move(mesh, compute_thickening(mesh, 0.8));
     EXPECT_GE(find_thinnest(thick), 0.76) << ear;
     EXPECT_TRUE(find_crossings(thick.positions, thick.triangles).empty()) << ear;
   }
@@ -53,9 +53,9 @@ TEST(thicken, ears_become_as_thick_as_asked) {
 
 TEST(thicken, what_is_thick_stays) {
   const Mesh ball = build_ball({0, 0, 30}, 20, 24);
-  for (const glm::vec3& move : find_thickening(ball, 0.8)) EXPECT_EQ(move, glm::vec3(0));
+  for (const glm::vec3& move : compute_thickening(ball, 0.8)) EXPECT_EQ(move, glm::vec3(0));
   const Mesh eared = build_eared(0.4);
-  const std::vector<glm::vec3> moves = find_thickening(eared, 0.8);
+  const std::vector<glm::vec3> moves = compute_thickening(eared, 0.8);
   for (std::size_t v = 0; v < moves.size(); ++v) {
     EXPECT_LT(glm::length(moves[v]), 0.6);
     EXPECT_TRUE(std::abs(eared.positions[v].x) >= 6 || moves[v] == glm::vec3(0)) << v;
@@ -66,7 +66,8 @@ TEST(thicken, mirrored_bodies_move_alike) {
   Mesh mesh = build_eared(0.4), mirrored = mesh;
   for (glm::vec3& p : mirrored.positions) p.x = -p.x;
   for (Triangle& t : mirrored.triangles) std::swap(t[1], t[2]);
-  const std::vector<glm::vec3> moves = find_thickening(mesh, 0.8), others = find_thickening(mirrored, 0.8);
+  const std::vector<glm::vec3> moves = compute_thickening(mesh, 0.8),
+                               others = compute_thickening(mirrored, 0.8);
   for (std::size_t v = 0; v < moves.size(); ++v) {
     EXPECT_NEAR(moves[v].x, -others[v].x, 1e-4);
     EXPECT_NEAR(moves[v].y, others[v].y, 1e-4);
@@ -78,13 +79,13 @@ TEST(thicken, a_slit_is_not_closed) {
   // Two thin lids, 0.2 mm apart, of one body: a block with a slit would do, two plates are the same to a ray.
   Mesh mesh = build_box({-10, -0.4f, 5}, {10, -0.1f, 20});
   append_mesh(mesh, build_box({-10, 0.1f, 5}, {10, 0.4f, 20}));
-  const Mesh thick = move(mesh, find_thickening(mesh, 0.8));
+  const Mesh thick = move(mesh, compute_thickening(mesh, 0.8));
   EXPECT_TRUE(find_crossings(thick.positions, thick.triangles).empty());
 }
 
 TEST(thicken, open_edges_and_the_bed_stay) {
   const Mesh mesh = build_turned({{0.2f, 20}, {0.3f, 15}, {0.3f, 10}, {0.3f, 5}, {0.3f, 2}}, 21, 16);
-  const std::vector<glm::vec3> moves = find_thickening(mesh, 0.8);
+  const std::vector<glm::vec3> moves = compute_thickening(mesh, 0.8);
   for (const Loop& loop : find_boundary_loops(mesh.triangles))
     for (const std::uint32_t v : loop) EXPECT_EQ(moves[v], glm::vec3(0));
   EXPECT_GT(glm::length(moves[20]), 0.01f);

@@ -93,9 +93,9 @@ TEST(progress, erases_its_bar_before_the_last_word) {
 
 TEST(progress, takes_a_bar_for_terminals_only) {
   std::FILE* file = std::tmpfile();
-  EXPECT_EQ(find_progress_style(file, false, false), ProgressStyle::lines);
-  EXPECT_EQ(find_progress_style(file, false, true), ProgressStyle::json);
-  EXPECT_EQ(find_progress_style(file, true, true), ProgressStyle::quiet);
+  EXPECT_EQ(compute_progress_style(file, false, false), ProgressStyle::lines);
+  EXPECT_EQ(compute_progress_style(file, false, true), ProgressStyle::json);
+  EXPECT_EQ(compute_progress_style(file, true, true), ProgressStyle::quiet);
   std::fclose(file);
 }
 

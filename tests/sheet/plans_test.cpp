@@ -206,18 +206,18 @@ TEST(sheet_plans, draw_arrows_the_way_that_areas_move) {
   const SheetTable table =
       build_sheet_plan("expressions", build_subject(spec), *shipped_stock().head).blocks.back().table;
   const auto& row = table.rows.at(1);
-  const auto find_way = [&](std::size_t column) {
+  const auto compute_way = [&](std::size_t column) {
     const PlateLine& stroke = row.at(column).strokes.at(0);
     return glm::dvec2(stroke.to_x_px - stroke.x_px, stroke.to_y_px - stroke.y_px);
   };
   EXPECT_EQ(row[0].words, "odd");
-  EXPECT_LT(find_way(1).x, 0);
-  EXPECT_GT(find_way(2).x, 0);
-  EXPECT_LT(glm::length(find_way(2)), glm::length(find_way(1)));
-  EXPECT_GT(find_way(5).x, 0);
+  EXPECT_LT(compute_way(1).x, 0);
+  EXPECT_GT(compute_way(2).x, 0);
+  EXPECT_LT(glm::length(compute_way(2)), glm::length(compute_way(1)));
+  EXPECT_GT(compute_way(5).x, 0);
   EXPECT_TRUE(row[6].strokes.empty());
-  EXPECT_LT(find_way(8).y, 0);
-  EXPECT_LT(find_way(9).y, 0);
+  EXPECT_LT(compute_way(8).y, 0);
+  EXPECT_LT(compute_way(9).y, 0);
   EXPECT_EQ(row[1].words, "out 1");
   EXPECT_EQ(row[5].words, "to left 1");
   EXPECT_EQ(row[8].words, "left down 0.5");

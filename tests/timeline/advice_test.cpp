@@ -9,7 +9,8 @@ PoseKey build_key(double at_s, std::string label, double value, int line) {
   PoseKey key;
   key.at_s = at_s;
   key.label = std::move(label);
-  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move(Area::brow, side, "up")] = value;
+  for (const Side side : {Side::left, Side::right})
+    key.pose.values[*find_move(Area::brow, side, "up")] = value;
   key.pose.values[*find_move(Area::chin, Side::none, "down")] = value;
   key.place = {"a.yaml", line, 7};
   return key;

@@ -69,7 +69,7 @@ TEST(blinks, are_shut_in_a_drawing_on_ones_twos_and_threes) {
       const Performance performance = build_performance(clip);
       std::size_t shut = 0;
       for (int frame = 0; frame < count_frames(clip); frame += draw) {
-        const Pose pose = sample_performance(performance, find_drawing_time_s(clip, frame)).pose;
+        const Pose pose = sample_performance(performance, compute_drawing_time_s(clip, frame)).pose;
         EXPECT_EQ(pose.values[kLeft], pose.values[kRight]);
         shut += pose.values[kLeft] == -1;
       }
@@ -92,20 +92,20 @@ TEST(blinks, keep_apart_and_give_way_to_those_asked_for) {
 
 TEST(blinks, close_faster_than_they_open) {
   const std::vector<Blink> blinks{{1.0, 1}};
-  EXPECT_EQ(find_blink_closure(blinks, 1.0), 1);
-  EXPECT_EQ(find_blink_closure(blinks, 1.0 - kBlinkClosing_s), 0);
-  EXPECT_NEAR(find_blink_closure(blinks, 1.0 + kBlinkOpening_s), 0, 1e-12);
-  EXPECT_EQ(find_blink_closure(blinks, 0.5), 0);
-  EXPECT_EQ(find_blink_closure(blinks, 1.5), 0);
+  EXPECT_EQ(compute_blink_closure(blinks, 1.0), 1);
+  EXPECT_EQ(compute_blink_closure(blinks, 1.0 - kBlinkClosing_s), 0);
+  EXPECT_NEAR(compute_blink_closure(blinks, 1.0 + kBlinkOpening_s), 0, 1e-12);
+  EXPECT_EQ(compute_blink_closure(blinks, 0.5), 0);
+  EXPECT_EQ(compute_blink_closure(blinks, 1.5), 0);
   for (const double away_s : {0.02, 0.04, 0.06, 0.079})
-    EXPECT_LT(find_blink_closure(blinks, 1.0 - away_s), find_blink_closure(blinks, 1.0 + away_s));
+    EXPECT_LT(compute_blink_closure(blinks, 1.0 - away_s), compute_blink_closure(blinks, 1.0 + away_s));
 }
 
 TEST(blinks, take_two_frames_down_and_some_more_up) {
   const std::vector<Blink> blinks{{1.0, 1}};
   int down = 0, up = 0;
   for (int frame = 0; frame < 48; ++frame)
-    if (const double closure = find_blink_closure(blinks, frame / 24.0); closure > 0)
+    if (const double closure = compute_blink_closure(blinks, frame / 24.0); closure > 0)
       (frame <= 24 ? down : up) += 1;
   EXPECT_EQ(down, 2);
   EXPECT_EQ(up, 4);

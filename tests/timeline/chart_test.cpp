@@ -15,7 +15,8 @@ PoseKey build_key(double at_s, std::string label, double brows, double lips) {
   key.at_s = at_s;
   key.ease = Easing::linear;
   key.label = std::move(label);
-  for (const Side side : {Side::left, Side::right}) key.pose.values[*find_move(Area::brow, side, "up")] = brows;
+  for (const Side side : {Side::left, Side::right})
+    key.pose.values[*find_move(Area::brow, side, "up")] = brows;
   key.pose.values[*find_move(Area::lips, Side::none, "upper")] = lips;
   return key;
 }

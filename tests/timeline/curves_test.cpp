@@ -23,7 +23,7 @@ KeyTrack build_thesis_track(Between between) {
 
 std::array<double, 3> sample(const KeyTrack& track, double time_s) {
   std::array<double, 3> into;
-  sample_track(track, find_ticks(time_s), into);
+  sample_track(track, compute_ticks(time_s), into);
   return into;
 }
 
@@ -109,7 +109,7 @@ TEST(curves, smooth_never_passes_its_keys_and_has_no_corner) {
     const KeyTrack track = build_track(keys, 1);
     const auto at = [&](double time_s) {
       double into = 0;
-      sample_track(track, find_ticks(time_s), std::span(&into, 1));
+      sample_track(track, compute_ticks(time_s), std::span(&into, 1));
       return into;
     };
     for (std::size_t i = 0; i + 1 < keys.size(); ++i) {
@@ -133,16 +133,16 @@ TEST(curves, a_key_with_an_ease_ends_the_curve) {
                              {3, {}, Between::spline, {1}}};
   const KeyTrack track = build_track(keys, 1);
   double into = 0;
-  sample_track(track, find_ticks(0.5), std::span(&into, 1));
+  sample_track(track, compute_ticks(0.5), std::span(&into, 1));
   EXPECT_NEAR(into, 0.5, 1e-12);  // of two keys a straight line
-  sample_track(track, find_ticks(1.99), std::span(&into, 1));
+  sample_track(track, compute_ticks(1.99), std::span(&into, 1));
   EXPECT_EQ(into, 1);
 }
 
 TEST(track, led_ways_begin_in_order_and_all_arrive) {
   std::vector<TrackKey> keys{{0, {}, Between::ease, {0, 0, 0}}, {1, {}, Between::ease, {1, 1, 1}}};
   Lead lead;
-  for (const double after_s : {0.0, 0.1, 0.2}) lead.after.push_back(find_ticks(after_s));
+  for (const double after_s : {0.0, 0.1, 0.2}) lead.after.push_back(compute_ticks(after_s));
   lead.widest = lead.after.back();
   const KeyTrack track = build_track(keys, 3, lead);
   EXPECT_EQ(sample(track, 1), (std::array{1.0, 1.0, 1.0}));
@@ -153,9 +153,9 @@ TEST(track, led_ways_begin_in_order_and_all_arrive) {
   EXPECT_EQ(late[0], 1);
   EXPECT_GT(late[1], late[2]);
   // A short way is led by less: a quarter of it.
-  EXPECT_EQ(find_led_fraction(0, 100, 40, 40, 25), 0);
-  EXPECT_GT(find_led_fraction(0, 100, 40, 40, 26), 0);
-  EXPECT_EQ(find_led_fraction(0, 100, 0, 40, 75), 1);
+  EXPECT_EQ(compute_led_fraction(0, 100, 40, 40, 25), 0);
+  EXPECT_GT(compute_led_fraction(0, 100, 40, 40, 26), 0);
+  EXPECT_EQ(compute_led_fraction(0, 100, 0, 40, 75), 1);
 }
 
 }  // namespace

@@ -19,13 +19,13 @@ ClipSpec make_clip(int draw) {
 }
 
 TEST(drawings, held_frames_fall_together) {
-  const std::vector<int> twos = find_drawings(build_performance(make_clip(2)));
+  const std::vector<int> twos = compute_drawings(build_performance(make_clip(2)));
   ASSERT_EQ(twos.size(), 24u);
   for (std::size_t i = 0; i + 1 < twos.size(); i += 2) EXPECT_EQ(twos[i], twos[i + 1]);
 }
 
 TEST(drawings, a_frame_never_repeats_a_later_one) {
-  const std::vector<int> ones = find_drawings(build_performance(make_clip(1)));
+  const std::vector<int> ones = compute_drawings(build_performance(make_clip(1)));
   for (std::size_t i = 0; i < ones.size(); ++i) {
     EXPECT_LE(ones[i], static_cast<int>(i));
     EXPECT_EQ(ones[ones[i]], ones[i]);
@@ -35,7 +35,7 @@ TEST(drawings, a_frame_never_repeats_a_later_one) {
 TEST(drawings, a_clip_at_rest_is_one_drawing) {
   ClipSpec clip = make_clip(1);
   clip.keys[1].pose = Pose{};
-  for (const int first : find_drawings(build_performance(clip))) EXPECT_EQ(first, 0);
+  for (const int first : compute_drawings(build_performance(clip))) EXPECT_EQ(first, 0);
 }
 
 TEST(drawings, the_poster_shows_the_strongest_key) { EXPECT_EQ(find_poster_frame(make_clip(2)), 12); }

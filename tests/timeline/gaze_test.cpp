@@ -34,16 +34,16 @@ glm::dvec3 find_sight(const Moment& moment, Side side) {
   const double up = find_value(moment.pose, side, "up");
   const double pitch = up * (up > 0 ? rig.left.up_deg : rig.left.down_deg) * kRadiansPerDegree;
   const glm::dvec3 in_head(std::cos(pitch) * std::sin(yaw), std::sin(pitch), std::cos(pitch) * std::cos(yaw));
-  return glm::dmat3(find_turn(rig.pivot_mm, moment.turn, 1)) * in_head;
+  return glm::dmat3(compute_turn(rig.pivot_mm, moment.turn, 1)) * in_head;
 }
 
-glm::dvec3 find_eye(const Moment& moment, Side side) {
+glm::dvec3 compute_eye(const Moment& moment, Side side) {
   const EyeRig rig;
   const glm::dvec3 centre = rig.left_mm * glm::dvec3(side == Side::left ? 1 : -1, 1, 1);
-  return glm::dvec3(find_turn(rig.pivot_mm, moment.turn, 1) * glm::dvec4(centre, 1));
+  return glm::dvec3(compute_turn(rig.pivot_mm, moment.turn, 1) * glm::dvec4(centre, 1));
 }
 
-double find_angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
+double compute_angle_deg(const glm::dvec3& a, const glm::dvec3& b) {
   return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) / kRadiansPerDegree;
 }
 
@@ -93,7 +93,7 @@ TEST(gaze, saccades_take_the_time_that_peoples_take) {
     EXPECT_NEAR(moving_ms, 21 + 2.2 * amplitude_deg, 1.5);
     EXPECT_GT(fastest_degps, amplitude_deg * 10) << "peak of 10 deg: some 400 deg/s";
     EXPECT_LT(fastest_degps, 800) << "no eye is faster";
-    const double length_s = find_saccade_s(amplitude_deg);
+    const double length_s = compute_saccade_s(amplitude_deg);
     EXPECT_LE(length_s * 24, 3);
     EXPECT_GT(side_at(2 - length_s / 2), 0.6 * amplitude_deg) << "no slow start";
   }
@@ -106,7 +106,7 @@ TEST(gaze, both_eyes_meet_at_a_point) {
         build_performance(build_clip({{.at_s = 0, .look = LookAt::point, .point_mm = point}}));
     const Moment moment = sample_performance(performance, 0);
     for (const Side side : {Side::left, Side::right})
-      EXPECT_LT(find_angle_deg(find_sight(moment, side), point - find_eye(moment, side)), 1e-6);
+      EXPECT_LT(compute_angle_deg(find_sight(moment, side), point - compute_eye(moment, side)), 1e-6);
     EXPECT_LT(find_value(moment.pose, Side::left, "side"), find_value(moment.pose, Side::right, "side"));
   }
 }
@@ -131,7 +131,8 @@ TEST(gaze, stays_on_the_camera_while_head_and_camera_move) {
                                    glm::dvec3(std::sin(angle) * std::cos(height), std::sin(height),
                                               std::cos(angle) * std::cos(height));
     for (const Side side : {Side::left, Side::right})
-      EXPECT_LT(find_angle_deg(find_sight(moment, side), camera - find_eye(moment, side)), 0.01) << time_s;
+      EXPECT_LT(compute_angle_deg(find_sight(moment, side), camera - compute_eye(moment, side)), 0.01)
+          << time_s;
   }
 }
 
@@ -208,7 +209,7 @@ TEST(gaze, tells_great_shifts_and_quick_turns) {
   ASSERT_EQ(shifts.size(), 2u) << "the slow turn back is none";
   EXPECT_NEAR(shifts[0].at_s, 0.5, 1e-9);
   EXPECT_NEAR(shifts[0].amplitude_deg, 40, 1e-9);
-  EXPECT_NEAR(shifts[1].at_s, 3 - find_saccade_s(25) / 2, 1e-9);
+  EXPECT_NEAR(shifts[1].at_s, 3 - compute_saccade_s(25) / 2, 1e-9);
   EXPECT_NEAR(shifts[1].amplitude_deg, 25, 1e-9);
 }
 

@@ -27,9 +27,9 @@ TEST(head_track, has_its_keys_heads_exactly) {
   grown.look.lips = glm::vec3(0.7f, 0.2f, 0.3f);
   const std::vector<HeadKey> keys{key_at(1, of_age("infant")), key_at(3, grown)};
   for (const double before : {0.0, 1.0})
-    EXPECT_EQ(find_head_key(sample_head(keys, before)), find_head_key(of_age("infant")));
+    EXPECT_EQ(compute_head_key(sample_head(keys, before)), compute_head_key(of_age("infant")));
   for (const double after : {3.0, 9.0})
-    EXPECT_EQ(find_head_key(sample_head(keys, after)), find_head_key(grown));
+    EXPECT_EQ(compute_head_key(sample_head(keys, after)), compute_head_key(grown));
   EXPECT_TRUE(sample_head(keys, 3).guide_shares.empty());
 }
 
@@ -68,8 +68,8 @@ TEST(head_track, tells_heads_apart_by_each_thing_that_may_change) {
   heads[9].look.age_spots = 0.5;
   for (std::size_t i = 0; i < heads.size(); ++i)
     for (std::size_t j = 0; j < heads.size(); ++j)
-      EXPECT_EQ(find_head_key(heads[i]) == find_head_key(heads[j]), i == j) << i << " " << j;
-  EXPECT_EQ(find_head_key(plain), find_head_key(heads[0]));
+      EXPECT_EQ(compute_head_key(heads[i]) == compute_head_key(heads[j]), i == j) << i << " " << j;
+  EXPECT_EQ(compute_head_key(plain), compute_head_key(heads[0]));
 }
 
 TEST(head_track, makes_drawings_differ_while_the_head_grows) {
@@ -78,7 +78,7 @@ TEST(head_track, makes_drawings_differ_while_the_head_grows) {
   clip.length_s = 1;
   clip.keys = {PoseKey{}};
   clip.head = {key_at(0, of_age("infant")), key_at(0.5, of_age("child"))};
-  const std::vector<int> first = find_drawings(build_performance(clip));
+  const std::vector<int> first = compute_drawings(build_performance(clip));
   ASSERT_EQ(first.size(), 24u);
   for (int frame = 0; frame < 24; ++frame)
     EXPECT_EQ(first[static_cast<std::size_t>(frame)], std::min(frame - frame % 2, 12)) << frame;

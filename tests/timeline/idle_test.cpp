@@ -136,7 +136,7 @@ TEST(breath, is_none_unless_it_is_asked_for_and_holds_on_twos) {
   EXPECT_EQ(sample_performance(build_performance(clip), 1.3).turn.breath_mm, 0);
   clip.drift.breaths_per_minute = 20;
   clip.draw = 2;
-  const std::vector<int> drawings = find_drawings(build_performance(clip));
+  const std::vector<int> drawings = compute_drawings(build_performance(clip));
   for (std::size_t frame = 0; frame < drawings.size(); ++frame)
     EXPECT_EQ(drawings[frame], static_cast<int>(frame - frame % 2));
 }
@@ -148,8 +148,8 @@ TEST(drift, rests_on_the_drawings_of_a_hold) {
   clip.drift = {1, 1};
   const Performance performance = build_performance(clip);
   for (int frame = 0; frame < 48; frame += 2)
-    EXPECT_EQ(sample_performance(performance, find_drawing_time_s(clip, frame)).turn.turn_deg,
-              sample_performance(performance, find_drawing_time_s(clip, frame + 1)).turn.turn_deg);
+    EXPECT_EQ(sample_performance(performance, compute_drawing_time_s(clip, frame)).turn.turn_deg,
+              sample_performance(performance, compute_drawing_time_s(clip, frame + 1)).turn.turn_deg);
 }
 
 TEST(asymmetry, is_off_by_default) {
@@ -192,8 +192,8 @@ TEST(asymmetry, keeps_the_times_of_keys_and_lets_one_side_lead) {
     EXPECT_EQ(sample_performance(performance, 3).pose, Pose{});
     // Half way up the early side is ahead by the delay's worth of the way.
     const AreaLean& brow = performance.idle.asymmetry.areas.front();
-    const double early_s = find_side_time_s({0, 1}, 0.5, brow.delay_s, false);
-    const double late_s = find_side_time_s({0, 1}, 0.5, brow.delay_s, true);
+    const double early_s = compute_side_time_s({0, 1}, 0.5, brow.delay_s, false);
+    const double late_s = compute_side_time_s({0, 1}, 0.5, brow.delay_s, true);
     EXPECT_NEAR(early_s - late_s, brow.delay_s / (1 - brow.delay_s), 1e-12);
   }
 }
@@ -288,7 +288,7 @@ TEST(natural_blinks, shut_as_far_as_their_depth_in_a_drawing) {
     for (const Blink& blink : performance.idle.blinks) {
       const int frame = static_cast<int>(std::lround(blink.at_s * clip.fps));
       EXPECT_EQ(frame % draw, 0);
-      EXPECT_EQ(value_of(sample_performance(performance, find_drawing_time_s(clip, frame)).pose, "lid",
+      EXPECT_EQ(value_of(sample_performance(performance, compute_drawing_time_s(clip, frame)).pose, "lid",
                          Side::left, "upper"),
                 -blink.depth);
     }

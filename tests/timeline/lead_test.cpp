@@ -11,7 +11,7 @@ double value_of(const Pose& pose, std::string_view area, Side side, std::string_
   return pose.values[*find_move(area, side, move)];
 }
 
-double find_share(double from, double to, double now) { return (now - from) / (to - from); }
+double compute_share(double from, double to, double now) { return (now - from) / (to - from); }
 
 // How far along each area is at a time of the way from the key at 0s to that at `end_s`.
 struct Shares {
@@ -22,8 +22,8 @@ Shares find_shares(const Performance& performance, double end_s, double time_s) 
   const Pose from = sample_performance(performance, 0).pose, to = sample_performance(performance, end_s).pose,
              now = sample_performance(performance, time_s).pose;
   const auto share = [&](std::string_view area, Side side, std::string_view move) {
-    return find_share(value_of(from, area, side, move), value_of(to, area, side, move),
-                      value_of(now, area, side, move));
+    return compute_share(value_of(from, area, side, move), value_of(to, area, side, move),
+                         value_of(now, area, side, move));
   };
   return {share("chin", Side::none, "down"), share("corner", Side::left, "out"),
           share("corner", Side::left, "up"), share("brow", Side::left, "turn")};

@@ -116,12 +116,12 @@ TEST(performance, holds_a_drawing_on_twos_and_threes) {
   ClipSpec clip;
   clip.draw = 2;
   for (const auto& [frame, shown] : {std::pair{0, 0}, {1, 0}, {2, 2}, {3, 2}, {47, 46}})
-    EXPECT_EQ(find_drawing_time_s(clip, frame), shown / 24.0);
+    EXPECT_EQ(compute_drawing_time_s(clip, frame), shown / 24.0);
   clip.draw = 3;
   for (const auto& [frame, shown] : {std::pair{0, 0}, {2, 0}, {3, 3}, {5, 3}, {47, 45}})
-    EXPECT_EQ(find_drawing_time_s(clip, frame), shown / 24.0);
+    EXPECT_EQ(compute_drawing_time_s(clip, frame), shown / 24.0);
   clip.draw = 1;
-  for (int frame = 0; frame < 48; ++frame) EXPECT_EQ(find_drawing_time_s(clip, frame), frame / 24.0);
+  for (int frame = 0; frame < 48; ++frame) EXPECT_EQ(compute_drawing_time_s(clip, frame), frame / 24.0);
 }
 
 TEST(performance, changes_how_long_drawings_are_held) {
@@ -130,7 +130,7 @@ TEST(performance, changes_how_long_drawings_are_held) {
   clip.draw_changes = {{5 / 24.0, 3}, {1, 1}};
   for (const auto& [frame, shown] :
        {std::pair{0, 0}, {1, 0}, {4, 4}, {5, 5}, {7, 5}, {8, 8}, {23, 23}, {24, 24}, {25, 25}})
-    EXPECT_EQ(find_drawn_frame(clip, frame), shown) << frame;
+    EXPECT_EQ(compute_drawn_frame(clip, frame), shown) << frame;
 }
 
 TEST(performance, is_the_same_at_the_same_times_whatever_the_frame_rate) {
@@ -141,7 +141,7 @@ TEST(performance, is_the_same_at_the_same_times_whatever_the_frame_rate) {
   const auto sample = [&](int fps, int frame) {
     ClipSpec other = clip;
     other.fps = fps;
-    return sample_performance(performance, find_drawing_time_s(other, frame)).pose;
+    return sample_performance(performance, compute_drawing_time_s(other, frame)).pose;
   };
   // Seconds and halves of them, from the first to one an hour later.
   for (const int half : {0, 1, 3, 7, 9, 7199, 7200})
@@ -155,10 +155,10 @@ TEST(performance, is_the_same_at_the_same_times_whatever_the_frame_rate) {
 TEST(performance, counts_time_in_whole_ticks) {
   for (const int fps : {12, 24, 25, 30, 48, 50, 60, 120})
     for (const int frame : {1, 7, 1001, 360001})
-      EXPECT_EQ(find_seconds(find_frame_ticks(frame, fps)), static_cast<double>(frame) / fps);
-  EXPECT_EQ(find_ticks(0.1) + find_ticks(0.2), find_ticks(0.3));
-  EXPECT_EQ(find_ticks(kForever_s), kEndless);
-  EXPECT_EQ(find_frame_ticks(22, 11), 2 * kTicksPerSecond);
+      EXPECT_EQ(compute_seconds(compute_frame_ticks(frame, fps)), static_cast<double>(frame) / fps);
+  EXPECT_EQ(compute_ticks(0.1) + compute_ticks(0.2), compute_ticks(0.3));
+  EXPECT_EQ(compute_ticks(kForever_s), kEndless);
+  EXPECT_EQ(compute_frame_ticks(22, 11), 2 * kTicksPerSecond);
 }
 
 TEST(performance, blinks_on_top_of_its_pose) {

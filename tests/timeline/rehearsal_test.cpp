@@ -27,7 +27,7 @@ TEST(rehearsal, shows_what_the_performance_shows_at_the_times_of_the_drawings) {
     ASSERT_EQ(rehearsal.shown.size(), 96u);
     for (int frame = 0; frame < 96; ++frame) {
       const auto i = static_cast<std::size_t>(frame);
-      const double time_s = find_drawing_time_s(performance.clip, frame);
+      const double time_s = compute_drawing_time_s(performance.clip, frame);
       EXPECT_EQ(rehearsal.drawn_s[i], time_s);
       const Moment moment = sample_performance(performance, time_s);
       EXPECT_EQ(rehearsal.shown[i].pose, moment.pose);

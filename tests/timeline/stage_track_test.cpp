@@ -65,8 +65,8 @@ TEST(stage_track, fades_one_set_into_another_and_carries_a_set_that_stays) {
 
 TEST(stage_track, tells_moments_apart) {
   const ClipSpec clip = make_clip();
-  EXPECT_EQ(find_stage_key(sample_stage(clip, 3)), find_stage_key(sample_stage(clip, 4)));
-  EXPECT_NE(find_stage_key(sample_stage(clip, 0.5)), find_stage_key(sample_stage(clip, 0.6)));
+  EXPECT_EQ(compute_stage_key(sample_stage(clip, 3)), compute_stage_key(sample_stage(clip, 4)));
+  EXPECT_NE(compute_stage_key(sample_stage(clip, 0.5)), compute_stage_key(sample_stage(clip, 0.6)));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::vector<Pose> film(const std::string& clip) {
   return poses;
 }
 
-double find_distance(const Pose& a, const Pose& b) {
+double compute_distance(const Pose& a, const Pose& b) {
   double most = 0;
   for (std::size_t i = 0; i < kMoveCount; ++i) most = std::max(most, std::abs(a.values[i] - b.values[i]));
   return most;
@@ -41,11 +41,11 @@ struct Measured {
 Measured measure(const std::vector<Pose>& poses) {
   constexpr double kSeen = 1e-3;
   const Pose& rest = poses.front();
-  const auto is_rest = [&](const Pose& pose) { return find_distance(pose, rest) < kSeen; };
+  const auto is_rest = [&](const Pose& pose) { return compute_distance(pose, rest) < kSeen; };
   std::size_t apex = 0;
   for (std::size_t i = 0; i < poses.size(); ++i)
     if (find_sum(poses[i], rest) > find_sum(poses[apex], rest)) apex = i;
-  const auto is_apex = [&](std::size_t i) { return find_distance(poses[i], poses[apex]) < 5 * kSeen; };
+  const auto is_apex = [&](std::size_t i) { return compute_distance(poses[i], poses[apex]) < 5 * kSeen; };
   std::size_t begin = 0, full = apex, ebb = apex, end = poses.size() - 1;
   while (is_rest(poses[begin + 1])) ++begin;
   while (full > begin && is_apex(full - 1)) --full;
@@ -111,7 +111,7 @@ TEST(timings, a_great_shift_is_one_to_three_frames_of_a_clip) {
   int moving = 0;
   Pose before = sample_performance(performance, 0).pose;
   for (int frame = 1; frame < count_frames(spec.clip); ++frame) {
-    const Pose now = sample_performance(performance, find_drawing_time_s(spec.clip, frame)).pose;
+    const Pose now = sample_performance(performance, compute_drawing_time_s(spec.clip, frame)).pose;
     moving += now != before;
     before = now;
   }
@@ -138,8 +138,8 @@ TEST(timings, an_hour_of_every_frame_rate_shows_the_same_seconds) {
     Performance other = build(fps);
     other.idle.blinks.clear();
     for (const int second : {0, 1, 60, 3598, 3599, 3600}) {
-      const Moment a = sample_performance(film, find_drawing_time_s(film.clip, 24 * second));
-      const Moment b = sample_performance(other, find_drawing_time_s(other.clip, fps * second));
+      const Moment a = sample_performance(film, compute_drawing_time_s(film.clip, 24 * second));
+      const Moment b = sample_performance(other, compute_drawing_time_s(other.clip, fps * second));
       EXPECT_EQ(a.pose, b.pose) << fps << " at " << second;
       EXPECT_EQ(a.turn.nod_deg, b.turn.nod_deg) << fps << " at " << second;
     }
@@ -149,8 +149,8 @@ TEST(timings, an_hour_of_every_frame_rate_shows_the_same_seconds) {
     ClipSpec clip_of = film.clip;
     clip_of.fps = fps;
     for (const int half : {1, 3, 7199, 7200})
-      EXPECT_EQ(sample_performance(film, find_drawing_time_s(clip_of, half * fps / 2)).pose,
-                sample_performance(film, find_drawing_time_s(film.clip, half * 12)).pose)
+      EXPECT_EQ(sample_performance(film, compute_drawing_time_s(clip_of, half * fps / 2)).pose,
+                sample_performance(film, compute_drawing_time_s(film.clip, half * 12)).pose)
           << fps << " at half second " << half;
   }
 }
