@@ -10,6 +10,8 @@ add_custom_command(OUTPUT "${MIEN_PAGES}/written"
                    DEPENDS mien_pages VERBATIM)
 add_custom_target(mien_documents ALL DEPENDS "${MIEN_PAGES}/written")
 
+# What is installed has been built before: neither the tests nor the bench are built for it.
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON)
 install(TARGETS mien RUNTIME)
 install(DIRECTORY templates configs DESTINATION "${CMAKE_INSTALL_DATADIR}/mien")
 install(FILES "${MIEN_PAGES}/mien.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
