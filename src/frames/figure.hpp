@@ -29,7 +29,7 @@ struct DeformBuffers {
   bool has_folds = true;
   FoldBuffers folds;
   std::vector<glm::dvec3> points;
-  std::vector<Float8> point_pairs, place_pairs, normal_pairs;
+  std::vector<Twin> point_pairs, place_pairs, normal_pairs;
 };
 
 enum class FigureUse {

@@ -4,7 +4,7 @@ namespace mien {
 
 void deform_surface(const Surface& surface, const std::vector<Float4>& points,
                     std::vector<glm::vec3>& positions) {
-  std::vector<Float8> paired, places;
+  std::vector<Twin> paired, places;
   pair_points(points, surface.mirror, paired);
   deform_pairs(surface, paired, places);
   positions.resize(surface.vertex_count());
@@ -13,7 +13,7 @@ void deform_surface(const Surface& surface, const std::vector<Float4>& points,
 
 void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>& positions,
                             std::vector<glm::vec3>& normals) {
-  std::vector<Float8> places, sums;
+  std::vector<Twin> places, sums;
   pack_pairs(surface.pairs, positions, places);
   update_pair_normals(surface, places, sums);
   normals.resize(positions.size());

@@ -152,7 +152,7 @@ void append_fine_points(const FineSkin& fine, std::vector<glm::vec3>& positions,
                         std::vector<glm::vec3>& normals) {
   const std::vector<MirrorPair> base(fine.pairs.begin(),
                                      fine.pairs.begin() + static_cast<std::ptrdiff_t>(fine.base_pairs));
-  std::vector<Float8> places, shading;
+  std::vector<Twin> places, shading;
   pack_pairs(base, positions, places);
   pack_pairs(base, normals, shading);
   append_fine_pairs(fine, places, shading);

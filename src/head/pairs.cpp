@@ -1,6 +1,7 @@
 #include "head/pairs.hpp"
 
 #include <cmath>
+#include <cstring>
 
 #include "head/fine_skin.hpp"
 #include "head/surface.hpp"
@@ -11,6 +12,8 @@
 namespace mien {
 
 namespace {
+
+using Float8 = float __attribute__((vector_size(32)));
 
 namespace plain {
 #include "head/pairs_work.inl"
@@ -40,52 +43,51 @@ namespace wide {
 }  // namespace
 
 void pair_points(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& mirror,
-                 std::vector<Float8>& paired) {
+                 std::vector<Twin>& paired) {
   paired.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     const glm::vec3 left(points[i]), right(points[mirror[i]]);
-    paired[i] = Float8{left.x, left.y, left.z, 0, right.x, right.y, right.z, 0};
+    paired[i] = {pack(left), pack(right)};
   }
 }
 
 void pair_points(const std::vector<Float4>& points, const std::vector<std::uint32_t>& mirror,
-                 std::vector<Float8>& paired) {
+                 std::vector<Twin>& paired) {
   paired.resize(points.size());
   for (std::size_t i = 0; i < points.size(); ++i)
-    paired[i] = __builtin_shufflevector(points[i], points[mirror[i]], 0, 1, 2, 3, 4, 5, 6, 7);
+    paired[i] = {points[i], points[mirror[i]]};
 }
 
 void pack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<glm::vec3>& vectors,
-                std::vector<Float8>& paired) {
+                std::vector<Twin>& paired) {
   paired.resize(pairs.size());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
     const glm::vec3 &left = vectors[pairs[i].left], &right = vectors[pairs[i].right];
-    paired[i] = Float8{left.x, left.y, left.z, 0, right.x, right.y, right.z, 0};
+    paired[i] = {pack(left), pack(right)};
   }
 }
 
-void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Float8>& paired, std::size_t first,
+void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired, std::size_t first,
                   std::vector<glm::vec3>& vectors) {
   for (std::size_t i = first; i < pairs.size(); ++i) {
-    const Float8& pair = paired[i];
-    vectors[pairs[i].left] = {pair[0], pair[1], pair[2]};
-    vectors[pairs[i].right] = {pair[4], pair[5], pair[6]};
+    vectors[pairs[i].left] = unpack(paired[i].left);
+    vectors[pairs[i].right] = unpack(paired[i].right);
   }
 }
 
-void deform_pairs(const Surface& surface, const std::vector<Float8>& points, std::vector<Float8>& places) {
+void deform_pairs(const Surface& surface, const std::vector<Twin>& points, std::vector<Twin>& places) {
   places.resize(surface.pairs.size());
   MIEN_CHOOSE(deform(surface, points.data(), places.data()));
 }
 
-void update_pair_normals(const Surface& surface, const std::vector<Float8>& places,
-                         std::vector<Float8>& normals) {
-  normals.assign(surface.pairs.size(), Float8{});
+void update_pair_normals(const Surface& surface, const std::vector<Twin>& places,
+                         std::vector<Twin>& normals) {
+  normals.assign(surface.pairs.size(), Twin{});
   MIEN_CHOOSE(add_areas(surface, places.data(), normals.data()));
   MIEN_CHOOSE(normalize_all(normals.data(), normals.size()));
 }
 
-void append_fine_pairs(const FineSkin& fine, std::vector<Float8>& places, std::vector<Float8>& normals) {
+void append_fine_pairs(const FineSkin& fine, std::vector<Twin>& places, std::vector<Twin>& normals) {
   places.resize(fine.pairs.size());
   normals.resize(fine.pairs.size());
   MIEN_CHOOSE(append_fine(fine, places.data(), normals.data()));
@@ -94,10 +96,10 @@ void append_fine_pairs(const FineSkin& fine, std::vector<Float8>& places, std::v
 void press_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Triangle>& triangles, float relief,
                  FoldPlaces& folded) {
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    folded.places[i][3] = folded.heights[2 * i];
-    folded.places[i][7] = folded.heights[2 * i + 1];
+    folded.places[i].left[3] = folded.heights[2 * i];
+    folded.places[i].right[3] = folded.heights[2 * i + 1];
   }
-  folded.slopes.assign(pairs.size(), Float8{});
+  folded.slopes.assign(pairs.size(), Twin{});
   MIEN_CHOOSE(press(pairs, triangles, relief, folded));
 }
 

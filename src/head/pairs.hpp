@@ -12,8 +12,10 @@
 
 namespace mien {
 
-// x, y, z and a fourth number of the left place, then of its mirror image.
-using Float8 = float __attribute__((vector_size(32)));
+// A place or a direction and its mirror image; of either half x, y, z and a fourth number.
+struct Twin {
+  Float4 left, right;
+};
 
 // A vertex and its mirror image; one of the mid-plane is its own. Their number in a list is their slot.
 struct MirrorPair {
@@ -25,37 +27,37 @@ struct MirrorPair {
 
 // Slots of `points`, one for each point: itself and its image. The fourth numbers are 0.
 void pair_points(const std::vector<glm::dvec3>& points, const std::vector<std::uint32_t>& mirror,
-                 std::vector<Float8>& paired);
+                 std::vector<Twin>& paired);
 void pair_points(const std::vector<Float4>& points, const std::vector<std::uint32_t>& mirror,
-                 std::vector<Float8>& paired);
+                 std::vector<Twin>& paired);
 
 // The slots of vertices that are not paired yet, and the fourth numbers 0.
 void pack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<glm::vec3>& vectors,
-                std::vector<Float8>& paired);
+                std::vector<Twin>& paired);
 
 // The vectors of slots [first, ...) to their vertices in `vectors`, which is large enough.
-void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Float8>& paired, std::size_t first,
+void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired, std::size_t first,
                   std::vector<glm::vec3>& vectors);
 
 struct Surface;
 struct FineSkin;
 
 // The skin's vertices as weighted sums of points: slot by slot of the surface, into `places` (resized).
-void deform_pairs(const Surface& surface, const std::vector<Float8>& points, std::vector<Float8>& places);
+void deform_pairs(const Surface& surface, const std::vector<Twin>& points, std::vector<Twin>& places);
 
 // Area-weighted unit normals from the surface's quads, into `normals` (resized).
-void update_pair_normals(const Surface& surface, const std::vector<Float8>& places,
-                         std::vector<Float8>& normals);
+void update_pair_normals(const Surface& surface, const std::vector<Twin>& places,
+                         std::vector<Twin>& normals);
 
 // Behind the surface's slots those of the vertices that a finer skin adds.
-void append_fine_pairs(const FineSkin& fine, std::vector<Float8>& places, std::vector<Float8>& normals);
+void append_fine_pairs(const FineSkin& fine, std::vector<Twin>& places, std::vector<Twin>& normals);
 
 // Some vertices of the skin, whose slots are their own, and the height at each over the smooth skin.
 // Contents mean nothing between calls.
 struct FoldPlaces {
   std::vector<float> heights;  // mm, of each slot's left vertex and of its right one: two by two
-  std::vector<Float8> places, normals;
-  std::vector<Float8> slopes;  // sum of weight x slope, and of weight
+  std::vector<Twin> places, normals;
+  std::vector<Twin> slopes;  // sum of weight x slope, and of weight
 };
 
 // Moves the places by `relief` of their heights along the normals, which are shaded as if it were all of it.

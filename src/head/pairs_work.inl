@@ -1,6 +1,14 @@
 // The loops of head/pairs.cpp, which includes this text twice: for any processor, and for those with wide
 // registers. Nothing but sums, products, roots and quotients as IEEE 754 has them: the same bits from both.
 
+inline Float8 load(const Twin& twin) {
+  Float8 v;
+  std::memcpy(&v, &twin, sizeof(v));
+  return v;
+}
+inline void store(Twin& twin, const Float8& v) { std::memcpy(&twin, &v, sizeof(v)); }
+inline void add(Twin& twin, const Float8& v) { store(twin, load(twin) + v); }
+
 inline Float8 swap_halves(const Float8& v) { return __builtin_shufflevector(v, v, 4, 5, 6, 7, 0, 1, 2, 3); }
 inline Float8 turn_axes(const Float8& v) { return __builtin_shufflevector(v, v, 1, 2, 0, 3, 5, 6, 4, 7); }
 inline Float8 spread_x(const Float8& v) { return __builtin_shufflevector(v, v, 0, 0, 0, 0, 4, 4, 4, 4); }
@@ -36,26 +44,26 @@ inline Float8 normalize_pair(const Float8& v, float least_square, const Float8& 
 inline Float8 add_halves(const Float8& v) { return v + swap_halves(v); }
 
 // Mirror images are added to each other first, so that a mirrored pose gives the same sum.
-inline Float8 sum_on_midline(const Surface& surface, std::uint32_t v, const Float8* points) {
+inline Float8 sum_on_midline(const Surface& surface, std::uint32_t v, const Twin* points) {
   Float8 sum{};
   for (std::uint32_t k = surface.first[v]; k < surface.first[v + 1]; ++k) {
     const std::uint32_t point = surface.point[k];
     if (surface.mirror[point] == point) {
-      sum += surface.weight[k] * points[point];
+      sum += surface.weight[k] * load(points[point]);
     } else {  // the next one is its image; see pair_row
-      sum += surface.weight[k] * add_halves(points[point]);
+      sum += surface.weight[k] * add_halves(load(points[point]));
       ++k;
     }
   }
   return sum;
 }
 
-[[gnu::noinline]] void deform(const Surface& surface, const Float8* points, Float8* places) {
+[[gnu::noinline]] void deform(const Surface& surface, const Twin* points, Twin* places) {
   const std::size_t count = surface.pairs.size();
   for (std::size_t slot = 0; slot < count; ++slot) {
     const MirrorPair pair = surface.pairs[slot];
     if (pair.is_middle()) {
-      places[slot] = sum_on_midline(surface, pair.left, points);
+      store(places[slot], sum_on_midline(surface, pair.left, points));
       continue;
     }
     // A row and its mirror image have the same weights. Sums that do not wait for each other are quicker.
@@ -64,45 +72,45 @@ inline Float8 sum_on_midline(const Surface& surface, std::uint32_t v, const Floa
     const std::uint32_t* point = surface.point.data() + first;
     Float8 even{}, odd{};
     for (std::uint32_t k = 0; k + 1 < size; k += 2) {
-      even += weight[k] * points[point[k]];
-      odd += weight[k + 1] * points[point[k + 1]];
+      even += weight[k] * load(points[point[k]]);
+      odd += weight[k + 1] * load(points[point[k + 1]]);
     }
-    if (size % 2 != 0) even += weight[size - 1] * points[point[size - 1]];
-    places[slot] = even + odd;
+    if (size % 2 != 0) even += weight[size - 1] * load(points[point[size - 1]]);
+    store(places[slot], even + odd);
   }
 }
 
-[[gnu::noinline]] void add_areas(const Surface& surface, const Float8* places, Float8* sums) {
+[[gnu::noinline]] void add_areas(const Surface& surface, const Twin* places, Twin* sums) {
   // A mirror image goes round the other way: one of its diagonals is turned.
   const Float8 turned{1, 1, 1, 1, -1, -1, -1, -1};
   for (const PairedQuad& quad : surface.pair_quads) {
     const auto& [a, b, c, d] = quad.slots;
     // Twice the quad's area vector: the cross product of its diagonals.
-    const Float8 area = cross_pair(places[c] - places[a], (places[d] - places[b]) * turned);
+    const Float8 area = cross_pair(load(places[c]) - load(places[a]), (load(places[d]) - load(places[b])) * turned);
     if (quad.middle == 0) {
-      sums[a] += area;
-      sums[b] += area;
-      sums[c] += area;
-      sums[d] += area;
+      add(sums[a], area);
+      add(sums[b], area);
+      add(sums[c], area);
+      add(sums[d], area);
       continue;
     }
     const Float8 both = add_halves(area);
-    for (std::size_t i = 0; i < 4; ++i) sums[quad.slots[i]] += (quad.middle >> i & 1) != 0 ? both : area;
+    for (std::size_t i = 0; i < 4; ++i) add(sums[quad.slots[i]], (quad.middle >> i & 1) != 0 ? both : area);
   }
 }
 
-[[gnu::noinline]] void normalize_all(Float8* normals, std::size_t count) {
+[[gnu::noinline]] void normalize_all(Twin* normals, std::size_t count) {
   const Float8 forward{0, 0, 1, 0, 0, 0, 1, 0};
-  for (std::size_t i = 0; i < count; ++i) normals[i] = normalize_pair(normals[i], 1e-20f, forward);
+  for (std::size_t i = 0; i < count; ++i) store(normals[i], normalize_pair(load(normals[i]), 1e-20f, forward));
 }
 
-[[gnu::noinline]] void append_fine(const FineSkin& fine, Float8* places, Float8* normals) {
+[[gnu::noinline]] void append_fine(const FineSkin& fine, Twin* places, Twin* normals) {
   std::size_t slot = fine.base_pairs;
   for (const auto& [a, b] : fine.pair_parents) {
-    const Float8 pa = places[a], pb = places[b], na = normals[a], nb = normals[b];
+    const Float8 pa = load(places[a]), pb = load(places[b]), na = load(normals[a]), nb = load(normals[b]);
     const Float8 lift = dot_pair(pb - pa, nb) * nb - dot_pair(pb - pa, na) * na;
-    places[slot] = 0.5f * (pa + pb) + 0.125f * lift;
-    normals[slot] = normalize_pair(na + nb, 1e-12f, na);
+    store(places[slot], 0.5f * (pa + pb) + 0.125f * lift);
+    store(normals[slot], normalize_pair(na + nb, 1e-12f, na));
     ++slot;
   }
 }
@@ -122,28 +130,30 @@ inline bool is_flat(const Float8& a, const Float8& b, const Float8& c) {
 [[gnu::noinline]] void press(const std::vector<MirrorPair>& pairs,
                   const std::vector<Triangle>& triangles, float relief,
                   FoldPlaces& folded) {
-  Float8 *places = folded.places.data(), *normals = folded.normals.data(), *slopes = folded.slopes.data();
+  Twin *places = folded.places.data(), *normals = folded.normals.data(), *slopes = folded.slopes.data();
   for (const Triangle& corners : triangles) {
-    const Float8 &a = places[corners[0]], &b = places[corners[1]], &c = places[corners[2]];
+    const Float8 a = load(places[corners[0]]), b = load(places[corners[1]]), c = load(places[corners[2]]);
     if (is_flat(a, b, c)) continue;
     const Float8 slope = find_slope(a, b, c);
     for (const std::uint32_t corner : corners)
-      slopes[corner] += pairs[corner].is_middle() ? add_halves(slope) : slope;
+      add(slopes[corner], pairs[corner].is_middle() ? add_halves(slope) : slope);
   }
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    const Float8 slope = slopes[i], n = normals[i];
-    places[i] += relief * spread_w(places[i]) * n;
+    const Float8 slope = load(slopes[i]), n = load(normals[i]), place = load(places[i]);
+    store(places[i], place + relief * spread_w(place) * n);
     const float left = slope[3], right = slope[7];
     if (left > 1e-20f && right > 1e-20f) {
       const float l = 1 / left, r = 1 / right;
-      normals[i] = normalize_pair(n - slope * Float8{l, l, l, l, r, r, r, r}, 0, n);
+      store(normals[i], normalize_pair(n - slope * Float8{l, l, l, l, r, r, r, r}, 0, n));
       continue;
     }
+    Float8 pressed = n;
     for (int half = 0; half < 8; half += 4) {
       if (!(slope[half + 3] > 1e-20f)) continue;
       const float by = 1 / slope[half + 3];
       const Float8 unit = normalize_pair(n - slope * Float8{by, by, by, by, by, by, by, by}, 0, n);
-      for (int k = half; k < half + 4; ++k) normals[i][k] = unit[k];
+      for (int k = half; k < half + 4; ++k) pressed[k] = unit[k];
     }
+    store(normals[i], pressed);
   }
 }

@@ -16,6 +16,8 @@
 namespace mien {
 namespace {
 
+using Float8 = float __attribute__((vector_size(32)));
+
 // The loops as a processor without wide registers has them.
 namespace plain {
 #include "head/pairs_work.inl"
@@ -39,8 +41,8 @@ std::vector<glm::dvec3> pose_points(const Pose& pose) {
   return points;
 }
 
-bool is_same(const std::vector<Float8>& a, const std::vector<Float8>& b) {
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Float8)) == 0;
+bool is_same(const std::vector<Twin>& a, const std::vector<Twin>& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Twin)) == 0;
 }
 
 TEST(pairs, every_vertex_has_one_slot) {
@@ -131,10 +133,10 @@ TEST(pairs, any_processor_works_them_alike) {
   std::mt19937 random(10);
   std::uniform_real_distribution<float> height(-0.5f, 0.5f);
   for (const Pose& pose : list_poses()) {
-    std::vector<Float8> points, places, normals;
+    std::vector<Twin> points, places, normals;
     pair_points(pose_points(pose), surface.mirror, points);
     deform_pairs(surface, points, places);
-    std::vector<Float8> own_places(places.size()), own_normals(places.size(), Float8{});
+    std::vector<Twin> own_places(places.size()), own_normals(places.size(), Twin{});
     plain::deform(surface, points.data(), own_places.data());
     EXPECT_TRUE(is_same(places, own_places));
 
@@ -164,10 +166,10 @@ TEST(pairs, any_processor_works_them_alike) {
     FoldPlaces own = folded;
     press_pairs(folds.vertices, folds.triangles, 0.5f, folded);
     for (std::size_t i = 0; i < own.places.size(); ++i) {
-      own.places[i][3] = own.heights[2 * i];
-      own.places[i][7] = own.heights[2 * i + 1];
+      own.places[i].left[3] = own.heights[2 * i];
+      own.places[i].right[3] = own.heights[2 * i + 1];
     }
-    own.slopes.assign(own.places.size(), Float8{});
+    own.slopes.assign(own.places.size(), Twin{});
     plain::press(folds.vertices, folds.triangles, 0.5f, own);
     EXPECT_TRUE(is_same(folded.places, own.places));
     EXPECT_TRUE(is_same(folded.normals, own.normals));
