@@ -11,12 +11,13 @@
 
 #include "core/data.hpp"
 #include "poses.hpp"
+#include "shipped.hpp"
 
 namespace mien {
 namespace {
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
   return figure;
 }
 
@@ -165,7 +166,7 @@ TEST(joints, turn_rigid_parts_as_the_face_does) {
   HeadSpec narrow;  // limits of its own: they are in a joint's reach
   narrow.limits = {{"eye.left.up", 0.5}, {"chin.down", 0.7}};
   std::mt19937 random(5);
-  for (const Figure& figure : {adult(), build_figure(narrow, find_data_folder())}) {
+  for (const Figure& figure : {adult(), build_figure(shipped().heads, narrow)}) {
     const std::vector<Joint> joints = list_joints(figure);
     ASSERT_EQ(joints.size(), 3U);
     DeformBuffers buffers;

@@ -10,6 +10,7 @@
 #include "core/data.hpp"
 #include "frames/figure.hpp"
 #include "poses.hpp"
+#include "shipped.hpp"
 
 #pragma GCC diagnostic ignored "-Wpsabi"
 
@@ -24,7 +25,7 @@ namespace plain {
 }
 
 const Figure& adult() {
-  static const Figure figure = build_figure(HeadSpec{}, find_data_folder());
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
   return figure;
 }
 
