@@ -19,6 +19,7 @@
 #include <vector>
 
 #include "core/error.hpp"
+#include "core/thousandths.hpp"
 
 namespace mien {
 
@@ -56,39 +57,6 @@ char* write_digits(std::uint32_t value, char* end) {
   return end;
 }
 
-// All there is to be told of numbers below a thousand with three digits behind the point, which are nearly
-// all numbers of a scene: "0" to "999" with their length as the fourth byte, and "", ".001" to ".999" without
-// zeros at their end.
-struct Thousands {
-  std::array<std::array<char, 4>, 1000> whole{}, fraction{};
-  std::array<std::uint8_t, 1000> length{};  // of the fraction
-};
-constexpr Thousands build_thousands() {
-  Thousands all;
-  for (int i = 0; i < 1000; ++i) {
-    const std::array<char, 3> digits{static_cast<char>('0' + i / 100), static_cast<char>('0' + i / 10 % 10),
-                                     static_cast<char>('0' + i % 10)};
-    const int leading = i < 10 ? 2 : i < 100 ? 1 : 0;
-    for (int k = leading; k < 3; ++k) all.whole[i][k - leading] = digits[k];
-    all.whole[i][3] = static_cast<char>(3 - leading);
-    all.fraction[i] = {'.', digits[0], digits[1], digits[2]};
-    all.length[i] = i == 0 ? 0 : i % 100 == 0 ? 2 : i % 10 == 0 ? 3 : 4;
-  }
-  return all;
-}
-constexpr Thousands kThousands = build_thousands();
-
-// `rest` thousandths, below a million, without a branch that could be guessed wrong.
-char* write_thousandths(char* text, std::uint32_t rest, bool is_negative) {
-  const std::uint32_t whole = rest / 1000, fraction = rest - 1000 * whole;
-  *text = '-';
-  text += is_negative & (rest != 0);
-  std::memcpy(text, kThousands.whole[whole].data(), 4);
-  text += kThousands.whole[whole][3];
-  std::memcpy(text, kThousands.fraction[fraction].data(), 4);
-  return text + kThousands.length[fraction];
-}
-
 [[noreturn]] void fail_write(const std::filesystem::path& path, int error) {
   throw RunError(fmt::format("cannot write {}: {}", path.string(), std::strerror(error)));
 }
@@ -119,8 +87,7 @@ int write_flushed(const std::string& path, std::string_view content) {
 
 char* write_number(char* text, double value, int decimals) {
   if (decimals == 3)
-    if (const double scaled = std::abs(value) * 1000 + 0.5; scaled < 1e6)  // neither is what is not finite
-      return write_thousandths(text, static_cast<std::uint32_t>(scaled), value < 0);
+    if (char* const end = write_thousandths(text, value)) return end;
   if (!std::isfinite(value) || std::abs(value) >= 1e9)
     throw RunError(fmt::format("internal: {} is not a number that can be written", value));
   const bool is_negative = value < 0;

@@ -54,8 +54,7 @@ void pair_points(const std::vector<glm::dvec3>& points, const std::vector<std::u
 void pair_points(const std::vector<Float4>& points, const std::vector<std::uint32_t>& mirror,
                  std::vector<Twin>& paired) {
   paired.resize(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i)
-    paired[i] = {points[i], points[mirror[i]]};
+  for (std::size_t i = 0; i < points.size(); ++i) paired[i] = {points[i], points[mirror[i]]};
 }
 
 void pack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<glm::vec3>& vectors,

@@ -46,8 +46,7 @@ struct FineSkin;
 void deform_pairs(const Surface& surface, const std::vector<Twin>& points, std::vector<Twin>& places);
 
 // Area-weighted unit normals from the surface's quads, into `normals` (resized).
-void update_pair_normals(const Surface& surface, const std::vector<Twin>& places,
-                         std::vector<Twin>& normals);
+void update_pair_normals(const Surface& surface, const std::vector<Twin>& places, std::vector<Twin>& normals);
 
 // Behind the surface's slots those of the vertices that a finer skin adds.
 void append_fine_pairs(const FineSkin& fine, std::vector<Twin>& places, std::vector<Twin>& normals);

@@ -135,7 +135,7 @@ Row pair_row(const Row& row, const std::vector<std::uint32_t>& mirror) {
   return paired;
 }
 
-// Slots for all vertices, those of the left half and the mid-plane as they come in the left quads.
+// Slots for all vertices, in the order of their rows: those of the left half are read one after the other.
 void pair_up(Surface& surface) {
   std::vector<bool> is_known(surface.mirror.size(), false);
   const auto take = [&](std::uint32_t v) {
@@ -145,6 +145,7 @@ void pair_up(Surface& surface) {
   };
   for (std::size_t q = 0; q < surface.quads.size(); q += 2)
     for (const std::uint32_t v : surface.quads[q]) take(v);
+  std::ranges::sort(surface.pairs, {}, &MirrorPair::left);
 }
 
 // The quads by their slots.

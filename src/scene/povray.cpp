@@ -12,6 +12,7 @@
 #include "core/conventions.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "core/thousandths.hpp"
 #include "scene/plate.hpp"
 #include "scene/povray_stage.hpp"
 
@@ -41,13 +42,20 @@ constexpr double kSteepest_deg = 89.5;
 // POV-Ray's z points into the picture, ours out of it. The only place where z changes sign.
 glm::vec3 to_povray(const glm::vec3& v) { return {v.x, v.y, -v.z}; }
 
+// write_number, told in place where it is one of the many.
+inline char* write_quickly(char* text, float value, int decimals) {
+  if (decimals == 3)
+    if (char* const end = write_thousandths(text, value)) return end;
+  return write_number(text, value, decimals);
+}
+
 // Into a buffer that has room for four numbers.
-char* write_numbers(char* text, const glm::vec3& v, int decimals) {
-  text = write_number(text, v.x, decimals);
+inline char* write_numbers(char* text, const glm::vec3& v, int decimals) {
+  text = write_quickly(text, v.x, decimals);
   *text++ = ',';
-  text = write_number(text, v.y, decimals);
+  text = write_quickly(text, v.y, decimals);
   *text++ = ',';
-  return write_number(text, v.z, decimals);
+  return write_quickly(text, v.z, decimals);
 }
 
 void append_numbers(std::string& text, const glm::vec3& v, int decimals) {
