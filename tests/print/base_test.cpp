@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "places.hpp"
 #include "print/shapes.hpp"
+#include "scene/openscad_numbers.hpp"
 
 namespace mien {
 namespace {
@@ -125,8 +126,9 @@ TEST(base, openscad_makes_the_same_rings) {
   const Mesh mesh = build_ball_on_neck(14, 7, 9, 6, 24, 0.8f);
   const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
   const std::filesystem::path scad = std::filesystem::path(source_folder()) / "templates/openscad/base.scad";
-  const std::string functions = fill_template(
-      read_file(scad), {{"letters", build_openscad_letters(load_letters(source_folder()))}}, "base");
+  ScadValues values = list_scad_base();
+  values["letters"] = build_openscad_letters(load_letters(source_folder()));
+  const std::string functions = fill_template(read_file(scad), values, "base");
   std::string points;
   for (const glm::vec3& p : foot)
     points +=
