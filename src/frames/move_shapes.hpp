@@ -9,10 +9,13 @@
 //              compute_shape_weight tells how much there is of each. Of several moves the differences are
 //              added.
 // Error        At a shape's own value none. Halfway between two neighbours a vertex is within
-//              ShapeRequest::tolerance_mm of its way in truth, unless the halvings were used up; anywhere
-//              between, measured on the adult's skin at 0.02 mm, within 0.04 mm: measure_between_mm tells it
-//              of any mesh. Moves that are added up are further off: that is what expressions' own shapes are
-//              for.
+//              ShapeRequest::tolerance_mm of its way in truth, unless the halvings were used up. Anywhere
+//              between, measured on the adult with 0.02 mm asked for and without folds: the skin within 0.06
+//              mm, hairs within 0.05 mm, but the lashes of an upper lid within 0.4 mm. measure_between_mm
+//              tells it of any mesh. Moves that are added up are further off: expressions' own shapes are for
+//              that.
+// Mirrors      The shapes of the skin's mirrored moves are mirror images to the last bit. Hairs are not quite
+//              alike on both sides, and may ask for other in-betweens on one.
 // Joints       Rigid parts do not bend: eyeballs turn about their centres, teeth and tongue go with the jaw.
 // A
 //              joint tells the pivot and, for each move that turns it, the axis and the angle at the limits.

@@ -34,7 +34,7 @@ TEST(utf8, every_code_point_comes_back) {
       text += static_cast<char>(code);
     } else {
       const int more = code < 0x800 ? 1 : code < 0x10000 ? 2 : 3;
-      text += static_cast<char>((0xF00 >> more & 0xFF) | code >> 6 * more);
+      text += static_cast<char>((0xFF00 >> (more + 1) & 0xFF) | code >> 6 * more);
       for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | (code >> 6 * i & 0x3F));
     }
     const Character found = find_character(text, 0);

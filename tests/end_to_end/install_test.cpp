@@ -38,10 +38,12 @@ TEST(install, puts_everything_where_it_belongs) {
 
 TEST(install, runs_from_there_with_its_own_data) {
   const std::filesystem::path folder = install_build("install_runs");
-  write_file(folder / "usr/share/mien/templates/mien.schema.json", "the installed one\n");
-  EXPECT_EQ(run_shell(folder, "usr/bin/mien schema").out, "the installed one\n");
+  write_file(folder / "usr/share/mien/templates/new.yaml", "# the installed one of {{name}}\n");
+  ASSERT_EQ(run_shell(folder, "usr/bin/mien new otto").status, 0);
+  EXPECT_EQ(read_file(folder / "otto.yaml"), "# the installed one of otto\n");
   std::filesystem::rename(folder / "usr", folder / "moved");
-  EXPECT_EQ(run_shell(folder, "moved/bin/mien schema").out, "the installed one\n");
+  ASSERT_EQ(run_shell(folder, "moved/bin/mien new anna").status, 0);
+  EXPECT_EQ(read_file(folder / "anna.yaml"), "# the installed one of anna\n");
   EXPECT_EQ(run_shell(folder, "moved/bin/mien list ages").out, run_shell(folder, "mien list ages").out);
   EXPECT_EQ(run_shell(folder, "moved/bin/mien check moved/share/mien/configs/hello.yaml").status, 0);
 }

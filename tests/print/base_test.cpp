@@ -13,6 +13,7 @@
 #include "core/text.hpp"
 #include "places.hpp"
 #include "print/shapes.hpp"
+#include "scene/openscad_numbers.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -125,12 +126,10 @@ std::vector<double> echo_openscad(const std::string& source) {
 TEST(base, openscad_makes_the_same_rings) {
   const Mesh mesh = build_ball_on_neck(14, 7, 9, 6, 24, 0.8f);
   const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
-  const std::filesystem::path scad = std::filesystem::path(source_folder()) / "templates/openscad/base.scad";
-  const std::string functions = fill_template(
-      read_file(scad),
-      {{"letters", build_openscad_letters(
-                       build_letters(find_template(shipped().stock.templates, "openscad/letters.csv")))}},
-      "base");
+  ScadValues values = list_scad_base();
+  values["letters"] = build_openscad_letters(
+      build_letters(find_template(shipped_stock().templates, "openscad/letters.csv")));
+  const std::string functions = fill_template(shipped_stock().templates, "openscad/base.scad", values);
   std::string points;
   for (const glm::vec3& p : foot)
     points +=

@@ -11,6 +11,7 @@
 #include "places.hpp"
 #include "print/base.hpp"
 #include "print/shapes.hpp"
+#include "scene/openscad_numbers.hpp"
 #include "scene/stl.hpp"
 #include "shipped.hpp"
 
@@ -19,7 +20,7 @@ namespace {
 
 const Letters& letters() {
   static const Letters loaded =
-      build_letters(find_template(shipped().stock.templates, "openscad/letters.csv"));
+      build_letters(find_template(shipped_stock().templates, "openscad/letters.csv"));
   return loaded;
 }
 
@@ -114,7 +115,9 @@ TEST(label, a_base_too_low_has_none) {
 // A base alone, closed above: of OpenSCAD's making and of ours.
 TEST(label, openscad_makes_it_of_the_same_letters) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_label";
-  const std::string scad = read_file(std::filesystem::path(source_folder()) / "templates/openscad/base.scad");
+  ScadValues values = list_scad_base();
+  values["letters"] = build_openscad_letters(letters());
+  const std::string functions = fill_template(shipped_stock().templates, "openscad/base.scad", values);
   const Mesh open = build_ball_on_neck(14, 8, 8, 6);
   const Loop foot = find_boundary_loops(open.triangles).front();
   std::string points;
@@ -130,7 +133,7 @@ TEST(label, openscad_makes_it_of_the_same_letters) {
           std::pair{"XXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXX",
                     "XXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXXX"}}) {
       write_file(folder / "label.scad",
-                 fill_template(scad, {{"letters", build_openscad_letters(letters())}}, "base") +
+                 functions +
                      fmt::format("foot = [{}];\nrings = concat([foot], base_rings(foot, \"{}\", 8, 15));\n",
                                  points, name) +
                      fmt::format(
