@@ -42,7 +42,8 @@ TEST(jobs, change_no_byte) {
   ASSERT_EQ(run_shell(folder, "mien frames tiny.yaml --jobs 1 --quiet -o one").status, 0);
   for (const int jobs : {2, 7, 16}) {
     const ProgramRun run = run_shell(
-        folder, fmt::format("mien frames tiny.yaml --jobs {0} --quiet -o {0} && diff -r -x tiny.ini one {0}", jobs));
+        folder,
+        fmt::format("mien frames tiny.yaml --jobs {0} --quiet -o {0} && diff -r -x tiny.ini one {0}", jobs));
     EXPECT_EQ(run.status, 0) << jobs << ": " << run.out.substr(0, 300) << run.err;
   }
 }

@@ -27,13 +27,13 @@ std::vector<std::string> find_area_names(const std::string& line) {
   return found;
 }
 
-// The files that read mien's own data take each key by its name, and such a file may call a part as an area is
-// called. Colours of a head's look have names of their own, which two areas happen to have, too; and a guide line
-// that ends the face below is called as what it touches.
+// The files that read mien's own data take each key by its name, and such a file may call a part as an area
+// is called. Colours of a head's look have names of their own, which two areas happen to have, too; and a
+// guide line that ends the face below is called as what it touches.
 const std::set<std::pair<std::string, std::string>> kOtherThings{
-    {"src/config/words.hpp", "brow"},       {"src/config/words.hpp", "lips"},
-    {"src/config/load_people.cpp", "brow"}, {"src/config/load_head.cpp", "brow"},
-    {"src/config/head_words.cpp", "brow"},  {"src/config/head_words.cpp", "lips"},
+    {"src/config/words.hpp", "brow"},         {"src/config/words.hpp", "lips"},
+    {"src/config/load_people.cpp", "brow"},   {"src/config/load_head.cpp", "brow"},
+    {"src/config/head_words.cpp", "brow"},    {"src/config/head_words.cpp", "lips"},
     {"src/config/language_head.cpp", "brow"}, {"src/config/language_head.cpp", "lips"},
     {"src/sheet/camera.cpp", "chin"}};
 

@@ -127,8 +127,8 @@ TEST(base, openscad_makes_the_same_rings) {
   const Mesh mesh = build_ball_on_neck(14, 7, 9, 6, 24, 0.8f);
   const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
   ScadValues values = list_scad_base();
-  values["letters"] = build_openscad_letters(
-      build_letters(find_template(shipped_stock().templates, "openscad/letters.csv")));
+  values["letters"] =
+      build_openscad_letters(build_letters(find_template(shipped_stock().templates, "openscad/letters.csv")));
   const std::string functions = fill_template(shipped_stock().templates, "openscad/base.scad", values);
   std::string points;
   for (const glm::vec3& p : foot)
