@@ -43,7 +43,8 @@ void list_neighbours(const CollapseNet& net, std::uint32_t v, std::vector<std::u
 
 bool keeps_surface(const CollapseNet& net, std::uint32_t drop, std::uint32_t keep,
                    std::array<std::vector<std::uint32_t>, 2>& rings) {
-  auto& [dropped, kept] = rings;
+  std::vector<std::uint32_t>& dropped = rings[0];
+  std::vector<std::uint32_t>& kept = rings[1];
   list_neighbours(net, drop, dropped);
   list_neighbours(net, keep, kept);
   if (!std::binary_search(dropped.begin(), dropped.end(), keep) || dropped.size() + kept.size() <= 7)

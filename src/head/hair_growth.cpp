@@ -194,8 +194,8 @@ double compute_room(const HairChart& chart, const HairPlace& place) {
     return compute_hair_point(chart, {place.azimuth_deg + turn, place.way + way}, 1);
   };
   // On a globe of radius 1; below its middle a way is as long as the drop, of a skull of 95 mm.
-  constexpr double kSkull_mm = 95, kMost = 2.45;  // a way of 140 degrees
-  if (place.way >= 1) return std::min(1.0, chart.drop_mm / (kSkull_mm * chart.size) / kMost);
+  constexpr double kGlobe_mm = 95, kMost = 2.45;  // a way of 140 degrees
+  if (place.way >= 1) return std::min(1.0, chart.drop_mm / (kGlobe_mm * chart.size) / kMost);
   const glm::dvec3 aside = (at(kTurn_deg, 0) - at(-kTurn_deg, 0)) / (2 * kTurn_deg * kRadiansPerDegree);
   const glm::dvec3 down = (at(0, 0) - at(0, -kWay)) / kWay;
   return std::min(1.0, glm::length(glm::cross(aside, down)) / kMost);

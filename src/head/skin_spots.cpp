@@ -223,10 +223,10 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const std::vector<SkinPlace> places = find_spot_places(adult, kind, spots[s]);
     for (std::size_t v = 0; v < places.size(); ++v) {
-      const auto& [a, b, c] = adult.triangles[places[v].triangle];
+      const Triangle& corners = adult.triangles[places[v].triangle];
       const glm::vec3& w = places[v].barycentric;
       const auto blend = [&](const std::vector<glm::vec3>& of) {
-        return w.x * of[a] + w.y * of[b] + w.z * of[c];
+        return w.x * of[corners[0]] + w.y * of[corners[1]] + w.z * of[corners[2]];
       };
       const glm::vec3 normal = glm::normalize(blend(head.skin.normals));
       mesh.positions.push_back(blend(head.skin.positions) + kSpotLift_mm * normal);

@@ -98,7 +98,7 @@ SheetPlan plan_ages(const SheetSubject& subject, const HeadData&) {
   plan.blocks[1].heading = "To one height";
   // The adult comes first among the heads: the others are drawn to its scale.
   Names ages = kAges;
-  std::ranges::stable_partition(ages, [](const std::string& age) { return age == kAdult; });
+  std::stable_partition(ages.begin(), ages.end(), [](const std::string& age) { return age == kAdult; });
   std::map<std::string, std::size_t> heads;
   for (const std::string& age : ages) {
     heads[age] = plan.heads.size();
