@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "core/conventions.hpp"
 #include "core/error.hpp"
@@ -80,8 +79,8 @@ void append_vectors(std::string& text, const char* block, const std::vector<glm:
     char* end = chunk.data();
     const std::size_t last = std::min(first + kChunk, vectors.size());
     for (std::size_t i = first; i < last; ++i) {
-      std::memcpy(end, ",\n<", 3);
-      end = write_numbers(end + 3, to_povray(vectors[i]), decimals);
+      for (const char c : {',', '\n', '<'}) *end++ = c;
+      end = write_numbers(end, to_povray(vectors[i]), decimals);
       *end++ = '>';
     }
     text.append(chunk.data(), static_cast<std::size_t>(end - chunk.data()));
