@@ -120,10 +120,12 @@ void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
   measure_blender(folder, figure.folds.skin.vertex_count());
 
   std::string text;
+  Framing framing;  // once a clip, as the program does it
+  add_figure(figure, glm::dmat4(1), framing);
   const double scenes = measure_rate([&](int i) {
     deform_figure(figure, poses[i % kPoses], {}, buffers, drawing);
     text.clear();
-    append_povray_frame(text, figure.model, drawing, compute_view(figure, {}, {}));
+    append_povray_frame(text, figure.model, drawing, compute_view(framing, {}, {}));
     write_file(folder / fmt::format("f{}.pov", i % 8), text);
   });
   print_row("scenes written", fmt::format("{:.0f} /s", scenes),

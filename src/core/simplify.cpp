@@ -46,10 +46,11 @@ void push_collapse(Simplifier& s, std::uint32_t v, std::uint32_t w) {
   Quadric sum = s.quadrics[keep];
   sum.add(s.quadrics[drop]);
   const glm::dvec3 middle = 0.5 * (s.positions[keep] + s.positions[drop]);
-  glm::dvec3 place = glm::inverse(sum.build_matrix() + glm::dmat3(kPull)) * (sum.b + kPull * middle);
+  const glm::dmat3 planes = sum.build_matrix();
+  glm::dvec3 place = glm::inverse(planes + glm::dmat3(kPull)) * (sum.b + kPull * middle);
   if (s.is_fixed[keep]) place = s.positions[keep];
   if (s.is_fixed[drop]) place = s.positions[drop];
-  const double error = sum.measure(place);
+  const double error = std::max(0.0, glm::dot(place, planes * place) - 2 * glm::dot(sum.b, place) + sum.c);
   if (error > s.tolerance_mm * s.tolerance_mm) return;
   s.queue.push({error + kShort * square, keep, drop, s.version[keep], s.version[drop], place});
 }

@@ -35,7 +35,7 @@ FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
     const bool is_middle = skin.mirror[v] == v;
     const double own = is_middle ? 0.5 : compute_left_share(set, adult[v].x);
     const auto of = [&](double height, double share) { return static_cast<float>(scale * height * share); };
-    field.vertices.push_back({v, v, of(left, own), of(left, 1 - own), of(right, own), of(right, 1 - own)});
+    field.vertices.push_back({v, of(left, own), of(left, 1 - own), of(right, own), of(right, 1 - own)});
   }
   return field;
 }
@@ -87,11 +87,14 @@ void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
   }
   for (FoldField& field : folds.fields)
     for (FoldedVertex& folded : field.vertices) {
-      const std::uint32_t slot = take(folded.vertex);
-      const bool is_middle = folds.vertices[slot].is_middle();
-      folded.vertex = 2 * slot;
-      folded.image = is_middle ? folded.vertex : folded.vertex + 1;
+      folded.slot = take(folded.slot);
     }
+  std::vector<std::uint32_t> slots(folds.skin.vertex_count(), 0);
+  for (std::uint32_t i = 0; i < folds.skin.pairs.size(); ++i) slots[folds.skin.pairs[i].left] = i;
+  for (std::uint32_t i = 0; i < folds.vertices.size(); ++i) {
+    folds.slots.push_back(slots[folds.vertices[i].left]);
+    if (folds.vertices[i].is_middle()) folds.middles.push_back(i);
+  }
 }
 
 }  // namespace
@@ -113,7 +116,7 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (const FoldSet& set : data.sets) {
     folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale, rest * set.rest));
-    for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.vertex] = true;
+    for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.slot] = true;
   }
   find_touched(is_folded, folds);
   return folds;
@@ -129,30 +132,39 @@ double compute_fold_amount(const FoldField& field, const Pose& pose, Side side) 
   return std::lerp(field.rest, 1.0, smooth_step(field.from, field.to, sum));
 }
 
-void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
-                 std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals) {
-  std::vector<float>& heights = buffers.heights;
-  heights.assign(2 * folds.vertices.size(), 0);
+void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers, std::vector<Twin>& places,
+                 std::vector<Twin>& normals) {
+  std::vector<std::array<float, 2>> amounts(folds.fields.size());
   bool is_smooth = true;
-  for (const FoldField& field : folds.fields) {
-    const auto left = static_cast<float>(compute_fold_amount(field, pose, Side::left));
-    const auto right = static_cast<float>(compute_fold_amount(field, pose, Side::right));
-    if (left == 0 && right == 0) continue;
-    is_smooth = false;
-    for (const FoldedVertex& folded : field.vertices) {
-      heights[folded.vertex] += folded.near_mm * left + folded.far_mm * right;
-      if (folded.image != folded.vertex)
-        heights[folded.image] += folded.image_near_mm * right + folded.image_far_mm * left;
-    }
+  for (std::size_t f = 0; f < amounts.size(); ++f) {
+    for (const Side side : {Side::left, Side::right})
+      amounts[f][side == Side::right ? 1 : 0] =
+          static_cast<float>(compute_fold_amount(folds.fields[f], pose, side));
+    is_smooth = is_smooth && amounts[f][0] == 0 && amounts[f][1] == 0;
   }
   if (is_smooth) return;
-  for (std::size_t i = 0; i < folds.vertices.size(); ++i)
-    if (folds.vertices[i].is_middle()) heights[2 * i + 1] = heights[2 * i];
-  pack_pairs(folds.vertices, positions, buffers.places);
-  pack_pairs(folds.vertices, normals, buffers.normals);
+  buffers.places.resize(folds.slots.size());
+  buffers.normals.resize(folds.slots.size());
+  for (std::size_t i = 0; i < folds.slots.size(); ++i) {
+    Twin& place = buffers.places[i] = places[folds.slots[i]];
+    place.left[3] = place.right[3] = 0;
+    buffers.normals[i] = normals[folds.slots[i]];
+  }
+  for (std::size_t f = 0; f < amounts.size(); ++f) {
+    const auto [left, right] = amounts[f];
+    if (left == 0 && right == 0) continue;
+    for (const FoldedVertex& folded : folds.fields[f].vertices) {
+      Twin& place = buffers.places[folded.slot];
+      place.left[3] += folded.near_mm * left + folded.far_mm * right;
+      place.right[3] += folded.image_near_mm * right + folded.image_far_mm * left;
+    }
+  }
+  for (const std::uint32_t i : folds.middles) buffers.places[i].right[3] = buffers.places[i].left[3];
   press_pairs(folds.vertices, folds.triangles, kRelief, buffers);
-  unpack_pairs(folds.vertices, buffers.places, 0, positions);
-  unpack_pairs(folds.vertices, buffers.normals, 0, normals);
+  for (std::size_t i = 0; i < folds.slots.size(); ++i) {
+    places[folds.slots[i]] = buffers.places[i];
+    normals[folds.slots[i]] = buffers.normals[i];
+  }
 }
 
 }  // namespace mien

@@ -15,7 +15,7 @@ namespace mien {
 // How high a vertex of the left half (or the mid-plane) and its mirror image lie in a set's whole folds, mm:
 // of those of its own side and of the other's.
 struct FoldedVertex {
-  std::uint32_t vertex = 0, image = 0;  // twice the slot in Folds::vertices, and 1 more of the right half
+  std::uint32_t slot = 0;  // in Folds::vertices
   float near_mm = 0, far_mm = 0;
   float image_near_mm = 0, image_far_mm = 0;
 };
@@ -31,8 +31,10 @@ struct FoldField {
 struct Folds {
   FineSkin skin;
   std::vector<FoldField> fields;
-  std::vector<Triangle> triangles;   // left ones with a vertex in any fold; slots of `vertices`
-  std::vector<MirrorPair> vertices;  // of those, both sides; of `skin`
+  std::vector<Triangle> triangles;     // left ones with a vertex in any fold; slots of `vertices`
+  std::vector<MirrorPair> vertices;    // of those, both sides; of `skin`
+  std::vector<std::uint32_t> slots;    // of those in skin.pairs
+  std::vector<std::uint32_t> middles;  // the places in `vertices` of those on the mid-plane
 };
 
 using FoldBuffers = FoldPlaces;
@@ -45,10 +47,10 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec);
 // and ends.
 double compute_fold_amount(const FoldField& field, const Pose& pose, Side side);
 
-// Folds the skin of `pose`: `positions` and `normals` are those of folds.skin, smooth. Nothing is changed
-// where there is no fold, nor anything at all in the neutral pose of a head without lines at rest. Where
-// folds are not uneven, mirrored poses give mirrored skins bit for bit.
-void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers,
-                 std::vector<glm::vec3>& positions, std::vector<glm::vec3>& normals);
+// Folds the skin of `pose`: `places` and `normals` are those of the slots of folds.skin, smooth. Nothing is
+// changed where there is no fold, nor anything at all in the neutral pose of a head without lines at rest.
+// Where folds are not uneven, mirrored poses give mirrored skins bit for bit.
+void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers, std::vector<Twin>& places,
+                 std::vector<Twin>& normals);
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 
 #include "core/conventions.hpp"
 #include "core/smooth.hpp"
+#include "core/sums.hpp"
 #include "face/face.hpp"
 
 namespace mien {
@@ -24,12 +25,11 @@ double compute_drive(const std::vector<SignedMove>& drivers, const Pose& pose) {
 void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dvec3>& points) {
   const double here = compute_drive(driven.drivers, pose), there = compute_drive(driven.mirror_drivers, pose);
   if (here != 0 && there != 0)
-    for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] += here * driven.field[i] + there * driven.mirror_field[i];
+    add_products(here, driven.field, there, driven.mirror_field, points);
   else if (here != 0)
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] += here * driven.field[i];
+    add_products(here, driven.field, points);
   else if (there != 0)
-    for (std::size_t i = 0; i < points.size(); ++i) points[i] += there * driven.mirror_field[i];
+    add_products(there, driven.mirror_field, points);
 }
 
 double value_of(const Pose& pose, std::string_view area, Side side, std::string_view move) {

@@ -7,6 +7,7 @@
 
 #include "core/holes.hpp"
 #include "core/refine.hpp"
+#include "core/smooth.hpp"
 
 namespace mien {
 
@@ -106,11 +107,6 @@ std::vector<Strand> pick_locks(const std::vector<Strand>& strands, float apart_m
     if (is_free) locks.push_back(strand);
   }
   return locks;
-}
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
 }
 
 void refine_under(Mesh& skin, const PointGrid& grid, RaisedBrows& brows) {

@@ -6,15 +6,11 @@
 #include <cmath>
 
 #include "core/print_numbers.hpp"
+#include "core/smooth.hpp"
 
 namespace mien {
 
 namespace {
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 // 1 on the peg of light, 0 away from it; x and y in iris radii, y up.
 float compute_light(float half_width, float x, float y) {

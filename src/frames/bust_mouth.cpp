@@ -7,15 +7,11 @@
 #include <string_view>
 
 #include "core/print_numbers.hpp"
+#include "core/smooth.hpp"
 
 namespace mien {
 
 namespace {
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
-}
 
 // Where the part's triangles cross the plane of that x: pieces of lines, as (y, z).
 void append_crossings(const Mesh& mesh, float x, std::vector<std::array<glm::vec2, 2>>& lines) {

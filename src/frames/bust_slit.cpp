@@ -9,6 +9,7 @@
 #include <queue>
 
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "head/cage.hpp"
 #include "head/contact.hpp"
 #include "head/surface.hpp"
@@ -64,11 +65,6 @@ LipRow compute_lip_row(const NeutralHead& head, const std::string& ring) {
     return path;
   };
   return {walk(0), walk(kBottom)};
-}
-
-float smooth_step(float from, float to, float x) {
-  const float t = std::clamp((x - from) / (to - from), 0.0f, 1.0f);
-  return t * t * (3 - 2 * t);
 }
 
 // Where a walk over the skin from the rims has come to.

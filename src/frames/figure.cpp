@@ -44,35 +44,39 @@ glm::mat4 compute_transform(const Figure& figure, Mount mount, const Pose& pose,
   return glm::mat4(head_turn);
 }
 
-std::vector<SkinFrame> compute_frames(const HeadPart& bound, const NeutralHead& head,
-                                      const std::vector<glm::vec3>& positions,
-                                      const std::vector<glm::vec3>& normals) {
-  std::vector<SkinFrame> frames;
-  frames.reserve(bound.bindings.size());
-  for (const Binding& binding : bound.bindings)
-    frames.push_back(
-        compute_skin_frame(positions, normals, head.skin.triangles[binding.triangle], binding.barycentric));
-  return frames;
-}
-
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
-void deform_strands(const HeadPart& bound, const NeutralHead& head, const Part& part,
-                    const std::vector<SkinFrame>& rest, const PartShape& skin, PartShape& shape) {
-  shape.positions.resize(part.rest.positions.size());
-  shape.normals.resize(part.rest.normals.size());
-  for (std::size_t b = 0; b < bound.bindings.size(); ++b) {
-    const Binding& binding = bound.bindings[b];
-    const SkinFrame now = compute_skin_frame(skin.positions, skin.normals,
-                                             head.skin.triangles[binding.triangle], binding.barycentric);
-    const glm::mat3 turn = now.axes * glm::transpose(rest[b].axes);
-    const Float4 x = pack(turn[0]), y = pack(turn[1]), z = pack(turn[2]), origin = pack(now.origin);
-    const Float4 root = pack(rest[b].origin);
-    for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
-      const Float4 arm = pack(part.rest.positions[i]) - root, normal = pack(part.rest.normals[i]);
-      shape.positions[i] = unpack(origin + (x * arm[0] + y * arm[1] + z * arm[2]));
-      shape.normals[i] = unpack(x * normal[0] + y * normal[1] + z * normal[2]);
+HairRoots build_roots(const HeadPart& bound, const NeutralHead& head,
+                      const std::vector<std::uint32_t>& half_of) {
+  HairRoots roots;
+  if (bound.bindings.empty()) return roots;
+  const Mesh& rest = bound.part.rest;
+  for (std::size_t b = 0; b < bound.bindings.size(); b += 2) {
+    const Binding &one = bound.bindings[b],
+                  &other = bound.bindings[std::min(b + 1, bound.bindings.size() - 1)];
+    std::array<SkinFrame, 2> frames;
+    for (const Binding* binding : {&one, &other}) {
+      const Triangle& triangle = head.skin.triangles[binding->triangle];
+      frames[binding == &one ? 0 : 1] =
+          compute_skin_frame(head.skin.positions, head.skin.normals, triangle, binding->barycentric);
+      roots.corners.push_back({half_of[triangle[0]], half_of[triangle[1]], half_of[triangle[2]]});
+    }
+    if (&one == &other) {
+      frames[1] = frames[0];
+      roots.corners.push_back(roots.corners.back());
+    }
+    roots.shares.push_back({pack(one.barycentric), pack(other.barycentric)});
+    std::array<Twin, 3>& axes = roots.rest.emplace_back();
+    for (int i = 0; i < 3; ++i) axes[i] = {pack(frames[0].axes[i]), pack(frames[1].axes[i])};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const Binding& binding = k == 0 ? one : other;
+      roots.first.push_back(static_cast<std::uint32_t>(roots.arms.size()));
+      if (k == 1 && &one == &other) continue;
+      for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i)
+        roots.arms.push_back({pack(rest.positions[i]) - pack(frames[k].origin), pack(rest.normals[i])});
     }
   }
+  roots.first.push_back(static_cast<std::uint32_t>(roots.arms.size()));
+  return roots;
 }
 
 }  // namespace
@@ -113,26 +117,44 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
-  for (const HeadPart& part : figure.parts)
-    figure.roots.push_back(
-        compute_frames(part, figure.head, figure.head.skin.positions, figure.head.skin.normals));
+  std::vector<std::uint32_t> half_of(figure.head.surface->vertex_count());
+  for (std::uint32_t i = 0; i < figure.head.surface->pairs.size(); ++i) {
+    half_of[figure.head.surface->pairs[i].right] = 2 * i + 1;
+    half_of[figure.head.surface->pairs[i].left] = 2 * i;
+  }
+  for (const HeadPart& part : figure.parts) figure.roots.push_back(build_roots(part, figure.head, half_of));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
   return figure;
 }
 
-void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
-                 DeformBuffers& buffers, PartShape& skin) {
+namespace {
+
+// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
+void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                  DeformBuffers& buffers) {
   pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
   if (is_turned(turn))
     turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
   pair_points(buffers.points, surface.mirror, buffers.point_pairs);
   deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
   update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
-  skin.positions.resize(surface.vertex_count());
-  skin.normals.resize(surface.vertex_count());
-  unpack_pairs(surface.pairs, buffers.place_pairs, 0, skin.positions);
-  unpack_pairs(surface.pairs, buffers.normal_pairs, 0, skin.normals);
+}
+
+void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const DeformBuffers& buffers,
+                 PartShape& skin) {
+  skin.positions.resize(count);
+  skin.normals.resize(count);
+  unpack_pairs(pairs, buffers.place_pairs, skin.positions);
+  unpack_pairs(pairs, buffers.normal_pairs, skin.normals);
+}
+
+}  // namespace
+
+void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                 DeformBuffers& buffers, PartShape& skin) {
+  deform_slots(figure, surface, asked, turn, buffers);
+  unpack_skin(surface.pairs, surface.vertex_count(), buffers, skin);
 }
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
@@ -143,8 +165,7 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const glm::dmat4 head_turn =
       is_turned(turn) ? compute_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
 
-  PartShape& skin = drawing.parts.front();
-  deform_skin(figure, *figure.head.surface, asked, turn, buffers, skin);
+  deform_slots(figure, *figure.head.surface, asked, turn, buffers);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];
     const Part& part = figure.model.parts[i];
@@ -155,17 +176,18 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;
     } else {
-      deform_strands(bound, figure.head, part, figure.roots[i], skin, shape);
+      shape.positions.resize(part.rest.positions.size());
+      shape.normals.resize(part.rest.normals.size());
+      place_hairs(figure.roots[i], buffers.place_pairs, buffers.normal_pairs, shape.positions.data(),
+                  shape.normals.data());
     }
   }
   // Last: hairs stand on the smooth skin, whose normals do not shake.
   const FineSkin& fine = figure.folds.skin;
   append_fine_pairs(fine, buffers.place_pairs, buffers.normal_pairs);
-  skin.positions.resize(fine.vertex_count());
-  skin.normals.resize(fine.vertex_count());
-  unpack_pairs(fine.pairs, buffers.place_pairs, fine.base_pairs, skin.positions);
-  unpack_pairs(fine.pairs, buffers.normal_pairs, fine.base_pairs, skin.normals);
-  if (buffers.has_folds) press_folds(figure.folds, pose, buffers.folds, skin.positions, skin.normals);
+  if (buffers.has_folds)
+    press_folds(figure.folds, pose, buffers.folds, buffers.place_pairs, buffers.normal_pairs);
+  unpack_skin(fine.pairs, fine.vertex_count(), buffers, drawing.parts.front());
 }
 
 }  // namespace mien

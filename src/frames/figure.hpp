@@ -18,9 +18,9 @@ struct Figure {
   NeutralHead head;
   Face face;
   Folds folds;
-  LimitShares limits;           // of `head.limits`
-  std::vector<HeadPart> parts;  // their `part` is moved into `model`: parts[i] carries model.parts[i]
-  std::vector<std::vector<SkinFrame>> roots;  // of parts[i]'s bindings, at rest
+  LimitShares limits;            // of `head.limits`
+  std::vector<HeadPart> parts;   // their `part` is moved into `model`: parts[i] carries model.parts[i]
+  std::vector<HairRoots> roots;  // of parts[i]'s bindings, at rest
   Model model;
 };
 

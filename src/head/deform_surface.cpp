@@ -8,7 +8,7 @@ void deform_surface(const Surface& surface, const std::vector<Float4>& points,
   pair_points(points, surface.mirror, paired);
   deform_pairs(surface, paired, places);
   positions.resize(surface.vertex_count());
-  unpack_pairs(surface.pairs, places, 0, positions);
+  unpack_pairs(surface.pairs, places, positions);
 }
 
 void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>& positions,
@@ -17,7 +17,7 @@ void update_surface_normals(const Surface& surface, const std::vector<glm::vec3>
   pack_pairs(surface.pairs, positions, places);
   update_pair_normals(surface, places, sums);
   normals.resize(positions.size());
-  unpack_pairs(surface.pairs, sums, 0, normals);
+  unpack_pairs(surface.pairs, sums, normals);
 }
 
 void pack_points(const std::vector<glm::dvec3>& points, std::vector<Float4>& packed) {

@@ -158,8 +158,8 @@ void append_fine_points(const FineSkin& fine, std::vector<glm::vec3>& positions,
   append_fine_pairs(fine, places, shading);
   positions.resize(fine.vertex_count());
   normals.resize(fine.vertex_count());
-  unpack_pairs(fine.pairs, places, fine.base_pairs, positions);
-  unpack_pairs(fine.pairs, shading, fine.base_pairs, normals);
+  unpack_pairs(fine.pairs, places, positions);
+  unpack_pairs(fine.pairs, shading, normals);
 }
 
 void refine_part(const FineSkin& fine, Part& part) {

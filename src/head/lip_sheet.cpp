@@ -23,18 +23,25 @@ std::uint32_t find_slot(const LipSheet& sheet, std::uint32_t vertex) {
                                     sheet.vertices.begin());
 }
 
+// A quad of a sheet, and where it lies: only a vertex within can be over it.
+struct StripQuad {
+  std::uint32_t quad = 0;
+  double nearest = 0;  // y of the corner that is furthest toward the other lip, up or down as `sign` says
+  double low_z = 0, high_z = 0;
+};
+
 // The quads of a sheet by their places along x, so that a vertex is asked only where it can be.
 struct Strips {
   static constexpr std::size_t kCount = 48;
   double low = 0, step = 1;
-  std::array<std::vector<std::uint32_t>, kCount> quads;
+  std::array<std::vector<StripQuad>, kCount> quads;
 
   std::size_t find(double x) const {
     return static_cast<std::size_t>(std::clamp((x - low) / step, 0.0, kCount - 1.0));
   }
 };
 
-void fill_strips(const LipSheet& sheet, const std::vector<glm::dvec3>& at, Strips& strips) {
+void fill_strips(const LipSheet& sheet, const std::vector<glm::dvec3>& at, double sign, Strips& strips) {
   double low = std::numeric_limits<double>::max(), high = std::numeric_limits<double>::lowest();
   for (const glm::dvec3& p : at) {
     low = std::min(low, p.x);
@@ -46,7 +53,11 @@ void fill_strips(const LipSheet& sheet, const std::vector<glm::dvec3>& at, Strip
   for (std::uint32_t q = 0; q < sheet.quads.size(); ++q) {
     const auto& [i, j, k, l] = sheet.quads[q];
     const auto [from, to] = std::minmax({at[i].x, at[j].x, at[k].x, at[l].x});
-    for (std::size_t s = strips.find(from); s <= strips.find(to); ++s) strips.quads[s].push_back(q);
+    const auto [low_z, high_z] = std::minmax({at[i].z, at[j].z, at[k].z, at[l].z});
+    const double nearest = std::max({sign * at[i].y, sign * at[j].y, sign * at[k].y, sign * at[l].y});
+    const std::size_t last = strips.find(to);
+    for (std::size_t s = strips.find(from); s <= last; ++s)
+      strips.quads[s].push_back({q, nearest, low_z, high_z});
   }
 }
 
@@ -68,18 +79,15 @@ void compute_shortfalls_of(const LipSheet& one, const std::vector<glm::dvec3>& a
                            const std::vector<glm::dvec3>& other_at, double sign, double apart_mm,
                            LipShortfalls& shortfalls) {
   static thread_local Strips strips;  // kept: it is filled for every frame
-  fill_strips(other, other_at, strips);
+  fill_strips(other, other_at, sign, strips);
   for (std::size_t v = 0; v < at.size(); ++v) {
     const glm::dvec3& p = at[v];
     const double wanted = apart_mm * std::clamp(kLipColumns - one.column[v], 0.0, 1.0);
-    for (const std::uint32_t q : strips.quads[strips.find(p.x)]) {
-      const auto& quad = other.quads[q];
+    for (const StripQuad& strip : strips.quads[strips.find(p.x)]) {
+      if (sign * p.y - strip.nearest >= wanted || p.z < strip.low_z || p.z > strip.high_z) continue;
+      const auto& quad = other.quads[strip.quad];
       const glm::dvec3 &a = other_at[quad[0]], &b = other_at[quad[1]], &c = other_at[quad[2]],
                        &d = other_at[quad[3]];
-      const double nearest = std::max({sign * a.y, sign * b.y, sign * c.y, sign * d.y});
-      if (sign * p.y - nearest >= wanted) continue;
-      const auto [low_z, high_z] = std::minmax({a.z, b.z, c.z, d.z});
-      if (p.z < low_z || p.z > high_z) continue;
       if (std::ranges::any_of(quad, [&](auto i) { return other.vertices[i] == one.vertices[v]; })) continue;
       double y = 0;
       for (const bool is_first : {true, false}) {

@@ -1,5 +1,6 @@
 #include "head/pairs.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -24,9 +25,11 @@ namespace plain {
 #if defined(__GNUC__) && !defined(__clang__) && defined(__x86_64__)
 #pragma GCC push_options
 #pragma GCC target("avx2")
+#define MIEN_HAS_AVX
 namespace wide {
 #include "head/pairs_work.inl"
 }
+#undef MIEN_HAS_AVX
 #pragma GCC pop_options
 #define MIEN_CHOOSE(call)                                       \
   do {                                                          \
@@ -66,9 +69,9 @@ void pack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<glm::vec
   }
 }
 
-void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired, std::size_t first,
+void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired,
                   std::vector<glm::vec3>& vectors) {
-  for (std::size_t i = first; i < pairs.size(); ++i) {
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
     vectors[pairs[i].left] = unpack(paired[i].left);
     vectors[pairs[i].right] = unpack(paired[i].right);
   }
@@ -92,12 +95,13 @@ void append_fine_pairs(const FineSkin& fine, std::vector<Twin>& places, std::vec
   MIEN_CHOOSE(append_fine(fine, places.data(), normals.data()));
 }
 
+void place_hairs(const HairRoots& roots, const std::vector<Twin>& places, const std::vector<Twin>& normals,
+                 glm::vec3* placed, glm::vec3* shaded) {
+  MIEN_CHOOSE(place_hairs(roots, places.data(), normals.data(), placed, shaded));
+}
+
 void press_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Triangle>& triangles, float relief,
                  FoldPlaces& folded) {
-  for (std::size_t i = 0; i < pairs.size(); ++i) {
-    folded.places[i].left[3] = folded.heights[2 * i];
-    folded.places[i].right[3] = folded.heights[2 * i + 1];
-  }
   folded.slopes.assign(pairs.size(), Twin{});
   MIEN_CHOOSE(press(pairs, triangles, relief, folded));
 }

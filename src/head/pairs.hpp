@@ -3,6 +3,7 @@
 // registers do it in half as many. The sums are those of one vertex after the other, to the last bit.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <vector>
@@ -35,8 +36,8 @@ void pair_points(const std::vector<Float4>& points, const std::vector<std::uint3
 void pack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<glm::vec3>& vectors,
                 std::vector<Twin>& paired);
 
-// The vectors of slots [first, ...) to their vertices in `vectors`, which is large enough.
-void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired, std::size_t first,
+// The vectors of the slots to their vertices in `vectors`, which is large enough.
+void unpack_pairs(const std::vector<MirrorPair>& pairs, const std::vector<Twin>& paired,
                   std::vector<glm::vec3>& vectors);
 
 struct Surface;
@@ -51,12 +52,26 @@ void update_pair_normals(const Surface& surface, const std::vector<Twin>& places
 // Behind the surface's slots those of the vertices that a finer skin adds.
 void append_fine_pairs(const FineSkin& fine, std::vector<Twin>& places, std::vector<Twin>& normals);
 
+// Hairs that ride on the skin as rigid little things, laid out for place_hairs: bindings two by two (the last
+// one twice if their number is odd; its second is of no vertices).
+struct HairRoots {
+  std::vector<Triangle>
+      corners;               // of each binding: halves of slots, twice the slot and 1 more of the right one
+  std::vector<Twin> shares;  // of two bindings: barycentric places
+  std::vector<std::array<Twin, 3>> rest;  // of two bindings: tangents, bitangents and normals at rest
+  std::vector<std::uint32_t> first;       // the vertices of binding b are those from first[b] to first[b + 1]
+  std::vector<Twin> arms;                 // of each vertex at rest: mm from its root, and its normal
+};
+
+// The hairs on a skin of these slots: `placed` and `shaded` have room for roots.arms.size() vertices.
+void place_hairs(const HairRoots& roots, const std::vector<Twin>& places, const std::vector<Twin>& normals,
+                 glm::vec3* placed, glm::vec3* shaded);
+
 // Some vertices of the skin, whose slots are their own, and the height at each over the smooth skin.
 // Contents mean nothing between calls.
 struct FoldPlaces {
-  std::vector<float> heights;  // mm, of each slot's left vertex and of its right one: two by two
-  std::vector<Twin> places, normals;
-  std::vector<Twin> slopes;  // sum of weight x slope, and of weight
+  std::vector<Twin> places, normals;  // the fourth number of a place is its height, mm
+  std::vector<Twin> slopes;           // sum of weight x slope, and of weight
 };
 
 // Moves the places by `relief` of their heights along the normals, which are shaded as if it were all of it.

@@ -153,27 +153,79 @@ TEST(pairs, any_processor_works_them_alike) {
     EXPECT_TRUE(is_same(places, own_places));
     EXPECT_TRUE(is_same(normals, own_normals));
 
-    std::vector<glm::vec3> all(fine.vertex_count()), all_normals(fine.vertex_count());
-    unpack_pairs(fine.pairs, places, 0, all);
-    unpack_pairs(fine.pairs, normals, 0, all_normals);
     FoldPlaces folded;
-    pack_pairs(folds.vertices, all, folded.places);
-    pack_pairs(folds.vertices, all_normals, folded.normals);
-    for (const MirrorPair& pair : folds.vertices) {
-      const float left = height(random);
-      folded.heights.push_back(left);
-      folded.heights.push_back(pair.is_middle() ? left : height(random));
+    for (std::size_t i = 0; i < folds.vertices.size(); ++i) {
+      Twin& place = folded.places.emplace_back(places[folds.slots[i]]);
+      place.left[3] = height(random);
+      place.right[3] = folds.vertices[i].is_middle() ? place.left[3] : height(random);
+      folded.normals.push_back(normals[folds.slots[i]]);
     }
     FoldPlaces own = folded;
     press_pairs(folds.vertices, folds.triangles, 0.5f, folded);
-    for (std::size_t i = 0; i < own.places.size(); ++i) {
-      own.places[i].left[3] = own.heights[2 * i];
-      own.places[i].right[3] = own.heights[2 * i + 1];
-    }
     own.slopes.assign(own.places.size(), Twin{});
     plain::press(folds.vertices, folds.triangles, 0.5f, own);
     EXPECT_TRUE(is_same(folded.places, own.places));
     EXPECT_TRUE(is_same(folded.normals, own.normals));
+  }
+}
+
+// A hair keeps its shape and stands in the frame of its place on the skin.
+TEST(pairs, hairs_stand_as_one_after_the_other_would) {
+  const Figure& figure = adult();
+  const NeutralHead& head = figure.head;
+  for (const Pose& pose : list_poses()) {
+    std::vector<Twin> points, places, normals;
+    pair_points(pose_points(pose), head.surface->mirror, points);
+    deform_pairs(*head.surface, points, places);
+    update_pair_normals(*head.surface, places, normals);
+    std::vector<glm::vec3> skin(head.surface->vertex_count()), shading = skin;
+    unpack_pairs(head.surface->pairs, places, skin);
+    unpack_pairs(head.surface->pairs, normals, shading);
+    for (std::size_t p = 0; p < figure.parts.size(); ++p) {
+      if (figure.parts[p].mount != Mount::strands) continue;
+      const Mesh& rest = figure.model.parts[p].rest;
+      std::vector<glm::vec3> placed(rest.positions.size()), shaded = placed, own = placed,
+                                                            own_shaded = placed;
+      place_hairs(figure.roots[p], places, normals, placed.data(), shaded.data());
+      plain::place_hairs(figure.roots[p], places.data(), normals.data(), own.data(), own_shaded.data());
+      ASSERT_TRUE(placed == own && shaded == own_shaded);
+      for (const Binding& binding : figure.parts[p].bindings) {
+        const auto frame_on = [&](const std::vector<glm::vec3>& at, const std::vector<glm::vec3>& up) {
+          return compute_skin_frame(at, up, head.skin.triangles[binding.triangle], binding.barycentric);
+        };
+        const SkinFrame from = frame_on(head.skin.positions, head.skin.normals), to = frame_on(skin, shading);
+        const glm::mat3 turn = to.axes * glm::transpose(from.axes);
+        for (std::uint32_t i = binding.first; i < binding.first + binding.count; ++i) {
+          const glm::vec3 arm = rest.positions[i] - from.origin, up = rest.normals[i];
+          ASSERT_EQ(placed[i], to.origin + (turn[0] * arm.x + turn[1] * arm.y + turn[2] * arm.z));
+          ASSERT_EQ(shaded[i], turn[0] * up.x + turn[1] * up.y + turn[2] * up.z);
+        }
+      }
+    }
+  }
+}
+
+TEST(pairs, of_hairs_whose_number_is_odd_none_is_left_out) {
+  bool has_odd = false;
+  for (std::size_t p = 0; p < adult().parts.size(); ++p) {
+    const HairRoots& roots = adult().roots[p];
+    const std::size_t count = adult().parts[p].bindings.size();
+    has_odd = has_odd || count % 2 == 1;
+    EXPECT_EQ(roots.corners.size(), count + count % 2);
+    if (count > 0) EXPECT_EQ(roots.arms.size(), adult().model.parts[p].rest.positions.size());
+  }
+  EXPECT_TRUE(has_odd);
+}
+
+// A skin that is pressed to a point has frames as well.
+TEST(pairs, hairs_on_a_collapsed_skin_stay_finite) {
+  const Figure& figure = adult();
+  const std::vector<Twin> nothing(figure.head.surface->pairs.size(), Twin{});
+  for (std::size_t p = 0; p < figure.parts.size(); ++p) {
+    std::vector<glm::vec3> placed(figure.roots[p].arms.size()), shaded = placed;
+    place_hairs(figure.roots[p], nothing, nothing, placed.data(), shaded.data());
+    for (const glm::vec3& v : placed) ASSERT_TRUE(std::isfinite(v.x + v.y + v.z));
+    for (const glm::vec3& v : shaded) ASSERT_TRUE(std::isfinite(v.x + v.y + v.z));
   }
 }
 
