@@ -18,4 +18,7 @@ install(FILES "${MIEN_PAGES}/mien.1" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
 install(FILES "${MIEN_PAGES}/mien.bash" RENAME mien DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions")
 install(FILES "${MIEN_PAGES}/_mien" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/site-functions")
 install(FILES "${MIEN_PAGES}/mien.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d")
-install(FILES README.md CHANGELOG.md LICENSE NOTICE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE NOTICE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
+# The manual that the README leads to, with its pictures.
+install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}"
+        PATTERN make_pictures EXCLUDE PATTERN draw_cage.awk EXCLUDE)

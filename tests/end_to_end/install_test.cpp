@@ -25,6 +25,7 @@ TEST(install, puts_everything_where_it_belongs) {
   for (const char* file : {"bin/mien", "share/man/man1/mien.1", "share/bash-completion/completions/mien",
                            "share/zsh/site-functions/_mien", "share/fish/vendor_completions.d/mien.fish",
                            "share/doc/mien/README.md", "share/doc/mien/LICENSE", "share/doc/mien/NOTICE",
+                           "share/doc/mien/docs/install.md", "share/doc/mien/docs/hello.webp",
                            "share/mien/templates/head/heads.yaml", "share/mien/templates/mien.schema.json",
                            "share/mien/configs/hello.yaml"})
     EXPECT_TRUE(std::filesystem::is_regular_file(folder / "usr" / file)) << file;
