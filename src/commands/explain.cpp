@@ -138,8 +138,9 @@ std::string describe_limit(const Row& row) {
 void print_story(const Story& story, const std::vector<Row>& rows) {
   fmt::print("{}\n", story.title);
   for (const MomentPart& part : story.parts) {
-    fmt::print("  {:3.0f} % {} ({} {:.4g}s)\n", 100 * part.share, part.label,
-               part.is_cue ? "cue from" : "key at", part.at_s);
+    fmt::print("  {:3.0f} % {} ({} {:.4g}s{})\n", 100 * part.share, part.label,
+               part.is_cue ? "cue from" : "key at", part.at_s,
+               part.is_endless ? ", to the clip's end: it has no 'hold' or 'to'" : "");
     for (const auto& [area, off] : part.released) fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
     if (!part.order.empty()) fmt::print("        {}\n", part.order);
   }
@@ -193,6 +194,7 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
                                          {"share", round_to(part.share, 6)}});
     for (const auto& [area, off] : part.released) told["released"][area] = round_to(off, 6);
     if (!part.order.empty()) told["order"] = part.order;
+    if (part.is_endless) told["endless"] = true;
   }
   fmt::print("{}\n", Json{{"kind", "moment"},
                           {"title", story.title},

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "config/load_areas.hpp"
 #include "config/quantity.hpp"
 #include "config/words.hpp"
 #include "timeline/easing.hpp"
@@ -202,6 +203,56 @@ void judge_cue(const ClipSpec& clip, const CueSpec& cue, const Frames& frames,
              advice);
 }
 
+// "lips, corners and chin".
+std::string list_in_words(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 < words.size() ? ", " : " and ") + words[i];
+  return text;
+}
+
+// The moves that a cue holds still over a key that asks for something else.
+std::bitset<kMoveCount> list_hidden(const CueSpec& cue, const PoseKey& key) {
+  std::bitset<kMoveCount> hidden;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    hidden[i] = cue.owns[i] && std::abs(cue.what.pose.values[i] - key.pose.values[i]) >= kLeastChange;
+  return hidden;
+}
+
+// Without an end a cue stays to the clip's own: easily forgotten at the last one.
+void judge_end(const ClipSpec& clip, const CueSpec& cue, std::vector<Diagnostic>& advice) {
+  constexpr double kLong_s = 0.5;        // what is shorter is the clip's own last breath
+  constexpr std::size_t kMostKeys = 3;   // that are named
+  const bool is_mood = cue.from_s <= 0;  // meant for the whole clip
+  if (cue.end_s < kForever_s || cue.rule != Rule::over || is_mood || cue.what.live || cue.table) return;
+  if (clip.length_s - cue.full_s < kLong_s) return;
+  std::bitset<kMoveCount> hidden;
+  std::vector<std::string> keys;
+  for (std::size_t i = 0; i < clip.keys.size(); ++i) {
+    const bool is_over = i + 1 < clip.keys.size() && clip.keys[i + 1].at_s <= cue.full_s;
+    const bool is_late = clip.keys[i].at_s >= clip.length_s;
+    const std::bitset<kMoveCount> here = list_hidden(cue, clip.keys[i]);
+    if (is_over || (is_late && !keys.empty()) || here.none()) continue;
+    hidden |= here;
+    keys.push_back(fmt::format("'{}' at {}", clip.keys[i].label, show_time(clip, clip.keys[i].at_s)));
+  }
+  if (keys.empty()) return;
+  std::vector<std::string> areas;
+  for (const AreaKey& key : kAreaKeys)
+    if (key.is_both || key.side == Side::none)
+      if (std::ranges::any_of(list_moves_of(key), [&](std::size_t move) { return hidden[move]; }))
+        areas.emplace_back(key.key);
+  const std::size_t more = keys.size() - std::min(keys.size(), kMostKeys);
+  keys.resize(keys.size() - more);
+  if (more > 0) keys.push_back(fmt::format("{} more", more));
+  add_advice(cue.what,
+             fmt::format("the cue '{0}' has no end: from {1} to the clip's end at {2} it holds {3} over {4}; "
+                         "give it 'hold' or 'to', 'to: {2}' if it is meant to stay",
+                         cue.what.label, show_time(clip, cue.full_s), show_time(clip, clip.length_s),
+                         list_in_words(areas), list_in_words(keys)),
+             advice);
+}
+
 }  // namespace
 
 std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehearsal,
@@ -216,7 +267,10 @@ std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehea
     judge_release(clip, i, advice);
   }
   for (const CueSpec& cue : clip.cues)
-    if (cue.layer == Layer::cue) judge_cue(clip, cue, frames, advice);
+    if (cue.layer == Layer::cue) {
+      judge_cue(clip, cue, frames, advice);
+      judge_end(clip, cue, advice);
+    }
   std::ranges::move(list_jitter(clip), std::back_inserter(advice));
   return advice;
 }

@@ -28,8 +28,9 @@ inline constexpr double kFastest_mm = 12;
 //   areas that move more than kFastest_mm a frame on their way to a key (lids and eyes may)
 //   keys whose face no drawing shows in full: after the end, between two drawings, given no time
 //   areas that a key releases and that do not move on the way to the next one
-// then at the cues that no drawing shows in full, as they are in the clip, and at all that swings faster than
-// its drawings can carry (jitter.hpp)
+// then at the cues that no drawing shows in full, and at those without an end that hold areas over keys which
+// ask for something else, as they are in the clip, and at all that swings faster than its drawings can carry
+// (jitter.hpp)
 std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehearsal, const MoveReach& reach);
 
 }  // namespace mien

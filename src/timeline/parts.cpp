@@ -35,6 +35,8 @@ std::vector<std::pair<std::string, double>> list_released(const PoseKey& from, c
   return released;
 }
 
+bool is_endless(const CueSpec& cue) { return cue.layer == Layer::cue && cue.end_s == kForever_s; }
+
 double compute_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
   double most = 0;
   for (std::size_t move = 0; move < kMoveCount; ++move)
@@ -47,7 +49,7 @@ double compute_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
 std::vector<MomentPart> list_parts(const Performance& performance, double time_s) {
   std::vector<MomentPart> parts;
   const auto add = [&](const PoseKey& key, double share) {
-    if (share > 0) parts.push_back({key.label, key.at_s, share, false, key.reach, key.held});
+    if (share > 0) parts.push_back({key.label, key.at_s, share, false, false, key.reach, key.held});
   };
   const std::vector<PoseKey>& keys = performance.clip.keys;
   const auto next = std::ranges::upper_bound(keys, time_s, {}, &PoseKey::at_s);
@@ -65,8 +67,8 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
   const CueStack& stack = performance.layers->cues;
   for (const Cue& cue : stack.cues)
     if (const double share = compute_most_weight(stack, cue, compute_ticks(time_s)); share > 0)
-      parts.push_back(
-          {cue.spec.what.label, cue.spec.from_s, share, true, cue.spec.what.reach, cue.spec.what.held});
+      parts.push_back({cue.spec.what.label, cue.spec.from_s, share, true, is_endless(cue.spec),
+                       cue.spec.what.reach, cue.spec.what.held});
   return parts;
 }
 

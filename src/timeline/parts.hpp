@@ -14,6 +14,7 @@ struct MomentPart {
   double at_s = 0;  // of the key, or when the cue began
   double share = 1;
   bool is_cue = false;
+  bool is_endless = false;  // a cue without an end: nothing comes after it on its areas
   double reach = 1;
   std::vector<Held> held;  // of itself
   // Of a key that is being left: what its release says, and how much of each part is off.

@@ -157,5 +157,55 @@ TEST(advice, warns_of_cues_that_are_never_fully_drawn) {
             "from 2.5s on\n");
 }
 
+CueSpec build_open_cue(double from_s, const std::string& label, double value) {
+  CueSpec cue;
+  cue.what = build_key(from_s, label, value, 9);
+  cue.from_s = cue.start_s = from_s;
+  cue.full_s = from_s + 0.25;
+  cue.owns[*find_move(Area::chin, Side::none, "down")] = true;
+  return cue;
+}
+
+TEST(advice, warns_of_a_cue_without_an_end_that_holds_what_keys_ask_for) {
+  ClipSpec clip = build_clip({build_key(0, "rest", 0, 1), build_key(2, "gasp", 1, 2),
+                              build_key(4, "gasp", 1, 3), build_key(6, "rest", 0, 4)});
+  clip.cues.push_back(build_open_cue(2.5, "ooh", 0.3));
+  EXPECT_EQ(
+      advise(clip),
+      "a.yaml:9:7: warning: the cue 'ooh' has no end: from 2.75s to the clip's end at 6s it holds chin over "
+      "'gasp' at 2s and 'gasp' at 4s; give it 'hold' or 'to', 'to: 6s' if it is meant to stay\n");
+  clip.cues[0].ebb_s = 5;
+  clip.cues[0].end_s = 5.5;
+  EXPECT_EQ(advise(clip), "");
+}
+
+TEST(advice, has_nothing_to_say_of_an_endless_cue_that_hides_nothing) {
+  ClipSpec clip =
+      build_clip({build_key(0, "rest", 0, 1), build_key(2, "gasp", 1, 2), build_key(6, "gasp", 1, 3)});
+  clip.cues.push_back(build_open_cue(2.5, "as the key", 1));
+  EXPECT_EQ(advise(clip), "");
+  clip.cues[0] = build_open_cue(0, "a mood from the beginning", 0.3);
+  EXPECT_EQ(advise(clip), "");
+  clip.cues[0] = build_open_cue(5.5, "the clip's last breath", 0.3);
+  EXPECT_EQ(advise(clip), "");
+  clip.cues[0] = build_open_cue(2.5, "on top", 0.3);
+  clip.cues[0].rule = Rule::add;
+  EXPECT_EQ(advise(clip), "");
+}
+
+TEST(advice, names_three_keys_that_a_cue_holds_and_counts_the_others) {
+  ClipSpec clip =
+      build_clip({build_key(0, "rest", 0, 1), build_key(1, "gasp", 1, 2), build_key(2, "gasp", 1, 3),
+                  build_key(3, "gasp", 1, 4), build_key(4, "gasp", 1, 5), build_key(5, "gasp", 1, 6),
+                  build_key(6, "gasp", 1, 7)});
+  clip.cues.push_back(build_open_cue(0.5, "ooh", 0.3));
+  EXPECT_EQ(
+      advise(clip),
+      "a.yaml:9:7: warning: the cue 'ooh' has no end: from 0.75s to the clip's end at 6s it holds chin over "
+      "'rest' at 0s, 'gasp' at 1s, 'gasp' at 2s and 3 more; give it 'hold' or 'to', 'to: 6s' if it is meant "
+      "to "
+      "stay\n");
+}
+
 }  // namespace
 }  // namespace mien

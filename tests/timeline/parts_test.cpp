@@ -27,7 +27,19 @@ TEST(parts, of_a_moment_are_the_keys_around_it_and_the_cues_upon_them) {
   EXPECT_EQ(parts[1].label, "smile");
   EXPECT_DOUBLE_EQ(parts[1].share, 0.75);
   EXPECT_TRUE(parts[2].is_cue);
+  EXPECT_FALSE(parts[2].is_endless);
   EXPECT_EQ(parts[2].share, 1);
+}
+
+TEST(parts, tell_of_a_cue_that_has_no_end) {
+  const Spec spec = load_text(
+      "mien: 1\nclip: {keys: [{at: 0s}, {at: 2s, express: smile}], cues: [{from: 0.5s, express: surprise, "
+      "to: 1s}, "
+      "{from: 1s, express: smile}]}\n");
+  const auto parts = list_parts(build_performance(spec.clip), 1.2);
+  ASSERT_EQ(parts.size(), 4u);
+  EXPECT_FALSE(parts[2].is_endless);
+  EXPECT_TRUE(parts[3].is_endless);
 }
 
 TEST(parts, a_clip_that_stays_within_its_limits_has_no_notes) {
