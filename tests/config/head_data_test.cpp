@@ -6,6 +6,7 @@
 
 #include "config/config_fixture.hpp"
 #include "config/data_table.hpp"
+#include "config/head_parts.hpp"
 #include "config/stock.hpp"
 
 namespace mien {
@@ -130,9 +131,34 @@ TEST(data_table, tells_what_was_never_asked_for) {
   EXPECT_EQ(findings.mistakes[0].message, "unknown key 'e'; did you mean 'a'?");
 }
 
+// Whoever lists words does not read, and so does not judge, what heads are made from besides.
+TEST(head_parts, are_read_without_the_others) {
+  const fs::path folder = copy_data("areas.yaml", "\nlimits:", "\nlimmits:");
+  EXPECT_EQ(load_shapes_alone(folder).features.size(), load_shapes_alone(kData).features.size());
+  EXPECT_EQ(load_hair_alone(folder).cuts.size(), load_hair_alone(kData).cuts.size());
+  EXPECT_THROW(load_head_data(folder, find_language()->words), InputError);
+}
+
+TEST(head_parts, tell_their_own_mistakes_at_their_places) {
+  const auto find_first_line = [](const auto& load, const fs::path& folder) {
+    try {
+      load(folder);
+    } catch (const InputError& error) {
+      const std::string text = format_error(error);
+      return text.substr(0, text.find('\n'));
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(find_first_line(load_hair_alone, copy_data("hair.yaml", "    whorl: 26", "    whirl: 26")),
+            find_mistake("hair.yaml", "    whorl: 26", "    whirl: 26"));
+  EXPECT_EQ(find_first_line(load_shapes_alone, copy_data("features.yaml", "features:", "featurs:")),
+            find_mistake("features.yaml", "features:", "featurs:"));
+  EXPECT_EQ(find_first_line(load_shapes_alone, kData), "none");
+}
+
 TEST(stock, has_all_templates_and_says_which_is_missing) {
   const Stock stock = load_stock(kData);
-  for (const char* name : {"povray/head.inc", "povray/light_moon.inc", "openscad/bust.scad", "new.yaml"})
+  for (const char* name : {"povray/head.inc", "povray/light_moon.inc", "openscad/bust.scad"})
     EXPECT_FALSE(find_template(stock.templates, name).text.empty()) << name;
   try {
     find_template(stock.templates, "povray/nothing.inc");
