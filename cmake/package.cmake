@@ -2,8 +2,9 @@
 set(CPACK_PACKAGE_NAME mien)
 set(CPACK_PACKAGE_CONTACT "The mien authors <authors@mien.invalid>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "${PROJECT_DESCRIPTION}")
-set(CPACK_PACKAGE_DESCRIPTION "One YAML file describes a head and a performance. mien draws the head for every frame,
-has POV-Ray render the clip, and writes OpenSCAD busts to print.")
+set(CPACK_PACKAGE_DESCRIPTION "One YAML file describes a head and a performance. mien draws the
+head for every frame, has POV-Ray render the clip, and writes OpenSCAD
+busts to print.")
 set(CPACK_GENERATOR DEB)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

@@ -106,9 +106,10 @@ void report_summary(const Options& options, const Clip& clip) {
 }
 
 void run_check(const Options& options) {
-  const Resources resources = load_resources(find_data_folder());
-  const HeadStock& stock = resources.heads;
-  Clip clip = open_clip(options, *resources.stock.language);
+  const std::filesystem::path data = find_data_folder();
+  const LanguagePointer language = load_language(data);
+  Clip clip = open_clip(options, *language);  // first: a wrong file is told before any head is made
+  const HeadStock stock = build_head_stock(load_head_data(data, language->words));
   clip.frame_count = count_frames(clip.spec.clip);
   // What is wrong with a head, such as a file that it names or guide lines that cross, is known when it is
   // built.

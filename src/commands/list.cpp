@@ -9,6 +9,7 @@
 
 #include "commands/table.hpp"
 #include "config/findings.hpp"
+#include "config/head_parts.hpp"
 #include "config/language.hpp"
 #include "config/words.hpp"
 #include "core/data.hpp"
@@ -22,6 +23,8 @@ namespace mien {
 
 namespace {
 
+namespace fs = std::filesystem;
+
 using Rows = std::vector<std::pair<std::string, std::string>>;  // word, meaning
 
 Rows list_names(const Names& names) {
@@ -31,8 +34,8 @@ Rows list_names(const Names& names) {
 }
 
 // None, then the cuts of templates/head/hair.yaml, then its beards.
-Rows list_hair(const Stock& stock) {
-  const HairData& hair = stock.head->hair;
+Rows list_hair(const fs::path& data) {
+  const HairData hair = load_hair_alone(data);
   Rows rows{{std::string(kHairWords[0].name), std::string(kHairWords[0].meaning)}};
   for (const std::string& name : kHairs)
     if (const auto cut = hair.cuts.find(name); cut != hair.cuts.end())
@@ -44,8 +47,9 @@ Rows list_hair(const Stock& stock) {
 }
 
 // The skins by name, the colours of hair, then the dials.
-Rows list_looks(const Stock& stock) {
-  const HeadWords& words = stock.head->words;
+Rows list_looks(const fs::path& data) {
+  const LanguagePointer language = load_language(data);
+  const HeadWords& words = language->words;
   Rows rows;
   for (const LookWord& look : words.look_words)
     rows.emplace_back(look.name, fmt::format("{}  {}", look.value, look.meaning));
@@ -59,20 +63,21 @@ Rows list_looks(const Stock& stock) {
 }
 
 // Where each line lies in the charts of the ages.
-Rows list_guides(const Stock& stock) {
+Rows list_guides(const fs::path& data) {
+  const ShapeData shapes = load_shapes_alone(data);
   Rows rows;
   for (const Names* names : {&kGuides, &kEarGuides})
     for (const std::string& line : *names) {
       std::string meaning;
       for (const std::string& age : kAges)
         meaning += fmt::format("{}{} {:.3f}", meaning.empty() ? "" : ", ", age,
-                               stock.head->shapes.heads.charts.at(age).lines.at(line));
+                               shapes.heads.charts.at(age).lines.at(line));
       rows.emplace_back(line, meaning);
     }
   return rows;
 }
 
-Rows list_areas(const Stock&) {
+Rows list_areas(const fs::path&) {
   Rows rows;
   for (const MoveInfo& move : kMoves) {
     rows.emplace_back(fmt::format("{}: {{{}: {}..{}}}", find_area_key(move), move.move, move.low, move.high),
@@ -81,9 +86,10 @@ Rows list_areas(const Stock&) {
   return rows;
 }
 
-Rows list_expressions(const Stock& stock) {
+Rows list_expressions(const fs::path& data) {
+  const LanguagePointer language = load_language(data);
   Rows rows;
-  for (const Expression& expression : stock.language->libraries.expressions) {
+  for (const Expression& expression : language->libraries.expressions) {
     std::string areas;
     for (std::size_t i = 0; i < kMoveCount; ++i) {
       const std::string area(kMoves[i].area);
@@ -95,13 +101,14 @@ Rows list_expressions(const Stock& stock) {
   return rows;
 }
 
-Rows list_landmarks(const Stock& stock) {
-  const Figure figure = build_figure(build_head_stock(stock.head), HeadSpec{});
+Rows list_landmarks(const fs::path& folder) {
+  const HeadStock stock = load_resources(folder).heads;
+  const Figure figure = build_figure(stock, HeadSpec{});
   DeformBuffers buffers;
   Drawing drawing;
   deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
   const auto landmarks = find_landmarks(figure.head);
-  const LandmarkData& data = stock.head->landmarks;
+  const LandmarkData& data = stock.data->landmarks;
   const std::vector<std::string>& needed = data.needed;
   Rows rows;
   for (const auto& [name, at] : measure_landmarks(figure.head, landmarks, figure.model, drawing)) {
@@ -119,8 +126,8 @@ Rows list_landmarks(const Stock& stock) {
 }
 
 // Each limit by its thesis's name, in face units (the same on every head), and as millimetres on the adult.
-Rows list_limits_of_adult(const Stock& stock) {
-  const Figure figure = build_figure(build_head_stock(stock.head), HeadSpec{});
+Rows list_limits_of_adult(const fs::path& data) {
+  const Figure figure = build_figure(load_resources(data).heads, HeadSpec{});
   Rows rows;
   for (const Limit& limit : measure_limits(figure.head, figure.face, figure.limits))
     rows.emplace_back(limit.name->name, fmt::format("{:<27} {:6.3g} {:<14} {:5.1f} mm on the adult",
@@ -129,17 +136,18 @@ Rows list_limits_of_adult(const Stock& stock) {
   return rows;
 }
 
-Rows list_features(const Stock& stock) {
+Rows list_features(const fs::path& data) {
   Rows rows;
   const Form& range = find_key(find_sections().head, "features")->forms.front().items.front();
-  for (const FeatureInfo& feature : stock.head->shapes.features)
+  for (const FeatureInfo& feature : load_shapes_alone(data).features)
     rows.emplace_back(feature.name, fmt::format("{}..{}  {}", range.low, range.high, feature.meaning));
   return rows;
 }
 
 // What `random` draws: each dial with its standard deviation and what it goes together with.
-Rows list_people(const Stock& stock) {
-  const People& people = stock.head->words.people;
+Rows list_people(const fs::path& data) {
+  const LanguagePointer language = load_language(data);
+  const People& people = language->words.people;
   std::map<std::string, std::string> meanings{
       {"character", fmt::format("{:.2f} +-{:.2f} from 0 on either side", people.character_middle,
                                 people.character_spread)},
@@ -159,7 +167,7 @@ Rows list_people(const Stock& stock) {
   return rows;
 }
 
-Rows list_qualities(const Stock&) {
+Rows list_qualities(const fs::path&) {
   Rows rows;
   for (const Word& word : kQualityWords) rows.emplace_back(word.name, word.meaning);
   return rows;
@@ -167,12 +175,12 @@ Rows list_qualities(const Stock&) {
 
 struct Kind {
   std::string_view name;
-  Rows (*list)(const Stock& stock);
+  Rows (*list)(const fs::path& data);  // which reads of the data folder what it tells, and no more
 };
 
 constexpr std::array kKinds{
-    Kind{"ages", [](const Stock&) { return list_names(kAges); }},
-    Kind{"skulls", [](const Stock&) { return list_names(kSkulls); }},
+    Kind{"ages", [](const fs::path&) { return list_names(kAges); }},
+    Kind{"skulls", [](const fs::path&) { return list_names(kSkulls); }},
     Kind{"guides", list_guides},
     Kind{"features", list_features},
     Kind{"people", list_people},
@@ -193,7 +201,7 @@ Names list_kinds() {
 
 Rows list_rows(const std::string& kind) {
   for (const Kind& known : kKinds)
-    if (known.name == kind) return known.list(load_stock(find_data_folder()));
+    if (known.name == kind) return known.list(find_data_folder());
   const Names names = list_kinds();
   const std::string near = find_nearest(kind, names);
   throw InputError(near.empty()

@@ -1,6 +1,8 @@
 // `mien mesh`.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "clip/moment.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
@@ -17,11 +19,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
+// ".obj, .ply or .stl".
+std::string join_endings(const std::vector<std::string>& endings) {
+  std::string text = endings.front();
+  for (std::size_t i = 1; i < endings.size(); ++i)
+    text += (i + 1 < endings.size() ? ", " : " or ") + endings[i];
+  return text;
+}
+
 void check_ending(const Options& options, const fs::path& path) {
   const std::string ending = path.extension().string();
-  if (options.is_half ? ending != ".obj" : !is_mesh_ending(ending))
+  const std::vector<std::string> known =
+      options.is_half ? std::vector<std::string>{".obj"} : list_mesh_endings();
+  if (std::ranges::find(known, ending) == known.end())
     throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in {}",
-                                 path.string(), ending, options.is_half ? ".obj" : ".obj, .ply or .stl"));
+                                 path.string(), ending, join_endings(known)));
 }
 
 // The neutral head's left half as people edit it, for `head: {mesh: FILE}`.

@@ -16,7 +16,7 @@ void run_new(const Options& options) {
   if (path.extension() != ".yaml" && path.extension() != ".yml") path += ".yaml";
   if (std::filesystem::exists(path))
     throw InputError(fmt::format("{} exists; expected the name of a new file", path.string()));
-  write_file(path, build_starter(load_stock(find_data_folder()), build_name(path), options.random_head));
+  write_file(path, load_starter(find_data_folder(), build_name(path), options.random_head));
   report_result(options, "file", path);
 }
 

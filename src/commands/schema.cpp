@@ -11,7 +11,7 @@ namespace {
 
 void run_schema(const Options& options) {
   static_cast<void>(options);  // none says anything to it
-  fmt::print("{}", build_schema(list_data_words(load_stock(find_data_folder()))));
+  fmt::print("{}", build_schema(load_data_words(find_data_folder())));
 }
 
 }  // namespace

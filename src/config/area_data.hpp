@@ -72,7 +72,7 @@ struct GiveWayData {
 // Where a limit is measured and how far it is on the adult.
 struct LimitPlace {
   std::string point;  // of the cage's left half, or "pupil"
-  int axis = -1;      // along which: 0 x, 1 y; -1 for a turn, whose degrees are told elsewhere
+  int axis = -1;      // along which: 0 x, 1 y, 2 z; -1 for a turn, whose degrees are told elsewhere
   std::string unit;   // the face unit that it scales with; none for a turn
   double plus_mm = 0, minus_mm = 0;
 };

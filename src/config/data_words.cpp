@@ -6,6 +6,8 @@
 #include <set>
 
 #include "config/areas.hpp"
+#include "config/head_parts.hpp"
+#include "config/load_spec.hpp"
 
 namespace mien {
 
@@ -50,18 +52,20 @@ std::vector<DataWord> list_expressions(const std::vector<Expression>& expression
 
 }  // namespace
 
-DataWords list_data_words(const Stock& stock) {
-  const HeadData& head = *stock.head;
+DataWords load_data_words(const std::filesystem::path& data_folder) {
+  const LanguagePointer language = load_language(data_folder);
+  const HairData hair = load_hair_alone(data_folder);
   DataWords words;
-  for (const FeatureInfo& feature : head.shapes.features)
+  for (const FeatureInfo& feature : load_shapes_alone(data_folder).features)
     words["features"].push_back({feature.name, feature.meaning});
-  words["looks"] = list_looks(head.words.look_words);
-  words["hair_colours"] = list_looks(head.words.hair_colour_words);
-  words["hair"] = list_meanings(kHairs, head.hair.cuts);
-  words["beards"] = list_meanings(kBeards, head.hair.beards.beards);
-  for (const std::string& place : list_places(head.words)) words["places"].push_back({place, {}});
-  for (const auto& [library, source] : stock.library_sources) words["libraries"].push_back({library, source});
-  words["expressions"] = list_expressions(stock.language->libraries.expressions);
+  words["looks"] = list_looks(language->words.look_words);
+  words["hair_colours"] = list_looks(language->words.hair_colour_words);
+  words["hair"] = list_meanings(kHairs, hair.cuts);
+  words["beards"] = list_meanings(kBeards, hair.beards.beards);
+  for (const std::string& place : list_places(language->words)) words["places"].push_back({place, {}});
+  for (const auto& [library, source] : load_library_sources(data_folder / "configs/expressions"))
+    words["libraries"].push_back({library, source});
+  words["expressions"] = list_expressions(language->libraries.expressions);
   return words;
 }
 

@@ -2,11 +2,10 @@
 // `data`.
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
-
-#include "config/stock.hpp"
 
 namespace mien {
 
@@ -19,6 +18,8 @@ struct DataWord {
 // library that plain names are looked up in, "tezuka/smile" of each).
 using DataWords = std::map<std::string, std::vector<DataWord>>;
 
-DataWords list_data_words(const Stock& stock);
+// From the files that define them. Throws InputError with every mistake of one of them at its place, RunError
+// for what cannot be read.
+DataWords load_data_words(const std::filesystem::path& data_folder);
 
 }  // namespace mien

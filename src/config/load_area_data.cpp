@@ -146,7 +146,7 @@ LimitPlace read_limit(const DataTable& table, const PointNames& points) {
   const YamlValue* axis = table.find("axis");
   if (axis == nullptr) return limit;
   std::string word;
-  if (load_name(*axis, "axis", {"x", "y"}, word)) limit.axis = word == "x" ? 0 : 1;
+  if (load_name(*axis, "axis", {"x", "y", "z"}, word)) limit.axis = word[0] - 'x';
   if (const YamlValue* unit = table.require("unit")) load_name(*unit, "face unit", kUnits, limit.unit);
   table.read_if("plus_mm", limit.plus_mm);
   table.read_if("minus_mm", limit.minus_mm);

@@ -80,17 +80,11 @@ void check_formulas(const ClipSpec& clip, const ClipReader& reader) {
   }
 }
 
-// {after: ann.hello, delay: 0.3s}; a wrong name was told when the names were read.
+// {after: ann.hello, delay: 0.3s}.
 bool load_waiting_time(const YamlValue& value, const ClipClock& clock, double& into) {
-  const YamlMapping entries = load_free_mapping(value, "");
-  const YamlValue* after = find_value(entries, "after");
-  if (after == nullptr || find_node(*after).kind != NodeKind::text) return false;
-  const auto found = clock.times->find(find_node(*after).text);
-  if (found == clock.times->end()) return false;
-  double delay_s = 0;
-  if (const YamlValue* delay = find_value(entries, "delay"))
-    if (!load_quantity(*delay, clock.measure, -clock.end_s, clock.end_s, delay_s)) return false;
-  const double at_s = found->second + delay_s;
+  const std::optional<double> found_s = load_named_time(value, clock);
+  if (!found_s) return false;
+  const double at_s = *found_s;
   if (at_s < 0 || at_s > clock.end_s) {
     add_mistake(value, fmt::format("{} comes to {}; expected a time from 0s to {}{}", describe_subject(value),
                                    format_quantity(at_s, clock.measure),

@@ -70,14 +70,30 @@ std::optional<std::size_t> find_named(const Graph& graph, const std::string& act
   return std::nullopt;
 }
 
-void add_unknown_name(const YamlValue& value, const std::string& name, const Graph& graph) {
-  Names names;
-  for (const auto& [full, node] : graph.index) names.push_back(full);
+void add_unknown_name(const YamlValue& value, const std::string& name, const Names& names) {
   if (names.empty())
     add_mistake(value, fmt::format("unknown name '{}'; expected a key with 'name: {}'", show_word(name),
                                    is_word(name) ? name : "hello"));
   else
     add_mistake(value, describe_unknown("name", name, names));
+}
+
+// What a time waits for, and how long after it.
+struct Wait {
+  YamlValue after;
+  std::string name;
+  double delay_s = 0;
+};
+
+std::optional<Wait> load_wait(const YamlValue& value, const ClipClock& clock) {
+  const YamlMapping entries = load_section(value, find_sections().wait);
+  const YamlValue* after = find_required(entries, "after", value, "the name of a key such as ann.hello");
+  Wait wait;
+  if (after == nullptr || !load_text(*after, "the name of a key such as ann.hello", wait.name)) return {};
+  wait.after = *after;
+  if (const YamlValue* delay = find_value(entries, "delay"))
+    if (!load_quantity(*delay, clock.measure, -clock.end_s, clock.end_s, wait.delay_s)) return {};
+  return wait;
 }
 
 std::string describe_circle(const Graph& graph, const std::vector<std::size_t>& chain, std::size_t again) {
@@ -92,35 +108,29 @@ std::optional<double> resolve(Graph& graph, std::size_t number, std::vector<std:
   Node& node = graph.nodes[number];
   if (node.is_done || !node.at) return node.time_s;
   node.is_done = true;
-  if (find_node(*node.at).kind != NodeKind::mapping) {
+  Findings silent;  // whoever reads the key tells them
+  YamlValue at = *node.at;
+  at.findings = &silent;
+  if (find_node(at).kind != NodeKind::mapping) {
     double at_s = 0;
-    if (load_time(*node.at, graph.clock, at_s)) node.time_s = at_s;
+    if (load_time(at, graph.clock, at_s)) node.time_s = at_s;
     return node.time_s;
   }
-  const YamlMapping entries = load_section(*node.at, find_sections().wait);
-  const YamlValue* after = find_required(entries, "after", *node.at, "the name of a key such as ann.hello");
-  std::string name;
-  if (after == nullptr || !load_text(*after, "the name of a key such as ann.hello", name)) return {};
-  const auto other = find_named(graph, node.actor, name);
-  if (!other) {
-    add_unknown_name(*after, name, graph);
-    return {};
-  }
+  std::optional<Wait> wait = load_wait(at, graph.clock);
+  const auto other = wait ? find_named(graph, node.actor, wait->name) : std::nullopt;
+  if (!other) return {};
   node.is_open = true;
   chain.push_back(number);
   std::optional<double> time_s;
+  wait->after.findings = node.at->findings;
   if (graph.nodes[*other].is_open)
-    add_mistake(*after, fmt::format("keys wait for each other in a circle: {}; expected none",
-                                    describe_circle(graph, chain, *other)));
+    add_mistake(wait->after, fmt::format("keys wait for each other in a circle: {}; expected none",
+                                         describe_circle(graph, chain, *other)));
   else
     time_s = resolve(graph, *other, chain);
   chain.pop_back();
   node.is_open = false;
-  double delay_s = 0;
-  if (const YamlValue* delay = find_value(entries, "delay"))
-    if (!load_quantity(*delay, graph.clock.measure, -graph.clock.end_s, graph.clock.end_s, delay_s))
-      return {};
-  if (time_s) node.time_s = *time_s + delay_s;
+  if (time_s) node.time_s = *time_s + wait->delay_s;
   return node.time_s;
 }
 
@@ -137,16 +147,28 @@ std::vector<NamedTimes> load_named_times(const std::vector<NamedClip>& clips, in
   for (std::size_t i = 0; i < graph.nodes.size(); ++i) resolve(graph, i, chain);
   std::vector<NamedTimes> all;
   for (const NamedClip& clip : clips) {
-    NamedTimes& times = all.emplace_back();
-    for (const Node& node : graph.nodes) {
-      if (node.name.empty() || !node.time_s) continue;
-      times[node.name] = *node.time_s;
+    NamedTimes& named = all.emplace_back();
+    for (const auto& [full, number] : graph.index) {
+      named.names.push_back(full);
+      named.times_s[full] = graph.nodes[number].time_s;
     }
     for (const Node& node : graph.nodes)
-      if (node.actor == clip.actor && !node.name.empty() && node.time_s && !clip.actor.empty())
-        times[node.name.substr(clip.actor.size() + 1)] = *node.time_s;
+      if (node.actor == clip.actor && !node.name.empty() && !clip.actor.empty())
+        named.times_s[node.name.substr(clip.actor.size() + 1)] = node.time_s;
   }
   return all;
+}
+
+std::optional<double> load_named_time(const YamlValue& value, const ClipClock& clock) {
+  const std::optional<Wait> wait = load_wait(value, clock);
+  if (!wait) return {};
+  const auto found = clock.times->times_s.find(wait->name);
+  if (found == clock.times->times_s.end()) {
+    add_unknown_name(wait->after, wait->name, clock.times->names);
+    return {};
+  }
+  if (!found->second) return {};
+  return *found->second + wait->delay_s;
 }
 
 }  // namespace mien

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "config/findings.hpp"
+#include "config/head_parts.hpp"
+#include "config/load_spec.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace mien {
 
@@ -72,13 +75,14 @@ std::string replace_head(std::string text, const std::string& head, const std::s
 
 }  // namespace
 
-std::string build_starter(const Stock& stock, const std::string& name, std::optional<int> random_head) {
-  constexpr const char* kTemplate = "new.yaml";
-  std::string text = fill_template(stock.templates, kTemplate, {{"name", name}});
+std::string load_starter(const std::filesystem::path& data_folder, const std::string& name,
+                         std::optional<int> random_head) {
+  const std::filesystem::path file = data_folder / "templates/new.yaml";
+  std::string text = fill_template(read_file(file), {{"name", name}}, file.string());
   if (!random_head) return text;
-  const HeadSpec head = draw_head(*random_head, stock.head->words.people);
-  return replace_head(std::move(text), build_head_text(head, stock.head->shapes.features),
-                      find_template(stock.templates, kTemplate).origin);
+  const HeadSpec head = draw_head(*random_head, load_language(data_folder)->words.people);
+  return replace_head(std::move(text), build_head_text(head, load_shapes_alone(data_folder).features),
+                      file.string());
 }
 
 }  // namespace mien

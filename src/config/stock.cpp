@@ -12,12 +12,11 @@ Templates load_templates(const fs::path& data_folder) {
   const fs::path folder = data_folder / "templates";
   Templates templates;
   const auto add = [&](const fs::path& path) {
-    templates[fs::relative(path, folder).generic_string()] = {path.string(), read_file(path)};
+    templates[path.lexically_relative(folder).generic_string()] = {path.string(), read_file(path)};
   };
   for (const char* part : {"povray", "openscad"})
     for (const auto& entry : fs::directory_iterator(folder / part))
       if (entry.is_regular_file()) add(entry.path());
-  add(folder / "new.yaml");
   return templates;
 }
 

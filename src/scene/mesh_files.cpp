@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
+#include <string_view>
 
 #include "core/error.hpp"
 #include "scene/title.hpp"
@@ -127,17 +129,39 @@ std::string build_stl(const Model& model, const Drawing& drawing, const std::str
   return build_binary_stl(all, title);
 }
 
-bool is_mesh_ending(const std::string& ending) {
-  return ending == ".obj" || ending == ".ply" || ending == ".stl";
+namespace {
+
+std::string build_obj(const Model& model, const Drawing& drawing, const std::string& title) {
+  std::string text;
+  append_wavefront(text, model, drawing, title);
+  return text;
+}
+
+struct MeshFormat {
+  std::string_view ending;
+  std::string (*build)(const Model& model, const Drawing& drawing, const std::string& title);
+};
+
+// In the order in which messages tell them.
+constexpr std::array kMeshFormats{
+    MeshFormat{".obj", build_obj},
+    MeshFormat{".ply", build_ply},
+    MeshFormat{".stl", build_stl},
+};
+
+}  // namespace
+
+std::vector<std::string> list_mesh_endings() {
+  std::vector<std::string> endings;
+  for (const MeshFormat& format : kMeshFormats) endings.emplace_back(format.ending);
+  return endings;
 }
 
 std::string build_mesh_file(const std::string& ending, const Model& model, const Drawing& drawing,
                             const std::string& title) {
-  if (ending == ".ply") return build_ply(model, drawing, title);
-  if (ending == ".stl") return build_stl(model, drawing, title);
-  std::string text;
-  append_wavefront(text, model, drawing, title);
-  return text;
+  for (const MeshFormat& format : kMeshFormats)
+    if (format.ending == ending) return format.build(model, drawing, title);
+  throw RunError(fmt::format("internal: no mesh is written as '{}'", ending));
 }
 
 }  // namespace mien

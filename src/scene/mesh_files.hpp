@@ -3,15 +3,17 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "core/model.hpp"
 
 namespace mien {
 
-// True of ".obj", ".ply" and ".stl".
-bool is_mesh_ending(const std::string& ending);
+// What a name may end in: ".obj", ".ply", ".stl". A new format is a row of the table in mesh_files.cpp.
+std::vector<std::string> list_mesh_endings();
 
-// The content of a file with this ending. Throws RunError if the drawing does not fit the model.
+// The content of a file with this ending, one of those. Throws RunError if the drawing does not fit the
+// model.
 std::string build_mesh_file(const std::string& ending, const Model& model, const Drawing& drawing,
                             const std::string& title);
 

@@ -13,7 +13,7 @@ namespace {
 
 using Places = std::vector<std::string>;
 
-// What a PlaceText says: "E1_8..15" is "E1_8" to "E1_15".
+// What a PlaceText says: "E1_8..15" is "E1_8" to "E1_15", "q11_C3..6" is "q11_C3" to "q11_C6".
 Places list_places(PlaceText text) {
   Places places;
   while (!text.empty()) {
@@ -24,7 +24,7 @@ Places list_places(PlaceText text) {
       places.emplace_back(word);
       continue;
     }
-    const std::size_t number = word.rfind('_') + 1;
+    const std::size_t number = word.find_last_not_of("0123456789", dots - 1) + 1;
     const int first = std::stoi(std::string(word.substr(number, dots - number)));
     const int last = std::stoi(std::string(word.substr(dots + 2)));
     const int step = last > first ? 1 : -1;

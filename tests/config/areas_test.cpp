@@ -26,9 +26,8 @@ bool is_thesis_name(std::string_view name) {
 
 // A landmark, a point of the cage, or a run of such points.
 void expect_places(PlaceText text, std::string_view of) {
-  static const std::regex kPlaces(
-      "((R:)?[A-Z]+[0-9]+_[0-9]+(\\.\\.[0-9]+)?|[a-z]+(_[a-z]+)*)"
-      "( ((R:)?[A-Z]+[0-9]+_[0-9]+(\\.\\.[0-9]+)?|[a-z]+(_[a-z]+)*))*");
+  static const std::string kPlace = "((R:)?[A-Za-z]+[0-9]*_[A-Za-z]*[0-9]+(\\.\\.[0-9]+)?|[a-z]+(_[a-z]+)*)";
+  static const std::regex kPlaces(kPlace + "( " + kPlace + ")*");
   EXPECT_TRUE(std::regex_match(text.begin(), text.end(), kPlaces)) << of << ": '" << text << "'";
 }
 

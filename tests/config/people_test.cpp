@@ -182,13 +182,13 @@ TEST(people, of_a_clip_keep_what_was_drawn_while_they_grow) {
 
 TEST(people, spelled_out_by_new_are_the_same_head) {
   for (int seed = 0; seed < 40; ++seed) {
-    const Spec spec = load_text(build_starter(shipped_stock(), "otto", seed));
+    const Spec spec = load_text(load_starter(kData, "otto", seed));
     EXPECT_TRUE(are_alike(spec.head, draw(static_cast<std::uint64_t>(seed)))) << seed;
     EXPECT_FALSE(spec.head.random) << "all of it is said";
     EXPECT_EQ(spec.title, "otto");
     EXPECT_GT(spec.clip.keys.size(), 2u) << "the rest is the template's";
   }
-  EXPECT_EQ(load_text(build_starter(shipped_stock(), "otto", {})).head.skull, (Mix{{"average", 1.0}}));
+  EXPECT_EQ(load_text(load_starter(kData, "otto", {})).head.skull, (Mix{{"average", 1.0}}));
 }
 
 // Mistakes of our own data are told as those of an author's file.

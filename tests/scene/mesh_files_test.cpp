@@ -123,11 +123,18 @@ TEST(mesh_files, refuse_what_is_no_drawing_of_the_model) {
             "internal: a mesh holds a number that is not finite");
 }
 
-TEST(mesh_files, know_three_endings) {
-  for (const char* ending : {".obj", ".ply", ".stl"}) EXPECT_TRUE(is_mesh_ending(ending));
-  for (const char* ending : {"", ".fbx", ".OBJ", "obj"}) EXPECT_FALSE(is_mesh_ending(ending));
+TEST(mesh_files, write_what_each_ending_says) {
   const Model model = build_model();
-  EXPECT_TRUE(build_mesh_file(".obj", model, build_drawing(model), "T").starts_with("# T\n"));
+  const auto build = [&](const std::string& ending) {
+    return build_mesh_file(ending, model, build_drawing(model), "T");
+  };
+  EXPECT_TRUE(build(".obj").starts_with("# T\n"));
+  EXPECT_TRUE(build(".ply").starts_with("ply\n"));
+  EXPECT_TRUE(build(".stl").starts_with("mien, millimetres: T"));
+  for (const std::string& ending : list_mesh_endings()) EXPECT_NE(build(ending), "") << ending;
+  for (const char* ending : {"", ".fbx", ".OBJ", "obj"})
+    EXPECT_EQ(find_message<RunError>([&] { build(ending); }),
+              std::string("internal: no mesh is written as '") + ending + "'");
 }
 
 }  // namespace
