@@ -6,14 +6,17 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
-#include <iostream>
+#include <filesystem>
 #include <new>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <system_error>
 
 #include "command_line/arguments.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
+#include "core/signals.hpp"
+#include "core/streams.hpp"
 #include "render/process.hpp"
 
 namespace {
@@ -27,7 +30,7 @@ int run_request(const Request& request) {
     request.command->run(request.options);
     return kDone;
   }
-  fmt::print(request.is_usage ? stderr : stdout, "{}", request.text);
+  write_stream(request.is_usage ? stderr : stdout, request.text);
   return request.is_usage ? kWrongInput : kDone;
 }
 
@@ -44,42 +47,58 @@ std::string format_json(const Diagnostic& diagnostic) {
 
 void print_diagnostics(const std::vector<Diagnostic>& diagnostics, bool is_json) {
   for (const Diagnostic& diagnostic : diagnostics)
-    fmt::print(stderr, "{}\n", is_json ? format_json(diagnostic) : format_diagnostic(diagnostic));
+    write_stream(stderr, (is_json ? format_json(diagnostic) : format_diagnostic(diagnostic)) + "\n");
   const auto errors = std::count_if(diagnostics.begin(), diagnostics.end(),
                                     [](const Diagnostic& diagnostic) { return !diagnostic.is_warning; });
-  if (errors > 1 && !is_json) fmt::print(stderr, "{} errors\n", errors);
+  if (errors > 1 && !is_json) write_stream(stderr, fmt::format("{} errors\n", errors));
 }
 
-// Everything printed has arrived: a full disk behind `mien schema > file` is a failure too.
-void flush_output() {
-  std::cout.flush();
-  if (!std::cout || std::fflush(stdout) != 0 || std::ferror(stdout) != 0)
-    throw RunError(fmt::format("cannot write standard output: {}", std::strerror(errno)));
+// What to say of output that was lost; nobody reads a pipe that has been closed, so nothing is said of that.
+std::string describe_lost_output(int error) {
+  return error == EPIPE ? "" : fmt::format("cannot write standard output: {}", std::strerror(error));
+}
+
+// "out/a/frames: Permission denied", of what no function of ours has put into words.
+std::string describe_fault(const std::filesystem::filesystem_error& error) {
+  const std::string path = error.path1().string();
+  return fmt::format("{}: {}", path.empty() ? "the folder this runs in" : path, error.code().message());
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+  open_missing_streams();
   const bool is_json = std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
   const auto fail = [&](int status, const std::string& message) {
-    print_diagnostics(InputError(message).diagnostics, is_json);
+    if (!message.empty()) print_diagnostics(InputError(message).diagnostics, is_json);
     return status;
   };
+  int status = kDone;
   try {
     install_signal_handlers();
+    static_cast<void>(read_stall_limit_s());  // a wrong one is told before any work
     const Request request = read_arguments(argc, argv);
     set_job_count(request.options.jobs);
-    const int status = run_request(request);
-    flush_output();
-    return status;
+    status = run_request(request);
   } catch (const InputError& e) {
     print_diagnostics(e.diagnostics, is_json);
-    return kWrongInput;
+    status = kWrongInput;
   } catch (const Interrupted& e) {
-    return fail(kInterrupted, e.what());
+    status = fail(kInterrupted, e.what());
   } catch (const std::bad_alloc&) {
-    return fail(kFailed, "out of memory");
+    status = fail(kFailed, "out of memory");
+  } catch (const std::filesystem::filesystem_error& e) {
+    status = fail(kFailed, describe_fault(e));
+  } catch (const std::system_error& e) {  // of fmt::print, if standard output takes no more
+    const bool is_output = std::ferror(stdout) != 0;
+    status = fail(kFailed, is_output ? describe_lost_output(e.code().value()) : e.code().message());
   } catch (const std::exception& e) {
-    return fail(kFailed, e.what());
+    status = fail(kFailed, e.what());
   }
+  // Everything printed has arrived: a full disk behind `mien schema > file` is a failure too, and so is an
+  // error stream that took nothing of what was to be said, though then nobody can be told.
+  errno = 0;
+  if (has_lost_text(stdout) && status == kDone)
+    status = fail(kFailed, describe_lost_output(errno == 0 ? EIO : errno));
+  return has_lost_text(stderr) && status == kDone ? kFailed : status;
 }

@@ -34,7 +34,7 @@ void compare_with_openscad(const MadeBust& made, const fs::path& source, const F
   const fs::path kept = fs::path(source).replace_extension() += "_openscad.stl";
   if (result.exit_code != 0 || !complaint.empty() || !fs::exists(stl)) {
     require_space(work.path, made.mesh.triangles.size() * kStlTriangle_bytes, kept);
-    const std::string what = result.exit_code != 0 ? describe_end("openscad", result.exit_code)
+    const std::string what = result.exit_code != 0 ? describe_end("openscad", result)
                              : complaint.empty()   ? "openscad has written nothing"
                                                    : "openscad complains: " + complaint;
     throw RunError(
@@ -42,7 +42,9 @@ void compare_with_openscad(const MadeBust& made, const fs::path& source, const F
   }
   verify_print(measure_stl(made.mesh), check_stl(stl),
                fmt::format("what OpenSCAD makes of {}", source.string()));
-  fs::rename(stl, kept);
+  std::error_code error;
+  fs::rename(stl, kept, error);
+  if (error) throw RunError(fmt::format("cannot write {}: {}", kept.string(), error.message()));
   written("openscad", kept);
 }
 
@@ -83,6 +85,21 @@ void write_bust(const MadeBust& made, const fs::path& folder, const Templates& t
     written("preview", picture);
   }
   if (options.has_openscad) compare_with_openscad(made, source, written);
+}
+
+std::vector<fs::path> list_bust_files(const std::vector<std::string>& stems, bool has_plates,
+                                      const Options& options) {
+  std::vector<std::string> endings{".scad", ".txt"};
+  if (options.has_stl) endings.emplace_back(".stl");
+  if (options.has_3mf) endings.emplace_back(".3mf");
+  if (options.has_preview) endings.emplace_back(".png");
+  if (options.has_openscad) endings.emplace_back("_openscad.stl");
+  std::vector<fs::path> files;
+  for (std::size_t i = 0; i < stems.size(); ++i) {
+    for (const std::string& ending : endings) files.emplace_back(stems[i] + ending);
+    if (has_plates) files.emplace_back(fmt::format("plate_{}.stl", i + 1));  // no more than busts
+  }
+  return files;
 }
 
 int count_bust_files(const Options& options) {

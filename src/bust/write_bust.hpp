@@ -20,6 +20,10 @@ using FileWritten = std::function<void(const std::string& kind, const std::files
 void write_bust(const MadeBust& made, const std::filesystem::path& folder, const Templates& templates,
                 const Options& options, const FileWritten& written);
 
+// The names of all files that write_bust and write_plates may write of the busts with these stems.
+std::vector<std::filesystem::path> list_bust_files(const std::vector<std::string>& stems, bool has_plates,
+                                                   const Options& options);
+
 // How many files write_bust writes.
 int count_bust_files(const Options& options);
 

@@ -24,20 +24,20 @@ RenderSettings list_settings(const RenderSpec& render, std::vector<fs::path> lib
   return settings;
 }
 
-void render_pictures(const Clip& clip, const std::vector<std::string>& keys, int jobs,
+void render_pictures(const Clip& clip, const std::vector<WrittenScene>& scenes, int jobs,
                      const FrameDone& done) {
   const FramePlan& plan = clip.plan;
   std::vector<FrameJob> frames;
   for (std::size_t i = 0; i < plan.drawings.size(); ++i)
     frames.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]),
-                      clip.files.picture(plan.drawings[i]), keys[i]});
+                      clip.files.picture(plan.drawings[i]), scenes[i].key, scenes[i].files});
   render_frames(frames, list_settings(clip.spec.render, {clip.files.scenes()}, jobs), done);
   for (std::size_t i = 0; i < plan.frames.size(); ++i)
     if (plan.frames[i] != plan.drawn_as[i])
       write_file(clip.files.picture(plan.frames[i]), read_file(clip.files.picture(plan.drawn_as[i])));
 }
 
-std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys) {
+std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& scenes) {
   const Spec& spec = clip.spec;
   nlohmann::ordered_json manifest;
   manifest["mien"] = MIEN_VERSION;
@@ -49,10 +49,10 @@ std::string build_manifest(const Clip& clip, const std::vector<std::string>& key
   manifest["height"] = spec.render.height_px;
   nlohmann::ordered_json& drawings = manifest["drawings"];
   drawings = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < keys.size(); ++i)
+  for (std::size_t i = 0; i < scenes.size(); ++i)
     drawings.push_back({{"frame", clip.plan.drawings[i]},
                         {"picture", "frames/" + name_frame(clip.plan.drawings[i]) + ".png"},
-                        {"key", keys[i]}});
+                        {"key", scenes[i].key}});
   return manifest.dump(1) + "\n";
 }
 

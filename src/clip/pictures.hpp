@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "clip/scenes.hpp"
 #include "render/driver.hpp"
 
 namespace mien {
@@ -15,11 +16,12 @@ namespace mien {
 RenderSettings list_settings(const RenderSpec& render, std::vector<std::filesystem::path> libraries,
                              int jobs);
 
-// Renders the drawings, whose keys write_scenes gave, and gives every frame asked for its picture.
-void render_pictures(const Clip& clip, const std::vector<std::string>& keys, int jobs, const FrameDone& done);
+// Renders the drawings, of which write_scenes gave `scenes`, and gives every frame asked for its picture.
+void render_pictures(const Clip& clip, const std::vector<WrittenScene>& scenes, int jobs,
+                     const FrameDone& done);
 
 // What was made, for other programs: the text of manifest.json.
-std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys);
+std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& scenes);
 
 // The files that end a clip: NAME.mp4, of all frames, or NAME_A-B.mp4 of those asked for.
 std::filesystem::path find_video_path(const Clip& clip);

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
 #include "core/text.hpp"
@@ -103,30 +104,39 @@ void write_held_frames(const Clip& clip) {
   }
 }
 
-// The files that all frames share; returns the key of what they say.
-std::string write_shared_files(const Clip& clip, const Cast& cast, const Templates& templates) {
+// What all frames share: the include file with what it holds, and the key of that and of how it is rendered.
+struct SharedFiles {
+  TracedFile include;
+  std::string key;
+};
+
+SharedFiles write_shared_files(const Clip& clip, const Cast& cast, const Templates& templates) {
   const RenderSpec& render = clip.spec.render;
-  for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale);
-  fs::create_directories(clip.files.folder / "frames");  // POV-Ray alone would not
+  std::error_code error;
+  for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale, error);
+  const fs::path frames = clip.files.folder / "frames";
+  fs::create_directories(frames, error);  // POV-Ray alone would not
+  if (error) throw RunError(fmt::format("cannot write in {}: {}", frames.string(), error.message()));
   const std::string include =
       build_povray_stage(build_parts(cast.figures, templates), render, templates, list_sets(clip.spec.clip));
-  write_file(clip.files.scenes() / "head.inc", include);
+  SharedFiles shared{{clip.files.scenes() / "head.inc", hash_hex(include)}, hash_settings(include, render)};
+  write_file(shared.include.path, include);
   write_file(clip.files.scenes() / "loop.pov", build_povray_loop());
   write_file(clip.files.scenes() / (clip.files.name + ".ini"),
              build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder,
                               {clip.plan.frames.front(), clip.plan.frames.back()}));
-  return hash_settings(include, render);
+  return shared;
 }
 
 }  // namespace
 
-std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
-                                      int jobs, const SceneWritten& written) {
-  const std::string settings_key = write_shared_files(clip, cast, resources.stock.templates);
+std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                       int jobs, const SceneWritten& written) {
+  const SharedFiles shared = write_shared_files(clip, cast, resources.stock.templates);
   const std::vector<int>& drawings = clip.plan.drawings;
   const DrawingGroups groups = group_drawings(clip);
   SharedCache<WrittenHeads> cache(static_cast<std::size_t>(jobs) + 1);
-  std::vector<std::string> keys(drawings.size());
+  std::vector<WrittenScene> scenes(drawings.size());
   std::vector<SceneBuffers> buffers(static_cast<std::size_t>(jobs));
   for_each_index(drawings.size(), jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
@@ -135,12 +145,15 @@ std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const 
         cache, group, [&] { return write_heads(clip, cast, drawings[groups.first[group]], resources); });
     SceneBuffers& mine = buffers[static_cast<std::size_t>(worker)];
     build_scene(clip, cast, *heads, compute_drawing_time_s(clip.spec.clip, drawings[drawing] - 1), mine);
-    write_file(clip.files.scene(drawings[drawing]), mine.text);
-    keys[drawing] = hash_hex(settings_key + heads->key + mine.text);
+    const TracedFile scene{clip.files.scene(drawings[drawing]), hash_hex(mine.text)};
+    write_file(scene.path, mine.text);
+    scenes[drawing] = {hash_hex(shared.key + heads->key + mine.text), {shared.include, scene}};
+    if (!heads->include.empty())
+      scenes[drawing].files.push_back({clip.files.scenes() / heads->include, heads->key});
     written(drawings[drawing]);
   });
   write_held_frames(clip);
-  return keys;
+  return scenes;
 }
 
 StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,

@@ -7,18 +7,24 @@
 #include <vector>
 
 #include "clip/cast.hpp"
+#include "render/driver.hpp"
 
 namespace mien {
 
 // Told the frame of each scene as it is written; from any thread.
 using SceneWritten = std::function<void(int frame)>;
 
+// What was written of a drawing.
+struct WrittenScene {
+  std::string key;                // of its picture: a hash of all that its pixels depend on
+  std::vector<TracedFile> files;  // that the key speaks of
+};
+
 // Writes head.inc with all parts that never change, a file of parts for each head of those who change, a
-// scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns for each
-// drawing of the plan the key of its picture: a hash of all that its pixels depend on. However long the clip,
-// few heads are in memory at once.
-std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
-                                      int jobs, const SceneWritten& written);
+// scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns what was
+// written of each drawing of the plan. However long the clip, few heads are in memory at once.
+std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                       int jobs, const SceneWritten& written);
 
 // One picture: the heads of a time, what they do, and the camera.
 struct Still {

@@ -5,6 +5,8 @@
 
 #include "bust/write_bust.hpp"
 #include "clip/moment.hpp"
+#include "clip/outputs.hpp"
+#include "commands/hold.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
@@ -67,14 +69,16 @@ void run_bust(const Options& options) {
   const HeadSpec head = has_time(options) ? find_asked_head(clip, actor, options) : actor.head;
   const Figure figure = build_figure(resources.heads, head, FigureUse::print);
   const std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
-  report_held(options, list_held(busts));
   const Templates& templates = resources.stock.templates;
   BustCache cache{figure, list_bust_menu(clip.spec, busts),
                   clip.spec.title.empty() ? clip.spec.name : clip.spec.title,
                   build_letters(find_template(templates, "openscad/letters.csv"))};
   const std::vector<std::string> stems = name_busts(busts);
   const std::filesystem::path folder = find_output(options, clip.spec);
+  check_output_folder(options, folder, list_bust_files(stems, clip.spec.plate_mm.x > 0, options), clip.spec);
+  const FolderLock lock = hold_folder(options, folder);
   const auto count = static_cast<std::size_t>(count_bust_files(options));
+  report_held(options, list_held(busts));
   Progress progress = start_progress(options, "files", busts.size() * count);
   const auto report_file = [&](const std::string& kind, const std::filesystem::path& path) {
     progress.clear();

@@ -31,12 +31,11 @@ MoveReach compute_reach(const Figure& figure) {
 }
 
 std::string format_json(const Diagnostic& advice) {
-  return nlohmann::ordered_json{{"kind", "warning"},
-                                {"file", advice.place.file},
-                                {"line", advice.place.line},
-                                {"column", advice.place.column},
-                                {"message", advice.message}}
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return format_object(nlohmann::ordered_json{{"kind", "warning"},
+                                              {"file", advice.place.file},
+                                              {"line", advice.place.line},
+                                              {"column", advice.place.column},
+                                              {"message", advice.message}});
 }
 
 // A line each: "file:line:col: warning: ..." or JSON.
@@ -55,13 +54,12 @@ void report_kept(const Options& options, const HeadSpec& head, const HeadStock& 
     const std::string text =
         fmt::format("scan '{}' has no {}: kept from the shipped head", path.filename().string(), part);
     if (options.is_json)
-      fmt::print("{}\n", nlohmann::ordered_json{{"kind", "note"},
-                                                {"file", place.file},
-                                                {"line", place.line},
-                                                {"column", place.column},
-                                                {"kept", part},
-                                                {"message", text}}
-                             .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+      fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "note"},
+                                                              {"file", place.file},
+                                                              {"line", place.line},
+                                                              {"column", place.column},
+                                                              {"kept", part},
+                                                              {"message", text}}));
     else
       fmt::print("{}:{}:{}: note: {}\n", place.file, place.line, place.column, text);
   }
@@ -102,7 +100,7 @@ void report_summary(const Options& options, const Clip& clip) {
       {"fps", clip.spec.clip.fps},      {"width", render.width_px},   {"height", render.height_px},
       {"busts", clip.spec.busts.size()}};
   for (const ActorSpec& actor : clip.spec.actors) summary["actors"].push_back(actor.name);
-  fmt::print("{}\n", summary.dump());
+  fmt::print("{}\n", format_object(nlohmann::ordered_json(summary)));
 }
 
 void run_check(const Options& options) {

@@ -196,14 +196,13 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
     if (!part.order.empty()) told["order"] = part.order;
     if (part.is_endless) told["endless"] = true;
   }
-  fmt::print("{}\n", Json{{"kind", "moment"},
-                          {"title", story.title},
-                          {"keys", parts},
-                          {"blink", round_to(story.blink, 6)},
-                          {"breath_mm", round_to(story.breath_mm, 3)},
-                          {"exaggerate", story.reach}}
-                         .dump());
-  for (const Row& row : rows) fmt::print("{}\n", build_json(row).dump());
+  fmt::print("{}\n", format_object(Json{{"kind", "moment"},
+                                        {"title", story.title},
+                                        {"keys", parts},
+                                        {"blink", round_to(story.blink, 6)},
+                                        {"breath_mm", round_to(story.breath_mm, 3)},
+                                        {"exaggerate", story.reach}}));
+  for (const Row& row : rows) fmt::print("{}\n", format_object(build_json(row)));
   for (const HeldNote& note : build_notes(story.held)) fmt::print("{}\n", format_json(note));
 }
 

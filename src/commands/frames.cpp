@@ -1,5 +1,7 @@
 // `mien frames`.
+#include "clip/outputs.hpp"
 #include "clip/scenes.hpp"
+#include "commands/hold.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
@@ -11,7 +13,9 @@ namespace {
 void run_frames(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   const Clip clip = plan_clip(options, *resources.stock.language);
+  check_clip_folder(options, clip, false);
   const Cast cast = build_cast(clip, resources.heads);
+  const FolderLock lock = hold_folder(options, clip.files.folder);
   report_clip_held(options, clip, cast, resources.heads);
   Progress progress = start_progress(options, "scenes", clip.plan.drawings.size());
   write_scenes(clip, cast, resources, count_jobs(options),

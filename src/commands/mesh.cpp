@@ -4,12 +4,14 @@
 #include <algorithm>
 
 #include "clip/moment.hpp"
+#include "clip/outputs.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
 #include "core/text.hpp"
 #include "head/landmarks.hpp"
 #include "head/own_half.hpp"
+#include "render/work_folder.hpp"
 #include "scene/mesh_files.hpp"
 #include "scene/wavefront.hpp"
 
@@ -19,21 +21,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// ".obj, .ply or .stl".
-std::string join_endings(const std::vector<std::string>& endings) {
-  std::string text = endings.front();
-  for (std::size_t i = 1; i < endings.size(); ++i)
-    text += (i + 1 < endings.size() ? ", " : " or ") + endings[i];
-  return text;
-}
-
-void check_ending(const Options& options, const fs::path& path) {
-  const std::string ending = path.extension().string();
-  const std::vector<std::string> known =
-      options.is_half ? std::vector<std::string>{".obj"} : list_mesh_endings();
-  if (std::ranges::find(known, ending) == known.end())
-    throw InputError(fmt::format("-o {}: unknown kind of mesh '{}'; expected a name that ends in {}",
-                                 path.string(), ending, join_endings(known)));
+// The mesh, and the landmarks where they are asked for.
+std::vector<OutputFile> list_outputs(const Options& options, const Spec& spec) {
+  std::vector<OutputFile> files{find_output_file(options, fs::path("out") / spec.name / "mesh.obj")};
+  check_ending(files[0], "mesh", options.is_half ? Names{".obj"} : list_mesh_endings());
+  if (options.landmarks) {
+    files.push_back({"--landmarks", *options.landmarks});
+    check_ending(files[1], "landmarks", {".json"});
+  }
+  check_output_files(files, spec);
+  return files;
 }
 
 // The neutral head's left half as people edit it, for `head: {mesh: FILE}`.
@@ -52,8 +49,9 @@ void run_mesh(const Options& options) {
   const Spec& spec = clip.spec;
   const Actor& actor = find_actor(clip, options);
   const HeadSpec head = find_asked_head(clip, actor, options);
-  const fs::path path = options.output.value_or(fs::path("out") / spec.name / "mesh.obj");
-  check_ending(options, path);
+  const std::vector<OutputFile> outputs = list_outputs(options, spec);
+  for (const OutputFile& output : outputs) remove_left_parts_of(output.path);
+  const fs::path& path = outputs[0].path;
   if (options.is_half) {
     write_file(path, build_half_text(resources.heads, head));
     return report_result(options, "half", path);
@@ -62,7 +60,7 @@ void run_mesh(const Options& options) {
   std::vector<Held> held;
   const Drawing drawing = draw_moment(figure, compute_moment(options, clip, actor, figure, held));
   report_held(options, std::move(held));
-  write_file(path, build_mesh_file(path.extension().string(), figure.model, drawing,
+  write_file(path, build_mesh_file(find_ending(path), figure.model, drawing,
                                    spec.title.empty() ? spec.name : spec.title));
   report_result(options, "mesh", path);
   if (!options.landmarks) return;

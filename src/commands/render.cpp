@@ -1,6 +1,8 @@
 // `mien render`.
+#include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
+#include "commands/hold.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
@@ -14,22 +16,24 @@ namespace {
 void run_render(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   const Clip clip = plan_clip(options, *resources.stock.language);
+  check_clip_folder(options, clip, true);
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
   const Cast cast = build_cast(clip, resources.heads);
+  const FolderLock lock = hold_folder(options, clip.files.folder);
   report_clip_held(options, clip, cast, resources.heads);
   const std::size_t count = clip.plan.drawings.size();
 
   Progress scenes = start_progress(options, "scenes", count);
-  const std::vector<std::string> keys = write_scenes(clip, cast, resources, count_jobs(options),
-                                                     [&](int frame) { scenes.advance(false, frame); });
+  const std::vector<WrittenScene> written = write_scenes(clip, cast, resources, count_jobs(options),
+                                                         [&](int frame) { scenes.advance(false, frame); });
   scenes.finish();
 
   Progress frames = start_progress(options, "frames", count);
-  render_pictures(clip, keys, count_jobs(options),
+  render_pictures(clip, written, count_jobs(options),
                   [&](int frame, bool was_kept) { frames.advance(was_kept, frame); });
   frames.finish();
 
-  write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
+  write_file(clip.files.folder / "manifest.json", build_manifest(clip, written));
   write_clip_video(clip);
   report_result(options, "clip", find_video_path(clip));
   const std::filesystem::path poster = clip.files.folder / "poster.png";

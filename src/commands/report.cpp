@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "config/areas.hpp"
 
@@ -22,7 +21,7 @@ std::string name_side(const HeldNote& note) {
 
 void report_result(const Options& options, const std::string& kind, const std::filesystem::path& path) {
   if (options.is_json)
-    fmt::print("{}\n", nlohmann::json{{kind, path.string()}}.dump());
+    fmt::print("{}\n", format_object(nlohmann::ordered_json{{kind, path.string()}}));
   else if (!options.is_quiet)
     fmt::print("{:<7} {}\n", kind, path.string());
 }
@@ -51,18 +50,21 @@ std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehe
 
 std::string format_json(const HeldNote& note) {
   const Held& held = note.held;
-  return nlohmann::ordered_json{{"kind", "note"},
-                                {"file", held.place.file},
-                                {"line", held.place.line},
-                                {"column", held.place.column},
-                                {"area", kMoves[held.move].area},
-                                {"side", name_side(note)},
-                                {"move", kMoves[held.move].move},
-                                {"asked", round_to(held.asked, 6)},
-                                {"held", round_to(held.held, 6)},
-                                {"by", held.by},
-                                {"message", note.text}}
-      .dump();
+  return format_object(nlohmann::ordered_json{{"kind", "note"},
+                                              {"file", held.place.file},
+                                              {"line", held.place.line},
+                                              {"column", held.place.column},
+                                              {"area", kMoves[held.move].area},
+                                              {"side", name_side(note)},
+                                              {"move", kMoves[held.move].move},
+                                              {"asked", round_to(held.asked, 6)},
+                                              {"held", round_to(held.held, 6)},
+                                              {"by", held.by},
+                                              {"message", note.text}});
+}
+
+std::string format_object(const nlohmann::ordered_json& object) {
+  return object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 double round_to(double value, int decimals) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,9 @@ std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehe
 
 // A line of --json of one note of a ledger.
 std::string format_json(const HeldNote& note);
+
+// One line of --json; of a path that is no UTF-8 its wrong bytes become U+FFFD.
+std::string format_object(const nlohmann::ordered_json& object);
 
 // To `decimals`, with -0 folded.
 double round_to(double value, int decimals);

@@ -1,4 +1,5 @@
 // `mien still`.
+#include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
 #include "commands/report.hpp"
@@ -43,10 +44,14 @@ void run_still(const Options& options) {
   Clip clip = open_clip(options, *resources.stock.language);
   std::vector<Held> held;
   const Still still = stage_still(options, clip, held);
+  const OutputFile output =
+      find_output_file(options, std::filesystem::path("out") / clip.spec.name / "still.png");
+  check_ending(output, "picture", {".png"});
+  check_output_files({output}, clip.spec);
   require_programs({{"povray", "povray"}});
   const Cast cast = build_cast(clip, resources.heads);
-  const std::filesystem::path picture =
-      options.output.value_or(std::filesystem::path("out") / clip.spec.name / "still.png");
+  const std::filesystem::path& picture = output.path;
+  remove_left_parts_of(picture);
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
   const StillScene scene = build_still_scene(clip, cast, still, resources);
   held.insert(held.end(), scene.held.begin(), scene.held.end());

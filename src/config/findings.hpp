@@ -1,6 +1,7 @@
 // The mistakes of one run, gathered while files are read and thrown together.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,7 +15,8 @@ inline constexpr std::size_t kMaxMistakes = 1000;
 
 struct Findings {
   std::vector<Diagnostic> mistakes;
-  std::size_t untold = 0;  // how many came after kMaxMistakes
+  std::size_t untold = 0;                    // how many came after kMaxMistakes
+  std::vector<std::filesystem::path> files;  // that were read, or are named to be read
 };
 
 // True when a further mistake would only be counted, so that no work need go into its words.

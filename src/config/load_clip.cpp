@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "config/load_spec.hpp"
+#include "config/named_file.hpp"
 #include "config/sections.hpp"
 #include "core/ticks.hpp"
 
@@ -174,8 +175,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   reader.library = &library;
   reader.formulas.found = &library.formulas;
   reader.formulas.fps = clip.fps;
-  if (value != nullptr)
-    reader.files.push_back(std::filesystem::weakly_canonical(value->document->source.file));
+  if (value != nullptr) reader.files.push_back(find_canonical(value->document->source.file));
   load_draw(entries, reader.clock, clip);
   load_between(entries, reader.between);
   reader.lead = load_lead(entries, reader.clock);

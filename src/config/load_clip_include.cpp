@@ -90,7 +90,7 @@ void load_other(const YamlValue& value, const Include& include, const YamlMappin
 }
 
 void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
-  const fs::path path = fs::weakly_canonical(include.file->path);
+  const fs::path path = find_canonical(include.file->path);
   if (std::ranges::find(reader.files, path) != reader.files.end())
     return add_mistake(include.place, fmt::format("'{}' includes itself; expected another file",
                                                   show_word(path.filename().string())));

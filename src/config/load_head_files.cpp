@@ -30,7 +30,7 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
   const std::string fault = find_file_fault(name, find_folder(value), kYamlEndings, path);
   if (!fault.empty()) return report(fault);
   HeadSource inner = source;
-  inner.chain.push_back(fs::weakly_canonical(path));
+  inner.chain.push_back(find_canonical(path));
   if (std::ranges::find(source.chain, inner.chain.back()) != source.chain.end())
     return report(fmt::format("heads mix each other in a circle: {}; expected none",
                               describe_circle(source.chain, inner.chain.back())));
@@ -101,6 +101,13 @@ bool find_bare_place(const HeadWords& words, std::string& place, bool& is_middle
   return true;
 }
 
+// Notes that the landmarks beside a mesh will be read; false if there are none.
+bool note_landmark_file(const YamlValue& value, const fs::path& mesh) {
+  const auto landmarks = find_landmark_file(mesh);
+  if (landmarks) value.findings->files.push_back(*landmarks);
+  return landmarks.has_value();
+}
+
 }  // namespace
 
 std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
@@ -112,10 +119,12 @@ std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
   return std::nullopt;
 }
 
-void load_mesh(const YamlValue& value, std::optional<FileReference>& into) { load_file(value, into); }
+void load_mesh(const YamlValue& value, std::optional<FileReference>& into) {
+  if (load_file(value, into)) note_landmark_file(value, into->path);
+}
 
 void load_scan(const YamlValue& value, std::optional<FileReference>& into) {
-  if (!load_file(value, into) || find_landmark_file(into->path)) return;
+  if (!load_file(value, into) || note_landmark_file(value, into->path)) return;
   add_mistake(
       value,
       fmt::format("'{}' has no landmarks beside it; expected a file '{}' such as landmarks: {{prn: [x, "

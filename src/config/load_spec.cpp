@@ -8,6 +8,7 @@
 
 #include "config/data_table.hpp"
 #include "config/expressions.hpp"
+#include "config/named_file.hpp"
 #include "config/sections.hpp"
 
 namespace mien {
@@ -68,7 +69,7 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
     build_drafts(drafts, book);
   }
   int head_count = 0;
-  load_stage(entries, {&book, {&words, {std::filesystem::weakly_canonical(spec.file)}, &head_count}}, spec);
+  load_stage(entries, {&book, {&words, {find_canonical(spec.file)}, &head_count}}, spec);
   if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);
@@ -124,6 +125,7 @@ Spec load_spec(const std::filesystem::path& file, const Language& language) {
     const YamlMapping entries = load_section(root, find_sections().file);
     if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
   }
+  spec.files = findings.files;
   throw_mistakes(std::move(findings));
 
   spec.expressions = std::move(book.expressions);

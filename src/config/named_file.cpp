@@ -30,6 +30,12 @@ bool is_plain_name(const std::string& name) {
 
 fs::path find_folder(const YamlValue& value) { return fs::path(value.document->source.file).parent_path(); }
 
+fs::path find_canonical(const fs::path& file) {
+  std::error_code error;
+  const fs::path canonical = fs::weakly_canonical(file, error);
+  return error ? file : canonical;
+}
+
 std::string find_file_fault(const std::string& name, const fs::path& folder, const Names& endings,
                             fs::path& path) {
   const std::string expected = "expected a file that ends in " + join_names(endings);
@@ -54,6 +60,7 @@ bool load_file(const YamlValue& value, std::optional<FileReference>& into) {
     add_mistake(value, fault);
     return false;
   }
+  value.findings->files.push_back(path);
   into = FileReference{path, find_place(value)};
   return true;
 }

@@ -14,6 +14,9 @@ namespace mien {
 // The folder of the file that the value stands in.
 std::filesystem::path find_folder(const YamlValue& value);
 
+// The file's one name, whatever links lead to it; of what has none, such as a pipe, the one that is given.
+std::filesystem::path find_canonical(const std::filesystem::path& file);
+
 // What is wrong with a file's name or with the file that it names; empty: nothing. Only then `path` holds.
 std::string find_file_fault(const std::string& name, const std::filesystem::path& folder,
                             const Names& endings, std::filesystem::path& path);

@@ -3,33 +3,46 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <unistd.h>
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 
 #include "config/load_spec.hpp"
+#include "core/signals.hpp"
 #include "core/utf8.hpp"
 
 namespace mien {
 
 namespace {
 
-// Reads at most kMaxFileBytes + 1 bytes, so that an endless device ends too; returns 0 or the error number.
+struct Closer {
+  int descriptor;
+  ~Closer() { ::close(descriptor); }
+};
+
+constexpr int kPoll_ms = 50;  // how late a signal to another thread is noticed
+
+// Reads at most kMaxFileBytes + 1 bytes, so that an endless device ends too; returns 0 or the error number. A
+// pipe is waited for until somebody has written it and closed it, or a signal comes; then throws Interrupted.
 int read_bounded(const std::filesystem::path& file, std::string& bytes) {
-  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return errno;
+  const Closer closer{descriptor};
   bytes.resize(kMaxFileBytes + 1);
   std::size_t size = 0;
   int error = 0;
   while (size < bytes.size()) {
+    throw_if_interrupted();
+    pollfd waited{descriptor, POLLIN, 0};
+    if (::poll(&waited, 1, kPoll_ms) <= 0) continue;
     const ssize_t count = ::read(descriptor, bytes.data() + size, bytes.size() - size);
-    if (count < 0 && errno == EINTR) continue;
+    if (count < 0 && (errno == EINTR || errno == EAGAIN)) continue;
     if (count < 0) error = errno;
     if (count <= 0) break;
     size += static_cast<std::size_t>(count);
   }
-  ::close(descriptor);
   bytes.resize(size);
   return error;
 }
@@ -91,6 +104,7 @@ bool is_indented_by_spaces(const SourceText& source, Findings& findings) {
 
 std::optional<SourceText> load_source(const std::filesystem::path& file, Findings& findings) {
   std::string bytes;
+  findings.files.push_back(file);
   if (const int error = read_bounded(file, bytes)) {
     add_mistake(findings, {file.string(), 0, 0}, fmt::format("cannot read: {}", std::strerror(error)), {});
     return std::nullopt;

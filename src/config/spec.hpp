@@ -57,8 +57,9 @@ struct ActorSpec {
 };
 
 struct Spec {
-  std::filesystem::path file;  // as given on the command line
-  std::string name;            // file name without folder and ending: out/<name>/
+  std::filesystem::path file;                // as given on the command line
+  std::vector<std::filesystem::path> files;  // all that it is read from: itself, and what it names
+  std::string name;                          // file name without folder and ending: out/<name>/
   std::string title;
   HeadSpec head;
   double exaggerate = 1;                // of every key and bust that says none of its own

@@ -1,6 +1,7 @@
 #include "core/text.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 #define XXH_INLINE_ALL
 #include <xxhash.h>
@@ -67,10 +68,16 @@ bool has_content(const std::filesystem::path& path, std::string_view content) {
   return read_file(path) == content;
 }
 
-// Writes all of `content` to a new file and flushes it; returns 0 or the error number.
+// How often a half-made file may vanish under us before that is an error: whoever clears a folder of what
+// dead runs left may take ours for one of theirs between two of our calls.
+constexpr int kMostTries = 3;
+
+// Writes all of `content` to a new file and flushes it; returns 0 or the error number. While it is written it
+// is locked, so that others see that somebody lives who writes it.
 int write_flushed(const std::string& path, std::string_view content) {
   const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
   if (file < 0) return errno;
+  ::flock(file, LOCK_SH | LOCK_NB);
   int error = 0;
   while (!content.empty() && error == 0) {
     const ssize_t written = ::write(file, content.data(), content.size());
@@ -152,8 +159,11 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   if (error) fail_write(path, error.value());
 
   const std::string beside = fmt::format("{}.{}.part", path.string(), ::getpid());
-  int number = write_flushed(beside, content);
-  if (number == 0 && ::rename(beside.c_str(), path.c_str()) != 0) number = errno;
+  int number = ENOENT;
+  for (int i = 0; i < kMostTries && number == ENOENT; ++i) {
+    number = write_flushed(beside, content);
+    if (number == 0 && ::rename(beside.c_str(), path.c_str()) != 0) number = errno;
+  }
   if (number == 0) return;
   ::unlink(beside.c_str());
   fail_write(path, number);

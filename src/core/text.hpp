@@ -23,7 +23,7 @@ std::string format_number(double value, int decimals);
 // The whole file; throws RunError "cannot read PATH: reason".
 std::string read_file(const std::filesystem::path& path);
 
-// A file is complete or absent: written beside under a temporary name, flushed, renamed. Folders are made.
+// A file is complete or absent: written beside as "NAME.PID.part", flushed, renamed. Folders are made.
 // Throws RunError "cannot write PATH: reason" and leaves nothing behind, a full disk included. Unchanged
 // content is left untouched, so that its time stamp stays.
 void write_file(const std::filesystem::path& path, std::string_view content);

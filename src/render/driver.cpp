@@ -5,11 +5,13 @@
 #include "render/driver.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <list>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -27,11 +29,20 @@ constexpr const char* kIniText = "Work_Threads=1\n";
 // What POV-Ray may need of the disk for one pixel: its state file and the picture.
 constexpr std::size_t kDiskPerPixel = 16;  // bytes
 
+// By which a file is known to be the same, as it was.
+struct FileState {
+  off_t size = 0;
+  time_t changed_s = 0;
+  long changed_ns = 0;
+  bool operator==(const FileState&) const = default;
+};
+
 // One frame on its way.
 struct Rendering {
   const FrameJob* job;
   std::filesystem::path raw;  // what povray writes
   Process process;
+  std::vector<FileState> files;  // the job's, as povray found them
 };
 
 // What is the same for every frame of a call.
@@ -42,6 +53,7 @@ struct Run {
   WorkFolder work;
   int link_count = 0;
   std::vector<std::string> libraries;  // named as povray, running in the work folder, can read them
+  std::map<std::filesystem::path, std::pair<FileState, std::string>> hashes;  // of files, each as it was
 };
 
 bool is_plain(const std::string& name) {
@@ -77,7 +89,46 @@ std::vector<std::string> build_options(const RenderSettings& settings) {
   return options;
 }
 
+FileState read_state(const std::filesystem::path& path) {
+  struct stat facts {};
+  if (::stat(path.c_str(), &facts) != 0) return {};
+  return {facts.st_size, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec};
+}
+
+// Whether the file, which is as `state` says, holds what the job says; read once as long as it stays as it
+// is.
+bool holds(const TracedFile& file, const FileState& state, Run& run) {
+  auto& [known, hash] = run.hashes[file.path];
+  if (hash.empty() || known != state) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file.path, ignored)) return false;
+    known = state;
+    hash = hash_hex(read_file(file.path));
+  }
+  return hash == file.hash;
+}
+
+[[noreturn]] void fail_changed(const FrameJob& job, const TracedFile& file) {
+  throw RunError(fmt::format(
+      "frame {}: {} was changed while the clip was rendered; run again, one run a folder at a time",
+      job.number, file.path.string()));
+}
+
+// Throws RunError if what the picture shows may be something else than its key says.
+void check_files(const Rendering& rendering) {
+  for (std::size_t i = 0; i < rendering.files.size(); ++i) {
+    const TracedFile& file = rendering.job->files[i];
+    const FileState now = read_state(file.path);
+    if (now != rendering.files[i]) fail_changed(*rendering.job, file);
+  }
+}
+
 Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
+  std::vector<FileState> files;
+  for (const TracedFile& file : job.files) {
+    files.push_back(read_state(file.path));
+    if (!holds(file, files.back(), run)) fail_changed(job, file);
+  }
   const std::filesystem::path folder = job.scene.parent_path();
   const std::string raw = fmt::format("{}.png", index);
   std::vector<std::string> command{"povray", "+I" + build_plain_name(job.scene, run), "+O" + raw};
@@ -87,7 +138,7 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
     if (library != scene_folder) command.push_back("+L" + library);
   for (std::string& option : build_options(run.settings)) command.push_back(std::move(option));
   const std::string ini = fmt::format("POVINI={}", kIniName);
-  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini})};
+  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini}), std::move(files)};
 }
 
 // The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
@@ -107,7 +158,7 @@ std::string describe_command(const FrameJob& job, const RenderSettings& settings
 // What went wrong with an ended frame; empty and `png` filled if nothing did.
 std::string find_fault(const Rendering& rendering, const RenderSettings& settings, std::string& png) {
   const ProcessResult& result = rendering.process.result;
-  if (result.exit_code != 0) return describe_end("povray", result.exit_code);
+  if (result.exit_code != 0) return describe_end("povray", result);
   if (is_empty_scene(result.output)) return "povray found no objects in the scene";
   if (!std::filesystem::exists(rendering.raw)) return "povray wrote no picture";
   png = read_file(rendering.raw);
@@ -123,6 +174,7 @@ void finish_rendering(const Rendering& rendering, const Run& run) {
   std::error_code ignored;
   std::filesystem::remove(rendering.raw, ignored);
   std::filesystem::remove(std::filesystem::path(rendering.raw).replace_extension("pov-state"), ignored);
+  check_files(rendering);
   if (fault.empty()) return write_file(rendering.job->picture, mark_picture(png, rendering.job->key));
 
   const std::size_t pixel_count = static_cast<std::size_t>(settings.width_px) * settings.height_px;
@@ -166,7 +218,12 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
         continue;
       }
       if (!run) run.emplace(settings, frames.front().picture.parent_path());
-      running.push_back(start_rendering(job, next, *run));
+      try {
+        running.push_back(start_rendering(job, next, *run));
+      } catch (const RunError& error) {
+        failures.emplace(job.number, error.what());
+        break;
+      }
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
     for (const Rendering& rendering : ended) {

@@ -12,12 +12,19 @@
 
 namespace mien {
 
+// A file that POV-Ray reads for a frame, and the hash_hex of its content.
+struct TracedFile {
+  std::filesystem::path path;
+  std::string hash;
+};
+
 // One frame to render.
 struct FrameJob {
   int number = 1;                 // 1-based, names the frame in messages
   std::filesystem::path scene;    // the frame's .pov; its folder is searched for #include first
   std::filesystem::path picture;  // the .png to make
   std::string key;  // hash of all that the pixels depend on; kept inside the PNG; empty: render always
+  std::vector<TracedFile> files = {};  // those that the key speaks of
 };
 
 struct RenderSettings {
@@ -34,8 +41,11 @@ using FrameDone = std::function<void(int frame_number, bool was_kept)>;
 // (decodes, right size, not all one colour, scene not empty), stripped of its date, marked with its key,
 // written beside its place and renamed. A failing frame lets the running ones finish, keeps them, and throws
 // RunError with the command and POV-Ray's last lines (unwrapped from 80 columns); of several failing frames
-// the first is told. A full disk is one line, "cannot write PICTURE: No space left on device". Throws
-// Interrupted on a signal with all children ended and no temporary files left. Folders may have any name.
+// the first is told. A picture is kept only if the job's files held what the job says when it was begun, and
+// nobody wrote them until it was done: else "frame 6: PATH was changed while the clip was rendered; run
+// again, one run a folder at a time". A full disk is one line, "cannot write PICTURE: No space left on
+// device". Throws Interrupted on a signal with all children ended and no temporary files left. Folders may
+// have any name.
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
                    const FrameDone& done);
 

@@ -7,14 +7,25 @@
 #include <cctype>
 #include <cstring>
 
+#include "core/utf8.hpp"
+
 namespace mien {
 
 namespace {
 
-constexpr int kLastLines = 12;  // lines of output in a message: an error and what led to it
+constexpr std::size_t kLastLines = 12;      // of output in a message: an error and what led to it
+constexpr std::size_t kLongestLine = 1000;  // bytes of each: a path and what is wrong with it
 
 bool is_safe_in_shell(char letter) {
   return std::isalnum(static_cast<unsigned char>(letter)) || std::strchr("_-+=./,:@%", letter) != nullptr;
+}
+
+// A line as a message shows it: of a very long one its beginning.
+std::string shorten_line(const std::string& line) {
+  if (line.size() <= kLongestLine) return line;
+  std::size_t end = kLongestLine;
+  while (end > 0 && !is_first_of_character(line[end])) --end;
+  return fmt::format("{}... ({} bytes more left out)", line.substr(0, end), line.size() - end);
 }
 
 }  // namespace
@@ -53,7 +64,8 @@ std::string format_failure(const std::string& what, const std::string& command, 
   if (lines.back().empty()) lines.pop_back();
   std::string text = fmt::format("{}\n  command: {}", what, command);
   const std::size_t first = lines.size() > kLastLines ? lines.size() - kLastLines : 0;
-  for (std::size_t i = first; i < lines.size(); ++i) text += "\n  " + lines[i];
+  if (first > 0) text += fmt::format("\n  ({} line{} before these left out)", first, first == 1 ? "" : "s");
+  for (std::size_t i = first; i < lines.size(); ++i) text += "\n  " + shorten_line(lines[i]);
   return text;
 }
 

@@ -13,7 +13,8 @@ std::string quote_command(const std::vector<std::string>& command);
 std::string describe_end(const std::string& program, int exit_code);
 
 // The message of a RunError about a program: `what`, then "command: ..." and the last lines of the output
-// that say something, each on a line of its own, two blanks in. Control characters are left out.
+// that say something, each on a line of its own, two blanks in; before them how many lines are left out.
+// Control characters are left out, and the rest of a very long line.
 std::string format_failure(const std::string& what, const std::string& command, const std::string& output);
 
 }  // namespace mien

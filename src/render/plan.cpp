@@ -27,6 +27,10 @@ std::optional<int> parse_frame_number(const std::string& file_name) {
 
 }  // namespace
 
+bool is_clip_file(const std::string& name) {
+  return parse_frame_number(name) || name == "head.inc" || name == "loop.pov" || name.ends_with(".ini");
+}
+
 std::string name_frame(int frame) { return fmt::format("f{:04}", frame); }
 std::string name_heads(int frame) { return fmt::format("h{:04}.inc", frame); }
 
@@ -60,7 +64,7 @@ std::vector<std::filesystem::path> find_stale_files(const ClipFiles& files, int 
     std::error_code ignored;
     for (const auto& entry : std::filesystem::directory_iterator(files.folder / folder, ignored)) {
       const auto number = parse_frame_number(entry.path().filename().string());
-      if (number && *number > frame_count) stale.push_back(entry.path());
+      if (number && *number > frame_count && !entry.is_directory(ignored)) stale.push_back(entry.path());
     }
   }
   std::sort(stale.begin(), stale.end());

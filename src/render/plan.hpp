@@ -25,6 +25,9 @@ std::string name_frame(int frame);
 // "h0007.inc": the parts of heads that change, as they are in frame 7.
 std::string name_heads(int frame);
 
+// Whether FOLDER/scenes and FOLDER/frames of a clip may hold a file of this name: "f0001.pov", "head.inc".
+bool is_clip_file(const std::string& name);
+
 // What is to be made. Frames count from 1.
 struct FramePlan {
   std::vector<int> frames;  // asked for, ascending

@@ -13,12 +13,17 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
 #include <string_view>
+#include <thread>
 
 #include "core/error.hpp"
 
@@ -26,16 +31,21 @@ namespace mien {
 
 namespace {
 
-// The one thing a signal handler may touch, and any thread may ask.
-std::atomic<bool> signal_came = false;
-static_assert(std::atomic<bool>::is_always_lock_free);
-
 constexpr std::size_t kOutputKept = 1
                                     << 20;  // bytes; the end of a program's output is what explains a failure
 constexpr int kPoll_ms = 50;  // how late a signal to another thread or a daemonised child is noticed
 constexpr int kReap_ms = 1;   // between the closed pipe and the ended process
 
-extern "C" void note_signal(int) { signal_came = true; }
+constexpr double kStallLimit_s = 600;  // what no disk and no swapping keeps an honest program from any work
+// Of a processor: measured, POV-Ray whose parser waits for ever uses 0.004, as its other threads wake a
+// hundred times a second to look.
+constexpr double kIdleShare = 0.02;
+// Of the looks at it: on a machine so busy that an honest program is left less than that share, it is found
+// ready to run, or waiting for a disk, each time; one that only wakes to look, seldom.
+constexpr double kReadyShare = 0.75;
+constexpr double kLook_s = 5;       // between two looks at a program, at most
+constexpr double kLeastLooks = 20;  // in the time that it may do nothing
+constexpr double kEnd_s = 5;        // after SIGKILL a program that a dead disk holds fast may still not end
 
 double read_clock_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -87,6 +97,7 @@ void collect_output(Process& process) {
   while (process.output_file >= 0) {
     const ssize_t count = ::read(process.output_file, buffer.data(), buffer.size());
     if (count > 0) {
+      process.has_spoken = true;
       std::string& output = process.result.output;
       output.append(buffer.data(), static_cast<std::size_t>(count));
       if (output.size() > 2 * kOutputKept) output.erase(0, output.size() - kOutputKept);
@@ -117,6 +128,121 @@ bool reap(Process& process, int options) {
   return true;
 }
 
+// The words of a stat file of proc(5) from the state on: after the name, which stands in brackets and may
+// hold anything.
+std::istringstream read_stat(const std::filesystem::path& path) {
+  std::ifstream file(path);
+  std::string text;
+  std::getline(file, text);
+  const std::size_t bracket = text.rfind(')');
+  return std::istringstream(bracket == text.npos ? "" : text.substr(bracket + 1));
+}
+
+std::vector<std::filesystem::path> list_numbered(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> numbered;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    if (entry->path().filename().string().find_first_not_of("0123456789") == std::string::npos)
+      numbered.push_back(entry->path());
+  return numbered;
+}
+
+// The processes that a program became: its group and all that descend from it, whatever groups those made.
+std::vector<pid_t> list_family(pid_t program) {
+  struct Member {
+    pid_t id = 0, parent = 0;
+    bool is_ours = false;
+  };
+  std::vector<Member> all;
+  for (const std::filesystem::path& process : list_numbered("/proc")) {
+    std::istringstream fields = read_stat(process / "stat");
+    Member member{static_cast<pid_t>(std::atoi(process.filename().c_str())), 0, false};
+    std::string state;
+    pid_t group = 0;
+    if (!(fields >> state >> member.parent >> group)) continue;
+    member.is_ours = group == program || member.id == program;
+    all.push_back(member);
+  }
+  for (bool has_grown = true; has_grown;) {
+    has_grown = false;
+    for (Member& child : all) {
+      const auto is_parent = [&](const Member& other) { return other.is_ours && other.id == child.parent; };
+      if (child.is_ours || std::ranges::none_of(all, is_parent)) continue;
+      child.is_ours = has_grown = true;
+    }
+  }
+  std::vector<pid_t> family;
+  for (const Member& member : all)
+    if (member.is_ours) family.push_back(member.id);
+  return family;
+}
+
+// What a family of processes does.
+struct Activity {
+  double cpu_s = 0;       // that they and the children they waited for have used
+  bool is_ready = false;  // one of their threads runs, waits for a processor or waits for a disk
+};
+
+// Nothing if it cannot be told.
+std::optional<Activity> measure_activity(pid_t program) {
+  static const double ticks = static_cast<double>(::sysconf(_SC_CLK_TCK));
+  std::optional<Activity> sum;
+  for (const pid_t id : list_family(program)) {
+    const std::filesystem::path process = fmt::format("/proc/{}", id);
+    std::istringstream fields = read_stat(process / "stat");
+    if (!sum) sum.emplace();
+    std::string word;
+    for (int i = 3; i < 14; ++i) fields >> word;  // fields 3 to 13
+    double used = 0;
+    for (int i = 0; i < 4 && fields >> used; ++i) sum->cpu_s += used / ticks;  // its own, its children's
+    for (const std::filesystem::path& thread : list_numbered(process / "task"))
+      if (read_stat(thread / "stat") >> word; word == "R" || word == "D") sum->is_ready = true;
+  }
+  return sum;
+}
+
+// Whether a program has done nothing for as long as it may. Time that passed between two looks counts only
+// as far as looks are apart: whoever stopped us or the machine stopped the program too.
+bool has_stalled(Process& process) {
+  if (process.limit_s <= 0) return false;
+  const double look_s = std::min(kLook_s, process.limit_s / kLeastLooks);
+  const double now_s = read_clock_s(), passed_s = now_s - process.looked_s;
+  if (passed_s < look_s) return false;
+  process.looked_s = now_s;
+  const std::optional<Activity> activity = measure_activity(process.id);
+  process.idle_s += std::min(passed_s, 2 * look_s);
+  ++process.looks;
+  if (activity && activity->is_ready) ++process.ready_looks;
+  const bool is_late = process.idle_s >= process.limit_s;
+  const bool has_worked = !activity || activity->cpu_s < process.cpu_s ||
+                          activity->cpu_s - process.cpu_s > kIdleShare * process.limit_s ||
+                          (is_late && process.ready_looks > kReadyShare * process.looks);
+  if (has_worked || process.has_spoken) {
+    process.idle_s = 0;
+    process.looks = process.ready_looks = 0;
+    process.cpu_s = activity.value_or(Activity{}).cpu_s;
+  }
+  process.has_spoken = false;
+  return process.idle_s >= process.limit_s;
+}
+
+// Ends a program that hangs, and its children.
+void end_stalled(Process& process) {
+  const std::vector<pid_t> family = list_family(process.id);
+  ::kill(-process.id, SIGKILL);
+  for (const pid_t id : family) ::kill(id, SIGKILL);
+  for (const double begun_s = read_clock_s(); !reap(process, WNOHANG) && read_clock_s() - begun_s < kEnd_s;)
+    std::this_thread::sleep_for(std::chrono::milliseconds(kReap_ms));
+  if (process.id != 0) {
+    if (process.output_file >= 0) ::close(process.output_file);
+    process.output_file = -1;
+    process.id = 0;  // the kernel ends it when the disk comes back
+  }
+  process.result.exit_code = 128 + SIGKILL;
+  process.result.stalled_s = process.limit_s;
+}
+
 bool is_on_path(const std::string& program) {
   const char* variable = std::getenv("PATH");
   std::string_view path = variable != nullptr ? variable : "/usr/bin:/bin";
@@ -133,17 +259,24 @@ bool is_on_path(const std::string& program) {
 
 }  // namespace
 
-void install_signal_handlers() {
-  signal_came = false;
-  struct sigaction action {};
-  action.sa_handler = note_signal;
-  action.sa_flags = static_cast<int>(SA_RESETHAND);  // no SA_RESTART: poll() shall wake
-  ::sigemptyset(&action.sa_mask);
-  for (const int number : {SIGINT, SIGTERM, SIGHUP}) ::sigaction(number, &action, nullptr);
+double read_stall_limit_s() {
+  const char* variable = std::getenv("MIEN_STALL_LIMIT");
+  if (variable == nullptr || *variable == '\0') return kStallLimit_s;
+  const std::string_view text(variable);
+  double limit_s = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), limit_s);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(limit_s) || limit_s < 0)
+    throw InputError(fmt::format(
+        "MIEN_STALL_LIMIT: '{}' is not a number of seconds such as 600, or 0 for no limit", text));
+  return limit_s;
 }
 
-void throw_if_interrupted() {
-  if (signal_came) throw Interrupted();
+std::string describe_end(const std::string& program, const ProcessResult& result) {
+  if (result.stalled_s == 0) return describe_end(program, result.exit_code);
+  return fmt::format(
+      "{} hung and was ended: for {:.4g} s it said nothing and hardly worked; run again, or let "
+      "MIEN_STALL_LIMIT be more seconds (0: no limit)",
+      program, result.stalled_s);
 }
 
 Process::Process(Process&& other) noexcept { *this = std::move(other); }
@@ -153,6 +286,13 @@ Process& Process::operator=(Process&& other) noexcept {
   std::swap(output_file, other.output_file);
   std::swap(started_s, other.started_s);
   std::swap(result, other.result);
+  std::swap(limit_s, other.limit_s);
+  std::swap(idle_s, other.idle_s);
+  std::swap(looked_s, other.looked_s);
+  std::swap(cpu_s, other.cpu_s);
+  std::swap(looks, other.looks);
+  std::swap(ready_looks, other.ready_looks);
+  std::swap(has_spoken, other.has_spoken);
   return *this;
 }
 
@@ -167,6 +307,7 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
   std::vector<std::string> arguments = command, variables = build_environment(environment);
   std::vector<char*> argument_list = list_pointers(arguments), variable_list = list_pointers(variables);
   const std::filesystem::path place = folder.empty() ? "." : folder;
+  const double limit_s = read_stall_limit_s();
 
   std::array<int, 2> output{-1, -1}, report{-1, -1};
   if (::pipe2(output.data(), O_CLOEXEC) != 0)
@@ -174,7 +315,8 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
   int error = ::pipe2(report.data(), O_CLOEXEC) == 0 ? 0 : errno;
 
   Process process;
-  process.started_s = read_clock_s();
+  process.limit_s = limit_s;
+  process.started_s = process.looked_s = read_clock_s();
   process.output_file = output[0];
   const pid_t parent = ::getpid();
   const pid_t child = error == 0 ? ::fork() : -1;
@@ -208,7 +350,12 @@ void wait_for_any(const std::vector<Process*>& running) {
     std::vector<pollfd> files;
     for (Process* process : running) {
       collect_output(*process);
-      if (process->id == 0 || reap(*process, WNOHANG)) has_ended = true;
+      if (process->id == 0 || reap(*process, WNOHANG)) {
+        has_ended = true;
+      } else if (has_stalled(*process)) {
+        end_stalled(*process);
+        has_ended = true;
+      }
       is_closing |= process->output_file < 0;
       files.push_back({process->output_file, POLLIN, 0});
     }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/signals.hpp"
 #include "render/failure.hpp"
 
 namespace mien {
@@ -18,18 +19,22 @@ struct ProcessResult {
   int exit_code = 0;   // 128 + n if signal n ended it
   std::string output;  // stdout and stderr together, as they came; of a flood only the last megabyte or two
   double wall_s = 0;
+  double stalled_s = 0;  // above 0: it hung, did nothing for so long, and was ended with its children
 };
 
-// From now on SIGINT (Ctrl-C), SIGTERM and SIGHUP make waiting functions end their children and throw
-// Interrupted; a second signal ends us at once. Forgets a signal that came before. For main.cpp, once.
-void install_signal_handlers();
+// How long a program may do nothing before it counts as hung, in seconds; 0: for ever. A program does nothing
+// while it says nothing and it and its children use less than a fiftieth of a processor without being ready
+// to use more (or waiting for a disk) most of the time: one that computes, however slowly or seldom a busy
+// machine lets it, and one that talks are waited for without limit. Ten minutes, or what the variable
+// MIEN_STALL_LIMIT says; throws InputError if that is no number of seconds.
+double read_stall_limit_s();
 
-// Throws Interrupted if a signal came. For long loops that wait for no process.
-void throw_if_interrupted();
+// As describe_end of failure.hpp, and of a program that hung what can be done.
+std::string describe_end(const std::string& program, const ProcessResult& result);
 
 // Runs one program to its end in `folder`, with `environment` ("NAME=value") added to ours. It reads nothing
-// on its stdin. It is ended when we are asked to stop; then throws Interrupted. Throws RunError if it cannot
-// be started.
+// on its stdin. It is ended when it hangs, and when we are asked to stop; then throws Interrupted. Throws
+// RunError if it cannot be started.
 ProcessResult run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                           const std::vector<std::string>& environment = {});
 
@@ -49,6 +54,14 @@ struct Process {
   int output_file = -1;  // where its stdout and stderr come; -1: closed
   double started_s = 0;
   ProcessResult result;
+
+  // For noticing that it hangs.
+  double limit_s = 0;              // read_stall_limit_s() at its start
+  double idle_s = 0;               // how long it has done nothing
+  double looked_s = 0;             // when that was last looked at
+  double cpu_s = 0;                // what it had used of the processors when it last did something
+  int looks = 0, ready_looks = 0;  // since then: all, and those that found it ready to work
+  bool has_spoken = false;         // since it was last looked at
 };
 
 // As run_process, without waiting.
@@ -56,8 +69,8 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
                       const std::vector<std::string>& environment = {});
 
 // Sleeps until at least one of `running` (not empty) has ended, usually noticing it within a millisecond, and
-// collects the output of all meanwhile. Throws Interrupted if a signal came; ending the others is then their
-// owner's affair.
+// collects the output of all meanwhile. Ends those that hang. Throws Interrupted if a signal came; ending the
+// others is then their owner's affair.
 void wait_for_any(const std::vector<Process*>& running);
 
 }  // namespace mien

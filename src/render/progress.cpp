@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/streams.hpp"
 #include "render/terminal.hpp"
 
 namespace mien {
@@ -77,8 +78,7 @@ std::string paint_bar(const std::string& text) {
 void draw_bar(const Progress& progress) {
   const std::string text =
       format_progress_bar(find_state(progress), compute_terminal_width(progress.stream, kWidest));
-  fmt::print(progress.stream, "{}{}", kEraseLine, paint_bar(text));
-  std::fflush(progress.stream);
+  write_stream(progress.stream, kEraseLine + paint_bar(text));
 }
 
 void print_line(const Progress& progress) {
@@ -87,13 +87,11 @@ void print_line(const Progress& progress) {
   std::string line =
       fmt::format("{}: {}/{} ({} %)", state.label, done, state.total, 100 * done / state.total);
   if (state.rendered > 0) line += fmt::format(", {}, {}", format_speed(state), format_time_left(state));
-  fmt::print(progress.stream, "{}\n", line);
-  std::fflush(progress.stream);
+  write_stream(progress.stream, line + "\n");
 }
 
 void print_json(const Progress& progress, const nlohmann::ordered_json& event) {
-  fmt::print(progress.stream, "{}\n", event.dump());
-  std::fflush(progress.stream);
+  write_stream(progress.stream, event.dump() + "\n");
 }
 
 }  // namespace
@@ -114,15 +112,13 @@ Progress::Progress(std::FILE* stream_, ProgressStyle style_, std::string label_,
 
 Progress::~Progress() {
   if (style != ProgressStyle::bar || is_finished) return;
-  fmt::print(stream, "{}", kEraseLine);
-  std::fflush(stream);
+  write_stream(stream, kEraseLine);
 }
 
 void Progress::clear() {
   const std::lock_guard lock(mutex);
   if (style != ProgressStyle::bar || is_finished) return;
-  fmt::print(stream, "{}", kEraseLine);
-  std::fflush(stream);
+  write_stream(stream, kEraseLine);
   last_shown_s = 0;
 }
 
@@ -166,8 +162,7 @@ void Progress::finish() {
   std::string text = fmt::format("{}: {} done", label, rendered);
   if (kept > 0) text += fmt::format(", {} kept", kept);
   text += elapsed_s < 9.95 ? fmt::format(" in {:.1f} s", elapsed_s) : " in " + format_duration(elapsed_s);
-  fmt::print(stream, "{}{}\n", style == ProgressStyle::bar ? kEraseLine : "", text);
-  std::fflush(stream);
+  write_stream(stream, fmt::format("{}{}\n", style == ProgressStyle::bar ? kEraseLine : "", text));
 }
 
 std::string format_progress_bar(const ProgressState& state, int width) {

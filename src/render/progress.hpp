@@ -12,8 +12,8 @@ enum class ProgressStyle { bar, lines, json, quiet };
 // bar if `stream` is a terminal that can erase a line, else lines. Quiet wins over JSON.
 ProgressStyle compute_progress_style(std::FILE* stream, bool is_quiet, bool is_json);
 
-// Counts frames done; shows frames, frames a second and the time left. All writes go to one stream. Not
-// copied. Safe to call from several threads.
+// Counts frames done; shows frames, frames a second and the time left. All writes go to one stream; one that
+// takes nothing keeps nobody from working. Not copied. Safe to call from several threads.
 //
 // bar: redrawn ten times a second at most; erased by finish(), or by the destructor if work ended early, so
 // that an error message begins on a clean line. Drawn in UTF-8 where the locale has it, coloured unless

@@ -94,8 +94,7 @@ void check_frame_count(const std::filesystem::path& folder, std::size_t expected
                                          kClipName};
   const ProcessResult result = run_process(command, folder);
   if (result.exit_code != 0)
-    throw RunError(
-        format_failure(describe_end("ffprobe", result.exit_code), quote_command(command), result.output));
+    throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
   const std::string found = result.output.substr(0, result.output.find('\n'));
   if (found != std::to_string(expected))
     throw RunError(
@@ -113,9 +112,8 @@ void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
   const ProcessResult result = run_process(command, work.path);
   if (result.exit_code != 0) {
     require_space(work.path, kDiskProbe, clip);
-    throw RunError(
-        format_failure(fmt::format("{}: {}", clip.string(), describe_end("ffmpeg", result.exit_code)),
-                       quote_command(command), result.output));
+    throw RunError(format_failure(fmt::format("{}: {}", clip.string(), describe_end("ffmpeg", result)),
+                                  quote_command(command), result.output));
   }
   check_frame_count(work.path, pictures.size(), clip);
   std::error_code error;

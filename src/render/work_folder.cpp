@@ -11,7 +11,9 @@
 #include <cerrno>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <system_error>
+#include <vector>
 
 #include "core/error.hpp"
 
@@ -31,18 +33,60 @@ int open_locked(const std::filesystem::path& folder, bool is_ours) {
   return -1;
 }
 
-void remove_left_folders(const std::filesystem::path& parent) {
+// "f0001.pov" of "f0001.pov.123.part"; empty for other names.
+std::string find_part_name(const std::string& file_name) {
+  constexpr std::string_view kEnding = ".part";
+  if (!file_name.ends_with(kEnding)) return "";
+  const std::string rest = file_name.substr(0, file_name.size() - kEnding.size());
+  const std::size_t point = rest.rfind('.');
+  if (point == rest.npos || point + 1 == rest.size()) return "";
+  return rest.find_first_not_of("0123456789", point + 1) == rest.npos ? rest.substr(0, point) : "";
+}
+
+// Nobody who lives holds this file, and the disk can tell.
+bool is_left(const std::filesystem::path& file) {
+  const int opened = ::open(file.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+  if (opened < 0) return false;
+  const bool is_free = ::flock(opened, LOCK_EX | LOCK_NB) == 0;
+  ::close(opened);
+  return is_free;
+}
+
+std::vector<std::filesystem::path> list_entries(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> entries;
+  std::error_code error;
+  for (std::filesystem::directory_iterator entry(folder, error), end; !error && entry != end;
+       entry.increment(error))
+    entries.push_back(entry->path());
+  return entries;
+}
+
+}  // namespace
+
+void remove_left_folders(const std::filesystem::path& folder) {
   std::error_code ignored;
-  for (const auto& entry : std::filesystem::directory_iterator(parent, ignored)) {
-    if (!entry.path().filename().string().starts_with(kPrefix)) continue;
-    const int file = open_locked(entry.path(), false);
+  for (const std::filesystem::path& entry : list_entries(folder)) {
+    if (!entry.filename().string().starts_with(kPrefix)) continue;
+    const int file = open_locked(entry, false);
     if (file < 0) continue;
-    std::filesystem::remove_all(entry.path(), ignored);
+    std::filesystem::remove_all(entry, ignored);
     ::close(file);
   }
 }
 
-}  // namespace
+void remove_left_parts(const std::filesystem::path& folder,
+                       const std::function<bool(const std::string& name)>& is_ours) {
+  for (const std::filesystem::path& entry : list_entries(folder)) {
+    const std::string name = find_part_name(entry.filename().string());
+    if (!name.empty() && is_ours(name) && is_left(entry)) ::unlink(entry.c_str());
+  }
+}
+
+void remove_left_parts_of(const std::filesystem::path& file) {
+  const std::filesystem::path folder = file.parent_path();
+  remove_left_parts(folder.empty() ? "." : folder,
+                    [&](const std::string& name) { return name == file.filename().string(); });
+}
 
 WorkFolder::WorkFolder(const std::filesystem::path& parent) {
   const std::filesystem::path shown = parent.empty() ? "." : parent;

@@ -7,6 +7,7 @@
 #include <iterator>
 #include <set>
 
+#include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/view.hpp"
 #include "core/error.hpp"
@@ -31,12 +32,10 @@ constexpr std::size_t kFewestPictures = 16;  // unless the clip has fewer drawin
 constexpr int kPictureWidth_px = 160;        // eight in a line are as wide as a page
 
 fs::path find_path(const Options& options, const Spec& spec, const std::string& name) {
-  const fs::path path = options.output.value_or(fs::path("out") / spec.name / name);
-  const std::string ending = fs::path(name).extension().string();
-  if (path.extension() != ending)
-    throw InputError(fmt::format("-o {}: unknown kind of sheet '{}'; expected a name that ends in {}",
-                                 path.string(), path.extension().string(), ending));
-  return path;
+  const OutputFile file = find_output_file(options, fs::path("out") / spec.name / name);
+  check_ending(file, "sheet", {find_ending(name)});
+  check_output_files({file}, spec);
+  return file.path;
 }
 
 // Frames from 0, each the first of its drawing.
@@ -149,6 +148,7 @@ fs::path write_strip(const Options& options, const Resources& resources) {
   StripPage page = build_page(spec, performance, render);
   render_pictures(performance, figure, render, path.has_parent_path() ? path.parent_path() : ".", options,
                   resources.stock.templates, page);
+  remove_left_parts_of(path);
   write_file(path, build_strip_svg(page));
   return path;
 }
@@ -158,6 +158,7 @@ fs::path write_exposure(const Options& options, const Resources& resources) {
   const fs::path path = find_path(options, spec, "exposure.csv");
   Performance performance = build_performance(spec.clip);
   performance.idle.eyes = compute_eyes(build_figure(resources.heads, spec.head), spec.render);
+  remove_left_parts_of(path);
   write_file(path, build_exposure_csv(build_exposure(performance)));
   return path;
 }

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
@@ -33,12 +34,11 @@ constexpr double kLargeTitle_px = 50;  // the captions' letters are half as larg
 constexpr const char* kGround = "paper";  // templates/povray/background_paper.inc
 
 fs::path find_sheet_path(const std::string& kind, const Options& options, const Spec& spec) {
-  const fs::path path =
-      options.output.value_or(fs::path("out") / spec.name / fmt::format("sheet_{}.png", kind));
-  if (path.extension() != ".png")
-    throw InputError(fmt::format("-o {}: unknown kind of picture '{}'; expected a name that ends in .png",
-                                 path.string(), path.extension().string()));
-  return path;
+  const OutputFile file =
+      find_output_file(options, fs::path("out") / spec.name / fmt::format("sheet_{}.png", kind));
+  check_ending(file, "picture", {".png"});
+  check_output_files({file}, spec);
+  return file.path;
 }
 
 // The file's title in letters that can be drawn, else its name.
@@ -199,6 +199,7 @@ std::filesystem::path write_sheet(const Options& options, const Resources& resou
   require_programs({{"povray", "povray"}});
   check_heads(plan, options, resources.heads);
 
+  remove_left_parts_of(path);
   const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
   Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), "heads",
                     static_cast<int>(plan.heads.size()));

@@ -17,8 +17,10 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_file(const fs::path& word) {
+  std::error_code ignored;
+  const fs::file_status status = fs::status(word, ignored);
   return word.extension() == ".yaml" || word.extension() == ".yml" ||
-         (fs::exists(word) && !fs::is_directory(word));
+         (fs::exists(status) && !fs::is_directory(status));
 }
 
 constexpr const char* kPlainHair = "crop";  // bald heads look startled and unfinished

@@ -47,7 +47,10 @@ TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
   for (const int jobs : {1, 4}) {
     const auto folder = make_test_folder(std::to_string(jobs));
     const Clip clip = plan_two(folder);
-    keys.push_back(write_scenes(clip, build_cast(clip, shipped().heads), shipped(), jobs, [](int) {}));
+    keys.emplace_back();
+    for (const WrittenScene& scene :
+         write_scenes(clip, build_cast(clip, shipped().heads), shipped(), jobs, [](int) {}))
+      keys.back().push_back(scene.key);
     scenes.push_back(read_scenes(folder));
   }
   EXPECT_EQ(keys[0], keys[1]);

@@ -39,6 +39,14 @@ inline ProgramRun run_shell(const std::filesystem::path& folder, const std::stri
           read_file(log + ".err")};
 }
 
+// A program `name` in folder/bin that does what `script` says; PATH for a command that shall find it first.
+inline std::string make_program(const std::filesystem::path& folder, const std::string& name,
+                                const std::string& script) {
+  write_file(folder / "bin" / name, "#!/bin/sh\n" + script);
+  std::filesystem::permissions(folder / "bin" / name, std::filesystem::perms::owner_all);
+  return "PATH='" + (folder / "bin").string() + "':\"$PATH\" ";
+}
+
 // The files below a folder, from it, by name.
 inline std::vector<std::string> list_files(const std::filesystem::path& folder) {
   std::vector<std::string> files;

@@ -54,8 +54,8 @@ TEST(house, sources_have_one_format) {
 
 TEST(house, scripts_are_clean) {
   if (std::system("command -v shellcheck >/dev/null") != 0) GTEST_SKIP() << "shellcheck is not installed";
-  const std::string command =
-      fmt::format("cd '{}' && shellcheck run .ci/run bench/busts docs/make_pictures", source_folder());
+  const std::string command = fmt::format(
+      "cd '{}' && shellcheck run .ci/run bench/busts bench/torture docs/make_pictures", source_folder());
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 

@@ -221,6 +221,41 @@ TEST(driver, removes_what_a_killed_run_left_but_nothing_of_a_living_one) {
   EXPECT_EQ(shoot.count_pictures(), 1);
 }
 
+TEST(driver, keeps_no_picture_of_a_scene_that_was_changed) {
+  Shoot shoot(3);
+  const auto stage = shoot.scratch.path / "scenes/stage.inc";
+  for (FrameJob& frame : shoot.frames)
+    frame.files = {{frame.scene, hash_hex(read_file(frame.scene))}, {stage, hash_hex(read_file(stage))}};
+  shoot.render();
+  EXPECT_EQ(shoot.count_pictures(), 3);
+  const std::string told = "was changed while the clip was rendered; run again, one run a folder at a time";
+  for (const FrameJob& frame : shoot.frames) std::filesystem::remove(frame.picture);
+  // Before it is traced.
+  const std::string scene = read_file(shoot.frames[1].scene), include = read_file(stage);
+  write_file(shoot.frames[1].scene, scene + "\n");
+  EXPECT_EQ(shoot.find_error(), fmt::format("frame 2: {} {}", shoot.frames[1].scene.string(), told));
+  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, false}}));
+  write_file(shoot.frames[1].scene, scene);
+  // While it is: the fake writes, traces, and puts back what was there.
+  shoot.settings.jobs = 1;
+  for (const char* change : {"echo '//' >>../../scenes/f0002.pov", "echo '//' >>../../scenes/stage.inc",
+                             "cp ../../scenes/f0002.pov old; echo '//' >../../scenes/f0002.pov; "
+                             "cat old >../../scenes/f0002.pov",
+                             "rm ../../scenes/stage.inc"}) {
+    const FakeProgram fake("povray", fmt::format("case $1 in *f0002.pov) {};; esac\n"
+                                                 "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n",
+                                                 change));
+    const std::string error = shoot.find_error();
+    EXPECT_TRUE(error.starts_with("frame 2: ") && error.ends_with(told)) << change << ": " << error;
+    EXPECT_FALSE(std::filesystem::exists(shoot.frames[1].picture)) << change;
+    write_file(shoot.frames[1].scene, scene);
+    write_file(stage, include);
+  }
+  shoot.render();
+  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, true}, {2, false}, {3, true}}))
+      << "the third was begun before the second was judged";
+}
+
 TEST(driver, tells_a_place_that_cannot_be_written) {
   Shoot shoot(1);
   shoot.frames[0].picture = "/dev/full/frames/f0001.png";

@@ -21,7 +21,21 @@ TEST(failure, tells_a_failure_with_the_command_and_the_last_lines) {
             "it failed\n  command: x y\n  a\n  [31mb\n  c");
   std::string long_output;
   for (int i = 1; i <= 20; ++i) long_output += std::to_string(i) + "\n";
-  EXPECT_THAT(format_failure("it failed", "x", long_output), HasSubstr("command: x\n  9\n  10\n"));
+  EXPECT_THAT(format_failure("it failed", "x", long_output),
+              HasSubstr("command: x\n  (8 lines before these left out)\n  9\n  10\n"));
+  EXPECT_EQ(
+      format_failure("it failed", "x", "1\n2\n3\n4\n5\n6\n7\n8\n9\n10\n11\n12\n13").find("  (1 line before"),
+      std::string("it failed\n  command: x\n").size());
+}
+
+TEST(failure, tells_the_beginning_of_a_line_without_an_end) {
+  std::string line(999, 'x');
+  EXPECT_EQ(format_failure("it failed", "x", line + "y"), "it failed\n  command: x\n  " + line + "y");
+  EXPECT_EQ(format_failure("it failed", "x", line + "é" + std::string(5000, 'z')),
+            "it failed\n  command: x\n  " + line + "... (5002 bytes more left out)")
+      << "cut before a letter, not in it";
+  EXPECT_EQ(format_failure("it failed", "x", std::string(2000, '\xBF')),
+            "it failed\n  command: x\n  ... (2000 bytes more left out)");
 }
 
 }  // namespace

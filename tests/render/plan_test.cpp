@@ -41,6 +41,13 @@ TEST(plan, names_frames_with_four_digits_and_more_when_needed) {
   EXPECT_EQ(name_frame(12345), "f12345");
 }
 
+TEST(plan, knows_its_own_files) {
+  for (const char* name : {"f0001.pov", "f12345.png", "h0007.inc", "head.inc", "loop.pov", "hello.ini"})
+    EXPECT_TRUE(is_clip_file(name)) << name;
+  for (const char* name : {"photo.png", "f004x.png", "f0001.jpg", "heads.inc", ""})
+    EXPECT_FALSE(is_clip_file(name)) << name;
+}
+
 TEST(plan, finds_only_its_own_stale_files) {
   const auto folder = std::filesystem::path(testing::TempDir()) / "mien_plan_test";
   std::filesystem::remove_all(folder);
@@ -48,6 +55,7 @@ TEST(plan, finds_only_its_own_stale_files) {
   for (const char* name : {"f0001.png", "f0004.png", "f004x.png", "photo.png", "f0005.pov"})
     write_file(folder / "frames" / name, "x");
   write_file(files.scene(9), "x");
+  std::filesystem::create_directories(folder / "frames/f0008.png");  // somebody's own
   EXPECT_EQ(find_stale_files(files, 3),
             (std::vector<std::filesystem::path>{folder / "frames/f0004.png", folder / "frames/f0005.pov",
                                                 folder / "scenes/f0009.pov"}));

@@ -45,6 +45,21 @@ TEST(process, does_not_wait_for_a_grandchild_that_holds_the_output) {
   EXPECT_LT(result.wall_s, 30);  // seconds: half of the grandchild's, however busy the machine
 }
 
+TEST(process, is_ended_at_once_by_a_second_signal_that_is_meant) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    install_signal_handlers();
+    ::raise(SIGINT);
+    ::raise(SIGINT);
+    ::usleep(1'100'000);
+    ::raise(SIGTERM);
+    ::_exit(0);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGTERM) << status;
+}
+
 TEST(process, waits_for_one_of_many) {
   Process fast = start_process({"sh", "-c", "echo fast"}, "."), slow = start_process({"sleep", "20"}, ".");
   wait_for_any({&fast, &slow});
@@ -90,11 +105,70 @@ TEST(process, ends_children_and_grandchildren_on_a_signal) {
             }),
             "interrupted; what was finished is kept, run again to go on");
   finger.join();
+  ::kill(::getpid(), SIGINT);  // its echo
   EXPECT_TRUE(is_gone(std::stoi(read_file(scratch.path / "id"))));
   EXPECT_THROW(run_process({"true"}, "."), Interrupted);
   EXPECT_THROW(throw_if_interrupted(), Interrupted);
   install_signal_handlers();
   EXPECT_EQ(run_process({"true"}, ".").exit_code, 0);
+}
+
+// MIEN_STALL_LIMIT while it lives.
+struct StallLimit {
+  explicit StallLimit(const char* seconds) { ::setenv("MIEN_STALL_LIMIT", seconds, 1); }
+  ~StallLimit() { ::unsetenv("MIEN_STALL_LIMIT"); }
+};
+
+TEST(process, takes_ten_minutes_or_what_is_said_for_a_stall) {
+  EXPECT_EQ(read_stall_limit_s(), 600);
+  for (const auto& [text, limit_s] : {std::pair{"2.5", 2.5}, {"0", 0.0}, {"", 600.0}}) {
+    const StallLimit limit(text);
+    EXPECT_EQ(read_stall_limit_s(), limit_s);
+  }
+  const StallLimit limit("ten");
+  EXPECT_EQ(find_message<InputError>([] { read_stall_limit_s(); }),
+            "MIEN_STALL_LIMIT: 'ten' is not a number of seconds such as 600, or 0 for no limit");
+}
+
+TEST(process, ends_what_does_nothing_with_its_children) {
+  const Scratch scratch;
+  const StallLimit limit("1");
+  const ProcessResult result =
+      run_process({"sh", "-c", "echo hm; sleep 60 & echo $! > id; wait"}, scratch.path);
+  EXPECT_EQ(result.stalled_s, 1);
+  EXPECT_EQ(result.output, "hm\n");
+  EXPECT_GE(result.wall_s, 1);
+  EXPECT_LT(result.wall_s, 30);  // half of what it would have slept, however busy the machine
+  EXPECT_TRUE(is_gone(std::stoi(read_file(scratch.path / "id"))));
+  EXPECT_EQ(describe_end("sh", result),
+            "sh hung and was ended: for 1 s it said nothing and hardly worked; run again, or let "
+            "MIEN_STALL_LIMIT be more seconds (0: no limit)");
+  ProcessResult killed;
+  killed.exit_code = 137;
+  EXPECT_EQ(describe_end("sh", killed), "sh was ended by signal 9 (Killed)");
+}
+
+TEST(process, ends_one_that_hangs_and_not_the_other) {
+  const StallLimit limit("1");
+  Process hung = start_process({"sleep", "60"}, "."),
+          busy = start_process({"sh", "-c", "while :; do :; done"}, ".");
+  wait_for_any({&hung, &busy});
+  EXPECT_EQ(hung.id, 0);
+  EXPECT_EQ(hung.result.stalled_s, 1);
+  EXPECT_NE(busy.id, 0);
+}
+
+TEST(process, waits_for_what_computes_talks_or_has_no_limit) {
+  const auto run = [](const char* seconds, const char* script) {
+    const StallLimit limit(seconds);
+    return run_process({"sh", "-c", script}, ".");
+  };
+  const ProcessResult talks = run("1", "for i in 1 2 3 4 5 6; do sleep 0.4; echo $i; done");
+  EXPECT_EQ(talks.output, "1\n2\n3\n4\n5\n6\n");
+  EXPECT_EQ(talks.stalled_s, 0);
+  // A child's work is its parent's.
+  EXPECT_EQ(run("1", "timeout 3 sh -c 'while :; do :; done' & wait; echo done").output, "done\n");
+  EXPECT_EQ(run("0", "sleep 2; echo done").output, "done\n");
 }
 
 TEST(process, leaves_no_child_when_we_are_killed) {
