@@ -10,6 +10,7 @@
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/streams.hpp"
 #include "render/process.hpp"
 
 namespace mien {
@@ -83,7 +84,7 @@ void run_bust(const Options& options) {
   const auto report_file = [&](const std::string& kind, const std::filesystem::path& path) {
     progress.clear();
     report_result(options, kind, path);
-    std::fflush(stdout);
+    flush_stream(stdout);  // nobody who cannot be told waits for the other busts
     progress.advance(false);
   };
   bool are_printable = true;
