@@ -60,10 +60,7 @@ HairRoots build_roots(const HeadPart& bound, const NeutralHead& head,
           compute_skin_frame(head.skin.positions, head.skin.normals, triangle, binding->barycentric);
       roots.corners.push_back({half_of[triangle[0]], half_of[triangle[1]], half_of[triangle[2]]});
     }
-    if (&one == &other) {
-      frames[1] = frames[0];
-      roots.corners.push_back(roots.corners.back());
-    }
+    if (&one == &other) frames[1] = frames[0];
     roots.shares.push_back({pack(one.barycentric), pack(other.barycentric)});
     std::array<Twin, 3>& axes = roots.rest.emplace_back();
     for (int i = 0; i < 3; ++i) axes[i] = {pack(frames[0].axes[i]), pack(frames[1].axes[i])};
