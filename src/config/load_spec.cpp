@@ -10,6 +10,7 @@
 #include "config/expressions.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -189,8 +190,8 @@ std::map<std::string, std::string> load_library_sources(const std::filesystem::p
 std::string build_name(const std::filesystem::path& file) {
   std::string name;
   for (const char c : file.stem().string()) {
+    if (!is_first_of_character(c)) continue;
     const unsigned char byte = static_cast<unsigned char>(c);
-    if ((byte & 0xC0) == 0x80) continue;  // the rest of a character in UTF-8
     const bool is_kept = (byte < 0x80 && std::isalnum(byte)) || c == '-' || c == '_';
     name += is_kept ? c : '_';
   }

@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/print_numbers.hpp"
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 
@@ -69,39 +70,25 @@ bool read_letter(std::string_view line, Letters& letters) {
 }
 
 // A character and its bytes.
-struct Character {
+struct Letter {
   char32_t code = 0;
   std::string bytes;
 };
 
-// UTF-8; a byte that is none is a character of its own.
-std::vector<Character> list_characters(const std::string& text) {
-  std::vector<Character> characters;
+// What is no UTF-8 is U+FFFD, a letter a byte, and what cannot be seen a blank.
+std::vector<Letter> list_letters(const std::string& text) {
+  std::vector<Letter> letters;
   for (std::size_t at = 0; at < text.size();) {
-    const auto first = static_cast<unsigned char>(text[at]);
-    std::size_t length = first < 0x80       ? 1
-                         : first >> 5 == 6  ? 2
-                         : first >> 4 == 14 ? 3
-                         : first >> 3 == 30 ? 4
-                                            : 0;
-    char32_t code = length < 2 ? first : first & (0x7F >> length);
-    for (std::size_t i = 1; i < length; ++i) {
-      const unsigned char next = at + i < text.size() ? static_cast<unsigned char>(text[at + i]) : 0;
-      if (next >> 6 != 2) length = 0;
-      code = code << 6 | (next & 0x3F);
-    }
-    if (length == 0) {
-      characters.push_back({0xFFFD, "\xEF\xBF\xBD"});
-      ++at;
-      continue;
-    }
-    if (code < 32 || code == 127)
-      characters.push_back({U' ', " "});
+    const auto [code, length] = find_character(text, at);
+    if (length == 0)
+      letters.push_back({0xFFFD, "\xEF\xBF\xBD"});
+    else if (code < 32 || code == 127)
+      letters.push_back({U' ', " "});
     else
-      characters.push_back({code, text.substr(at, length)});
-    at += length;
+      letters.push_back({code, text.substr(at, length)});
+    at += std::max<std::size_t>(length, 1);
   }
-  return characters;
+  return letters;
 }
 
 const Glyph& find_glyph(const Letters& letters, char32_t code) {
@@ -116,9 +103,9 @@ struct Setting {
       : unit_mm((size_mm - compute_pen_mm(size_mm)) / kCapital),
         pen_mm(compute_pen_mm(size_mm)),
         gap_mm(std::max(kLeastLetterGap_mm, kLetterGap * unit_mm)) {}
-  double measure(const Letters& letters, const std::vector<Character>& line) const {
+  double measure(const Letters& letters, const std::vector<Letter>& line) const {
     double width = line.empty() ? 0 : -gap_mm;
-    for (const Character& c : line) width += find_glyph(letters, c.code).width * unit_mm + pen_mm + gap_mm;
+    for (const Letter& c : line) width += find_glyph(letters, c.code).width * unit_mm + pen_mm + gap_mm;
     return width;
   }
 };
@@ -140,7 +127,7 @@ Letters build_letters(const Template& table) {
 
 Label set_label(const Letters& letters, const std::string& text, double size_mm, double least_mm,
                 double width_mm) {
-  std::vector<Character> line = list_characters(text);
+  std::vector<Letter> line = list_letters(text);
   while (!line.empty() && line.back().code == U' ') line.pop_back();
   Label label;
   label.size_mm = size_mm;
@@ -157,7 +144,7 @@ Label set_label(const Letters& letters, const std::string& text, double size_mm,
   label.pen_mm = setting.pen_mm;
   label.width_mm = setting.measure(letters, line);
   double x = -label.width_mm / 2 + setting.pen_mm / 2;
-  for (const Character& c : line) {
+  for (const Letter& c : line) {
     const Glyph& glyph = find_glyph(letters, c.code);
     for (const Stroke& stroke : glyph.strokes) {
       Stroke& set = label.strokes.emplace_back();

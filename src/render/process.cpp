@@ -25,6 +25,7 @@
 #include <string_view>
 #include <thread>
 
+#include "core/clock.hpp"
 #include "core/error.hpp"
 
 namespace mien {
@@ -46,10 +47,6 @@ constexpr double kReadyShare = 0.75;
 constexpr double kLook_s = 5;       // between two looks at a program, at most
 constexpr double kLeastLooks = 20;  // in the time that it may do nothing
 constexpr double kEnd_s = 5;        // after SIGKILL a program that a dead disk holds fast may still not end
-
-double read_clock_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 std::vector<char*> list_pointers(std::vector<std::string>& words) {
   std::vector<char*> pointers;

@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "core/clock.hpp"
 #include "core/streams.hpp"
 #include "render/terminal.hpp"
 
@@ -23,10 +23,6 @@ constexpr int kWidest = 80;            // columns; a longer bar is not easier to
 constexpr int kLongestBar = 32, kShortestBar = 8;
 
 constexpr const char* kEraseLine = "\r\x1b[2K";
-
-double read_clock_s() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
 
 ProgressState find_state(const Progress& progress) {
   return {progress.label, progress.rendered, progress.kept, progress.total,

@@ -12,24 +12,15 @@
 #include "core/text.hpp"
 #include "scene/openscad_lists.hpp"
 #include "scene/openscad_numbers.hpp"
+#include "scene/title.hpp"
 
 namespace mien {
 
 namespace {
 
+// What could end the comment, open another, or be taken for a placeholder.
+constexpr std::string_view kUnsafe = "*/\\{}";
 constexpr std::size_t kMaxTitleBytes = 120;  // a comment line that an editor shows whole
-
-// Nothing that could end the comment, open another, or be taken for a placeholder.
-std::string clean_title(const std::string& title) {
-  std::string clean = title.substr(0, kMaxTitleBytes);
-  if (clean.size() < title.size())  // no half letter at the end
-    while (!clean.empty() && (title[clean.size()] & 0xC0) == 0x80) clean.pop_back();
-  const auto is_unsafe = [](unsigned char c) {
-    return c < ' ' || c == 127 || c == '*' || c == '/' || c == '\\' || c == '{' || c == '}';
-  };
-  std::replace_if(clean.begin(), clean.end(), is_unsafe, ' ');
-  return clean;
-}
 
 // What the expressions are called in the file: plain words, each of them once.
 std::vector<std::string> list_menu_names(const PosableBust& bust) {
@@ -199,7 +190,7 @@ std::string build_openscad_bust(const PosableBust& bust, const Templates& templa
   base["letters"] = bust.letters;
   ScadValues values = list_scad_carving();
   values.merge(ScadValues{
-      {"title", clean_title(bust.title)},
+      {"title", clean_title(bust.title, kUnsafe, kMaxTitleBytes)},
       {"height_mm", number(bust.height_mm)},
       {"figure_mm", number(bust.figure_mm)},
       {"base_shape", bust.base_shape},
