@@ -35,7 +35,7 @@ const CommandInfo command_sheet{
     "Renders a page of pictures without perspective, each named: views (from all sides, with Loomis'\n"
     "guide lines), details (eye, mouth, nose and ear close by), ages, skulls, features (each at -1, 0\n"
     "and 1), areas (each move with its arrows), limits (of each area, drawn on the face), expressions,\n"
-    "libraries (what each means by six feelings), heads (one expression at five ages of four skulls) or\n"
+    "libraries (what each means by six feelings), heads (one expression at six ages of four skulls) or\n"
     "people (twelve random heads, each with the seed that makes it; FILE, which may be left out, says\n"
     "what they have in common). FILE may be a library's name after expressions and an expression's after "
     "heads, for a FILE of\n"

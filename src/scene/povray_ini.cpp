@@ -1,6 +1,8 @@
 // POV-Ray's options and its own animation loop: reference manual, section 3.2.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "scene/povray.hpp"
 #include "scene/povray_quality.hpp"
 
@@ -43,10 +45,12 @@ std::string build_povray_ini(const RenderSpec& render, const std::string& name, 
   text += fmt::format("Input_File_Name={}\nLibrary_Path={}\nOutput_File_Name={}\n", quote_ini("loop.pov"),
                       quote_ini(clip_folder / "scenes"),
                       quote_ini(clip_folder / fmt::format("frames/f{}.png", zeros)));
-  text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", frame_count, render.width_px,
+  // A clip that ends with its first frame is none to POV-Ray: the picture would have no number.
+  const int last_frame = std::max(frame_count, 2);
+  text += fmt::format("Initial_Frame=1\nFinal_Frame={}\nWidth={}\nHeight={}\n", last_frame, render.width_px,
                       render.height_px);
   // The first and last frame stay the clip's, since they decide on the number of digits.
-  if (range != std::pair(1, frame_count))
+  if (range != std::pair(1, last_frame))
     text += fmt::format("Subset_Start_Frame={}\nSubset_End_Frame={}\n", range.first, range.second);
   text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
   for (const std::string& option : list_quality_options(render.quality)) text += fmt::format("{}\n", option);

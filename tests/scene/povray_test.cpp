@@ -250,6 +250,11 @@ TEST(povray, povray_renders_the_ini_from_the_folder_above_out) {
   EXPECT_EQ(read_file(root / "log").find("Parse Warning"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(clip / "frames/f0001.png"));
   EXPECT_TRUE(std::filesystem::exists(clip / "frames/f0002.png"));
+  // A clip of one frame has a numbered picture, too.
+  std::filesystem::remove(clip / "frames/f0001.png");
+  write_file(clip / "scenes/cards.ini", build_povray_ini(render, "cards", 1, "out/two_cards", {1, 1}));
+  EXPECT_EQ(std::system(command.c_str()), 0) << read_file(root / "log");
+  EXPECT_TRUE(std::filesystem::exists(clip / "frames/f0001.png"));
   std::filesystem::remove_all(root);
 }
 

@@ -1,0 +1,23 @@
+# Sources of a room compiled together, some at a time: each alone reads the same headers again, so that all of them take half
+# as long this way. Names of an unnamed namespace meet there. A file whose names are those of a neighbour is told by the compiler
+# ("redefinition of"), and goes on the list.
+set(MIEN_TOGETHER 6)
+set(MIEN_ALONE command_line/help config/load_clip_laws config/load_fold_data config/load_idle head/beard head/hair_locks head/scan_ear
+               head/skin_spots head/teeth head/wrap_finish import/read_ply print/thicken scene/openscad_check
+               scene/openscad_numbers scene/povray_stage)
+
+# mien_compile_together(SOURCE...): sets the group that each is of.
+function(mien_compile_together)
+  foreach(source IN LISTS ARGN)
+    file(RELATIVE_PATH name "${CMAKE_CURRENT_SOURCE_DIR}/src" "${source}")
+    string(REGEX REPLACE "[.]cpp$" "" name "${name}")
+    get_filename_component(room "${name}" DIRECTORY)
+    if(name IN_LIST MIEN_ALONE)
+      continue()
+    endif()
+    list(APPEND of_${room} "${source}")
+    list(LENGTH of_${room} count)
+    math(EXPR group "(${count} - 1) / ${MIEN_TOGETHER}")
+    set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${room}_${group}")
+  endforeach()
+endfunction()
