@@ -173,10 +173,31 @@ std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& pa
   return std::make_shared<const TimeTable>(std::move(table));
 }
 
+namespace {
+
+// The table as a track shows it, from the library if it was read for another one. Empty, with mistakes told,
+// if it is wrong.
+std::shared_ptr<const TimeTable> find_table(const YamlValue& csv, const std::filesystem::path& file,
+                                            Between between, const ClipReader& reader) {
+  auto& tables = reader.library->tables;
+  const int fps = static_cast<int>(std::lround(reader.clock.measure.units[2].over));
+  const std::tuple key(file.string(), fps, between);
+  if (const auto known = tables.find(key); known != tables.end()) return known->second;
+  if (!has_room(csv, file)) return tables[key] = nullptr;
+  const auto table = load_move_table(file, fps, *csv.findings);
+  if (!table) return tables[key] = nullptr;
+  TimeTable timed = *table;
+  timed.between = between;
+  return tables[key] = std::make_shared<const TimeTable>(std::move(timed));
+}
+
+}  // namespace
+
 void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into) {
   const YamlValue* list = find_value(clip, "tracks");
   if (list == nullptr) return;
   for (const YamlValue& item : load_list(*list, "a list of tracks such as [{csv: talk.csv}]")) {
+    if (!count_part(item, reader)) break;
     const YamlMapping entries = load_section(item);
     CueSpec cue;
     cue.layer = Layer::table;
@@ -193,19 +214,15 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     const YamlValue* csv = find_required(entries, "csv", item, "a file such as talk.csv");
     std::optional<FileReference> file;
     if (csv == nullptr || !load_file(*csv, file)) continue;
-    const auto table = load_move_table(
-        file->path, static_cast<int>(std::lround(reader.clock.measure.units[2].over)), *item.findings);
-    if (!table) continue;
-    TimeTable timed = *table;
-    timed.between = between;
+    cue.table = find_table(*csv, file->path, between, reader);
+    if (!cue.table) continue;
     const Ticks start = compute_ticks(cue.start_s);
-    cue.full_s = compute_seconds(start + compute_ticks(timed.at_s.front()));
-    cue.ebb_s = compute_seconds(start + compute_ticks(timed.at_s.back()));
+    cue.full_s = compute_seconds(start + compute_ticks(cue.table->at_s.front()));
+    cue.ebb_s = compute_seconds(start + compute_ticks(cue.table->at_s.back()));
     cue.from_s = cue.full_s - attack_s;
     cue.end_s = cue.ebb_s + release_s;
-    for (const std::size_t move : timed.moves) cue.owns.set(move);
+    for (const std::size_t move : cue.table->moves) cue.owns.set(move);
     cue.what.label = file->path.filename().string();
-    cue.table = std::make_shared<const TimeTable>(std::move(timed));
     into.push_back(std::move(cue));
   }
 }

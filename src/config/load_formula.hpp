@@ -17,6 +17,7 @@ struct FormulaReader {
   int fps = 0;         // of the frames that mistakes name; 0: a script's, whose times are no frames
   std::deque<std::pair<FormulaPointer, YamlValue>>* found =
       nullptr;  // all that were read, and where they stand
+  std::size_t* count = nullptr;  // of the whole file; none: nobody counts
 };
 
 // A text in quotes: "0.3*sin(t)". With a measure, one that is no plain quantity: "20deg" is no formula.

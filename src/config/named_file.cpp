@@ -50,6 +50,22 @@ std::string find_file_fault(const std::string& name, const fs::path& folder, con
   return {};
 }
 
+bool has_room(const YamlValue& value, const fs::path& file) { return has_room(value, value.spot, file); }
+
+bool has_room(const YamlValue& value, Spot spot, const fs::path& file) {
+  std::error_code error;
+  const std::uintmax_t size = fs::file_size(file, error);
+  if (error) return true;  // whoever reads it tells why it cannot
+  std::uintmax_t& all = value.findings->named_bytes;
+  all += size;
+  if (all <= kMaxNamedBytes) return true;
+  add_mistake(*value.findings, value.document->source, spot,
+              fmt::format("'{}' makes the texts that are named here {} bytes long; expected {} at most, all "
+                          "together",
+                          show_word(file.filename().string()), all, kMaxNamedBytes));
+  return false;
+}
+
 bool load_file(const YamlValue& value, std::optional<FileReference>& into) {
   const Names& endings = find_form(value, FormKind::file).endings;
   std::string name;

@@ -24,4 +24,11 @@ std::string find_file_fault(const std::string& name, const std::filesystem::path
 // False, with a mistake told, if the value names no such file.
 bool load_file(const YamlValue& value, std::optional<FileReference>& into);
 
+// All texts together that a file names: a megabyte of YAML takes a second to read.
+inline constexpr std::uintmax_t kMaxNamedBytes = 4 << 20;
+
+// Whether there is room for one more text among those that are read; if not it is told at the value, as a mistake.
+bool has_room(const YamlValue& value, const std::filesystem::path& file);
+bool has_room(const YamlValue& value, Spot spot, const std::filesystem::path& file);
+
 }  // namespace mien
