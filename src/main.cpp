@@ -30,7 +30,10 @@ int run_request(const Request& request) {
     request.command->run(request.options);
     return kDone;
   }
-  write_stream(request.is_usage ? stderr : stdout, request.text);
+  if (request.is_usage)
+    write_stream(stderr, request.text);
+  else
+    fmt::print("{}", request.text);
   return request.is_usage ? kWrongInput : kDone;
 }
 

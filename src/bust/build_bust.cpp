@@ -198,20 +198,23 @@ PosableBust describe_source(const BustCache& cache, const PosableBust& body, con
   return source;
 }
 
-// The figure on its base, closed but for the drain's loop in the underside.
+// The figure on its base, closed but for the drain's loop in the underside and the vent's mouth in the back.
 Loop build_outside(const BustBody& body, const std::vector<glm::vec3>& positions, const Base& base,
-                   const Letters& letters, double drain_mm, Mesh& mesh) {
+                   const Letters& letters, double drain_mm, Mesh& mesh, VentMouth* vent = nullptr) {
   mesh = build_figure_mesh(body, positions, base.height_mm);
-  return append_base(mesh, body.foot, base, letters, drain_mm);
+  return append_base(mesh, body.foot, base, letters, drain_mm, vent);
 }
 
 void hollow_out(const BustBody& body, const std::vector<glm::vec3>& positions, const Base& base,
                 const Letters& letters, const Cavity& cavity, double drain_mm, MadeBust& made) {
   const Mesh solid = std::move(made.mesh);
-  const Loop drain = build_outside(body, positions, base, letters, cavity.drain_mm, made.mesh);
-  const std::size_t first = append_cavity(made.mesh, cavity, drain);
+  VentMouth vent{find_vent(base, cavity.drain_mm), {}, {}};
+  const Loop drain = build_outside(body, positions, base, letters, cavity.drain_mm, made.mesh, &vent);
+  const std::size_t first = append_cavity(made.mesh, cavity, drain, vent);
   made.report = measure_print(made.mesh, first, made.mesh.triangles.size() - first);
   made.report.least_wall_mm = measure_wall_mm(solid, cavity);
+  made.report.drain_mm = cavity.drain_mm;
+  made.report.vent_mm = {vent.vent.width_mm, vent.vent.high_mm - vent.vent.low_mm};
   update_warnings(made.report);
   if (cavity.drain_mm < drain_mm - 0.05)
     made.report.warnings.push_back(fmt::format(
@@ -228,20 +231,6 @@ void report_label(const Base& base, const BustBody& body, const std::vector<glm:
     foot.push_back(positions[v] + glm::vec3(0, 0, static_cast<float>(base.height_mm)));
   const Label label = fit_label(base, foot, letters);
   if (label.is_cut) report.warnings.push_back(fmt::format("Its label has room for '{}' only.", label.text));
-}
-
-// Hair is threads: no print bears it.
-void report_hair(const Model& model, PrintReport& report) {
-  const auto has = [&](std::string_view name) {
-    return std::any_of(model.parts.begin(), model.parts.end(),
-                       [&](const Part& part) { return part.name.starts_with(name); });
-  };
-  const bool has_hair = has("hair"), has_beard = has("beard");
-  if (has_hair || has_beard)
-    report.warnings.push_back(fmt::format("Its {} not printed: hair is finer than any nozzle.",
-                                          has_hair && has_beard ? "hair and beard are"
-                                          : has_hair            ? "hair is"
-                                                                : "beard is"));
 }
 
 }  // namespace
@@ -287,6 +276,19 @@ std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2&
   return plates;
 }
 
+std::string describe_unprinted_hair(const Model& model) {
+  const auto has = [&](std::string_view name) {
+    return std::any_of(model.parts.begin(), model.parts.end(),
+                       [&](const Part& part) { return part.name.starts_with(name); });
+  };
+  const bool has_hair = has("hair"), has_beard = has("beard");
+  if (!has_hair && !has_beard) return {};
+  return fmt::format("Its {} not printed: hair is finer than any nozzle.", has_hair && has_beard
+                                                                               ? "hair and beard are"
+                                                                           : has_hair ? "hair is"
+                                                                                      : "beard is");
+}
+
 MadeBust make_bust(BustCache& cache, const BustSpec& bust) {
   BustCache::Body& entry = find_body(cache, bust);
   const Base base = find_base(bust);
@@ -308,7 +310,8 @@ MadeBust make_bust(BustCache& cache, const BustSpec& bust) {
     hollow_out(entry.body, positions, base, cache.letters,
                build_cavity(made.source.cavity, compute_hollow(bust, base)), bust.drain_mm, made);
   report_label(base, entry.body, positions, cache.letters, made.report);
-  report_hair(cache.figure.model, made.report);
+  if (const std::string hair = describe_unprinted_hair(cache.figure.model); !hair.empty())
+    made.report.warnings.push_back(hair);
   return made;
 }
 

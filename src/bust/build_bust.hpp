@@ -52,6 +52,10 @@ std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSp
 // 100 x 100 mm".
 std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2& plate_mm);
 
+// "Its hair is not printed: hair is finer than any nozzle." of a head with hair or a beard, as the report of
+// each of its busts says; empty for others.
+std::string describe_unprinted_hair(const Model& model);
+
 // One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and
 // the like.
 MadeBust make_bust(BustCache& cache, const BustSpec& bust);

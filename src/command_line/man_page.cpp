@@ -98,15 +98,14 @@ std::string build_man_page() {
       ".TP\n1\nsomething failed, or a bust is not printable\n"
       ".TP\n2\nthe input is wrong: the words of the command line or the file\n"
       ".TP\n130\ninterrupted\n"
-      "Where standard output or standard error is closed or full, the status is 1 if something was to be "
-      "said "
-      "there.\n"
+      ".PP\nWhere standard output or standard error is closed or full, the status is 1 if something was to "
+      "be said there.\n"
       ".SH ENVIRONMENT\n"
       ".TP\nMIEN_STALL_LIMIT\nafter how many seconds a tool that says nothing and hardly works is ended "
       "(600; 0: never)\n"
       ".TP\nNO_COLOR\nif it is set, the progress bar has no colours\n"
       ".SH FILES\n"
-      ".TP\n.mien.lock\nin a folder that is being written: who does; gone when that run ends\n"
+      ".TP\n\\&.mien.lock\nin a folder that is being written: who does; gone when that run ends\n"
       ".SH SEE ALSO\n.BR povray (1),\n.BR ffmpeg (1),\n.BR openscad (1)\n";
   return text;
 }

@@ -10,6 +10,7 @@
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/streams.hpp"
 #include "render/process.hpp"
 
 namespace mien {
@@ -18,25 +19,19 @@ namespace {
 
 bool has_time(const Options& options) { return options.at_s || options.at_frames; }
 
-BustSpec build_bust_spec(Expression expression) {
-  BustSpec bust;
-  bust.expression = std::move(expression);
-  return bust;
-}
-
 // The busts of the file, or the one that --express names or --at shows; with --height so high.
 std::vector<BustSpec> find_busts(const Options& options, const Clip& clip, const Actor& actor,
                                  const Figure& figure) {
   const Spec& spec = clip.spec;
   std::vector<BustSpec> busts = spec.busts;
   if (options.express) {
-    busts = {build_bust_spec(take_expression(spec, *options.express))};
+    busts = {build_asked_bust(spec, take_expression(spec, *options.express))};
   } else if (has_time(options)) {
     Expression moment{fmt::format("{:.4g}s", compute_time_s(clip, options)), "", {}, 1, {}};
     moment.pose = compute_moment(options, clip, actor, figure, moment.held).pose;
-    busts = {build_bust_spec(std::move(moment))};
+    busts = {build_asked_bust(spec, std::move(moment))};
   } else if (busts.empty()) {
-    busts = {build_bust_spec(find_expression(spec, "neutral"))};
+    busts = {build_asked_bust(spec, find_expression(spec, "neutral"))};
   }
   for (BustSpec& bust : busts) bust.height_mm = options.height_mm.value_or(bust.height_mm);
   return busts;
@@ -60,6 +55,32 @@ std::vector<std::string> name_busts(const std::vector<BustSpec>& busts) {
   return stems;
 }
 
+// What holds for all busts of the head, once.
+void report_note(const Options& options, const Spec& spec, const std::string& note) {
+  if (options.is_quiet || note.empty()) return;
+  if (options.is_json)
+    fmt::print("{}\n", format_object(nlohmann::ordered_json{
+                           {"kind", "note"}, {"file", spec.file.string()}, {"message", note}}));
+  else
+    fmt::print("{}: note: {}\n", spec.file.string(), note);
+}
+
+// What the report of a bust warns of, under its files, but for `known`, which was told before.
+void report_warnings(const Options& options, const Spec& spec, const MadeBust& made,
+                     const std::string& known) {
+  if (options.is_quiet) return;
+  for (const std::string& warning : made.report.warnings) {
+    if (warning == known) continue;
+    if (options.is_json)
+      fmt::print(
+          "{}\n",
+          format_object(nlohmann::ordered_json{
+              {"kind", "warning"}, {"file", spec.file.string()}, {"bust", made.stem}, {"message", warning}}));
+    else
+      fmt::print("        {}\n", warning);
+  }
+}
+
 void run_bust(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   const Clip clip = open_clip(options, *resources.stock.language);
@@ -79,11 +100,13 @@ void run_bust(const Options& options) {
   const FolderLock lock = hold_folder(options, folder);
   const auto count = static_cast<std::size_t>(count_bust_files(options));
   report_held(options, list_held(busts));
+  const std::string hair = describe_unprinted_hair(figure.model);
+  report_note(options, clip.spec, hair);
   Progress progress = start_progress(options, "files", busts.size() * count);
   const auto report_file = [&](const std::string& kind, const std::filesystem::path& path) {
     progress.clear();
     report_result(options, kind, path);
-    std::fflush(stdout);
+    flush_stream(stdout);  // nobody who cannot be told waits for the other busts
     progress.advance(false);
   };
   bool are_printable = true;
@@ -94,8 +117,7 @@ void run_bust(const Options& options) {
     made.stem = stems[i];
     write_bust(made, folder, templates, options, report_file);
     progress.clear();
-    if (!options.is_quiet && !options.is_json)
-      for (const std::string& warning : made.report.warnings) fmt::print("        {}\n", warning);
+    report_warnings(options, clip.spec, made, hair);
     if (!is_printable(made.report)) are_printable = false;
     if (clip.spec.plate_mm.x > 0) meshes.push_back(std::move(made.mesh));
   }
@@ -114,10 +136,10 @@ const CommandInfo command_bust{
     "FILE",
     "OpenSCAD source, STL, 3MF and print report",
     "Writes each bust of the file, or one with the expression or of the time that is given (its face: a\n"
-    "bust looks ahead, however the head is turned): the STL, ready for the slicer, in millimetres; an\n"
-    "OpenSCAD source that needs nothing else, whose Customizer poses the face, hollows and labels it; "
-    "and\n"
-    "a report of what a printer will make of it. Exit status 1 if one is not printable.",
+    "bust looks ahead, however the head is turned), printed as the file's busts are: the STL, ready for the\n"
+    "slicer, in millimetres; an OpenSCAD source that needs nothing else, whose Customizer poses the face,\n"
+    "hollows and labels it; and a report of what a printer will make of it. Exit status 1 if one is not\n"
+    "printable.",
     "at express actor height stl no-stl 3mf preview openscad",
     "mien bust configs/hello.yaml --express laugh --height 60mm -o busts\n"
     "mien bust configs/busts.yaml --3mf --preview",

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <tuple>
 
+#include "config/common_words.hpp"
 #include "core/text.hpp"
 #include "core/utf8.hpp"
 
@@ -14,7 +15,37 @@ namespace {
 constexpr std::size_t kMaxLineShown = 200;  // bytes; a longer line would hide its message
 constexpr std::size_t kMaxWordShown = 40;   // characters
 constexpr std::size_t kMaxNamesShown = 40;
+constexpr std::size_t kMaxWordCompared = 64;  // bytes; a longer one is no slip
 constexpr std::size_t kMaxCandidates = 1000;  // names compared for a suggestion
+
+std::string fold_word(std::string_view word) {
+  std::string folded(word);
+  for (char& letter : folded)
+    letter = letter == '-' || letter == ' '   ? '_'
+             : letter >= 'A' && letter <= 'Z' ? char(letter + 32)
+                                              : letter;
+  return folded;
+}
+
+bool has_word(std::string_view words, std::string_view word) {
+  for (std::size_t at = 0; at < words.size();) {
+    const std::size_t end = std::min(words.find(' ', at), words.size());
+    if (words.substr(at, end - at) == word) return true;
+    at = end + 1;
+  }
+  return false;
+}
+
+// The first row for the word that leads to one of the names; nullptr if there is none, or if the word is one
+// of them but for its letters' size.
+const CommonWord* find_common_word(std::string_view word, const std::vector<std::string>& names) {
+  const std::string folded = fold_word(word);
+  const auto is_known = [&](std::string_view name) { return std::ranges::find(names, name) != names.end(); };
+  if (folded.empty() || folded.size() > kMaxWordCompared || is_known(folded)) return nullptr;
+  for (const CommonWord& row : kCommonWords)
+    if (has_word(row.words, folded) && is_known(row.name)) return &row;
+  return nullptr;
+}
 
 }  // namespace
 
@@ -74,7 +105,8 @@ std::string join_names(const std::vector<std::string>& names) {
 
 std::string suggest_name(std::string_view word, const std::vector<std::string>& names) {
   const std::size_t slack = std::max<std::size_t>(1, word.size() / 3);
-  if (word.size() > 64) return {};
+  if (word.size() > kMaxWordCompared) return {};
+  if (const CommonWord* common = find_common_word(word, names)) return std::string(common->name);
   std::vector<std::string> candidates;
   for (const std::string& name : names)
     if (candidates.size() < kMaxCandidates && name.size() <= word.size() + slack &&
@@ -88,11 +120,19 @@ std::string suggest_name(std::string_view word, const std::vector<std::string>& 
   return nearest.empty() && lower != word ? find_nearest(lower, candidates) : nearest;
 }
 
+std::string describe_suggestion(std::string_view word, const std::vector<std::string>& names) {
+  const std::string name = suggest_name(word, names);
+  if (name.empty()) return {};
+  const CommonWord* common = find_common_word(word, names);
+  const bool has_note = common != nullptr && !common->note.empty();
+  return fmt::format("did you mean '{}'{}?", name, has_note ? fmt::format(" ({})", common->note) : "");
+}
+
 std::string describe_unknown(std::string_view kind, std::string_view word,
                              const std::vector<std::string>& names) {
   std::string text = fmt::format("unknown {} '{}'; ", kind, show_word(word));
-  const std::string nearest = suggest_name(word, names);
-  if (!nearest.empty()) return text + fmt::format("did you mean '{}'?", nearest);
+  const std::string suggestion = describe_suggestion(word, names);
+  if (!suggestion.empty()) return text + suggestion;
   return text + (names.empty() ? std::string("none is known here") : "known: " + join_names(names));
 }
 

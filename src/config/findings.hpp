@@ -37,9 +37,12 @@ std::string show_word(std::string_view word);
 // "a, b, c", cut after 40 names.
 std::string join_names(const std::vector<std::string>& names);
 
-// The nearest of `names`, upper-case letters and '-' for '_' forgiven; empty if none is near. Costs little
-// even when an author invents thousands of names.
+// The one of `names` that people call so (common_words.hpp), else the nearest, upper-case letters and '-' for
+// '_' forgiven; empty if none is near. Costs little even when an author invents thousands of names.
 std::string suggest_name(std::string_view word, const std::vector<std::string>& names);
+
+// "did you mean 'adult'?", with the common word's note if it has one; empty if none is near.
+std::string describe_suggestion(std::string_view word, const std::vector<std::string>& names);
 
 // "unknown age 'adlut'; did you mean 'adult'?", or the known ones when none is near.
 std::string describe_unknown(std::string_view kind, std::string_view word,

@@ -54,27 +54,28 @@ void fill_render(Section& render) {
 
 std::vector<Key> build_print_keys() {
   const BustSpec plain;
-  return {{"height",
-           {as_length(kLowestBust_mm, kHighestBust_mm)},
-           "Height of the whole print, base included.",
-           say(plain.height_mm, "mm")},
-          {"base", {as_word("base", kBaseWords)}, "What the bust stands on.", plain.base},
-          {"label", {as_line(kMaxLabelLength)}, "Raised on the base's front."},
-          {"hollow",
-           {as_yes_no()},
-           "With an inner wall, the same in every pose, and a hole to drain it.",
-           plain.is_hollow ? "true" : "false"},
-          {"wall", {as_length(0.8, 20)}, "Thickness of a hollow bust's wall.", say(plain.wall_mm, "mm")},
-          {"drain",
-           {as_length(0, 20)},
-           "Diameter of the hole in a hollow bust's underside, or in its magnet's pocket; 0: none.",
-           say(plain.drain_mm, "mm")},
-          {"magnet",
-           {as_two_lengths(1, 40)},
-           "Diameter and depth of a pocket for a magnet in the underside, such as 6x2mm."},
-          {"triangles",
-           {as_whole(kFewestTriangles, kMostTriangles, "triangles")},
-           "Of the figure; without it by its height, 30000 at 80 mm."}};
+  return {
+      {"height",
+       {as_length(kLowestBust_mm, kHighestBust_mm)},
+       "Height of the whole print, base included.",
+       say(plain.height_mm, "mm")},
+      {"base", {as_word("base", kBaseWords)}, "What the bust stands on.", plain.base},
+      {"label", {as_line(kMaxLabelLength)}, "Raised on the base's front."},
+      {"hollow",
+       {as_yes_no()},
+       "With an inner wall, the same in every pose, a hole to drain it, and a vent through the base's back.",
+       plain.is_hollow ? "true" : "false"},
+      {"wall", {as_length(0.8, 20)}, "Thickness of a hollow bust's wall.", say(plain.wall_mm, "mm")},
+      {"drain",
+       {as_length(0, 20)},
+       "Diameter of the hole in a hollow bust's underside, or in its magnet's pocket; 0: none.",
+       say(plain.drain_mm, "mm")},
+      {"magnet",
+       {as_two_lengths(1, 40)},
+       "Diameter and depth of a pocket for a magnet in the underside, such as 6x2mm."},
+      {"triangles",
+       {as_whole(kFewestTriangles, kMostTriangles, "triangles")},
+       "Of the figure; without it by its height, 30000 at 80 mm."}};
 }
 
 void fill_busts(Sections& all) {
@@ -90,9 +91,14 @@ void fill_busts(Sections& all) {
 
   Section& set = all.bust_set;
   set.name = "bust_set";
-  set.help = "All expressions of a library as busts, each with its name on the base.";
+  set.help = "All expressions of a library, or those of a list, as busts, each with its name on the base.";
   set.expected = "a mapping such as {all: tezuka, height: 60mm}";
-  set.keys = {{"all", {as_data_word("library", "libraries")}, "The library.", "", true},
+  set.keys = {{"all",
+               {as_data_word("library", "libraries"),
+                as_list({as_tag(build_expression_name_pattern(), "expressions")}, 1)},
+               "A library, or a list of expressions such as `[smile, tezuka/anger]`.",
+               "",
+               true},
               {"plate",
                {as_two_lengths(40, 2000)},
                "Size of the printer's plate on which all are arranged, such as 220x220mm."}};
@@ -129,7 +135,8 @@ void fill_file(Sections& all) {
       {"render", {as_section(all.render)}, all.render.help},
       {"busts",
        {as_list({as_section(all.bust)}), as_section(all.bust_set)},
-       "Busts to print: a list, or a set such as `{all: tezuka, height: 60mm, plate: 220x220mm}`."},
+       "Busts to print: a list, or a set such as `{all: tezuka, height: 60mm, plate: 220x220mm}` or "
+       "`{all: [smile, anger]}`."},
       {"actors",
        {as_map(build_actor_name_pattern(), {as_section(all.actor)}, 1)},
        "Several who play together, by name. Frames a second, drawings, length, camera, light and background "

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "config/expressions.hpp"
+#include "config/load_spec.hpp"
 #include "config/sections.hpp"
 
 namespace mien {
@@ -72,7 +73,6 @@ void load_bust_list(const YamlValue& value, const ExpressionBook& book, Spec& sp
   }
 }
 
-// {all: tezuka, height: 60mm, plate: 220x220mm}
 // What stands on the base of an expression's bust: "doubt_left" is "doubt L", as a base has little room.
 std::string build_label(const std::string& name) {
   std::string label = name;
@@ -82,6 +82,45 @@ std::string build_label(const std::string& name) {
   return label;
 }
 
+// What `all` stands for: a library's expressions, or those that a list names.
+std::vector<Expression> load_bust_names(const YamlValue& value, const ExpressionBook& book) {
+  std::vector<Expression> chosen;
+  if (find_node(value).kind == NodeKind::list) {
+    constexpr const char* kExpected = "a list of expressions such as [smile, anger]";
+    const std::vector<YamlValue> items = load_list(value, kExpected);
+    if (items.empty()) add_mistake(value, describe_subject(value) + " is empty; expected " + kExpected);
+    for (const YamlValue& item : items) {
+      if (find_node(item).kind != NodeKind::text) {
+        add_unexpected(item, "an expression's name");
+        continue;
+      }
+      for (const ExpressShare& share : load_express(item, book).shares)
+        chosen.push_back(book.expressions[share.expression]);
+    }
+    return chosen;
+  }
+  if (find_node(value).kind != NodeKind::text) {
+    add_unexpected(value, "a library such as tezuka, or a list of expressions such as [smile, anger]");
+    return chosen;
+  }
+  std::set<std::string> libraries;
+  for (const Expression& expression : book.expressions)
+    if (!expression.library.empty()) libraries.insert(expression.library);
+  const std::string& word = find_node(value).text;
+  if (!libraries.contains(word) && find_expression(book, word)) {
+    add_mistake(value, fmt::format("{0} is '{1}', an expression; expected a library such as tezuka, or a "
+                                   "list such as [{1}]",
+                                   describe_subject(value), show_word(word)));
+    return chosen;
+  }
+  std::string library;
+  if (!load_name(value, "library", Names(libraries.begin(), libraries.end()), library)) return chosen;
+  for (const Expression& expression : book.expressions)
+    if (expression.library == library) chosen.push_back(expression);
+  return chosen;
+}
+
+// {all: tezuka, height: 60mm, plate: 220x220mm}
 void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spec) {
   const YamlMapping entries = load_section(value);
   BustSpec pattern;
@@ -91,15 +130,9 @@ void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spe
   load_exaggerate(entries, exaggerate);
   if (const YamlValue* plate = find_value(entries, "plate"))
     load_two_lengths(*plate, "220x220mm", spec.plate_mm);
-  std::set<std::string> libraries;
-  for (const Expression& expression : book.expressions)
-    if (!expression.library.empty()) libraries.insert(expression.library);
-  std::string library;
   const YamlValue* all = find_required(entries, "all", value, "the name of a library such as {all: tezuka}");
-  if (all == nullptr || !load_name(*all, "library", Names(libraries.begin(), libraries.end()), library))
-    return;
-  for (const Expression& expression : book.expressions) {
-    if (expression.library != library) continue;
+  if (all == nullptr) return;
+  for (const Expression& expression : load_bust_names(*all, book)) {
     BustSpec bust = pattern;
     bust.expression = expression;
     if (strength != 1 || exaggerate != 1) {
@@ -116,7 +149,46 @@ void load_bust_set(const YamlValue& value, const ExpressionBook& book, Spec& spe
   }
 }
 
+// The label of a bust that the file does not list: what all the others bear in common, else its own name if
+// each of them bears a label. That of a single one is taken for its expression's.
+std::string find_asked_label(const std::vector<BustSpec>& listed, const std::string& name) {
+  const auto bears = [&](const std::string& label) {
+    return std::ranges::all_of(listed, [&](const BustSpec& bust) { return bust.label == label; });
+  };
+  if (listed.size() > 1 && bears(listed.front().label)) return listed.front().label;
+  const bool is_each_labelled =
+      std::ranges::none_of(listed, [](const BustSpec& bust) { return bust.label.empty(); });
+  return is_each_labelled ? build_label(name) : "";
+}
+
 }  // namespace
+
+BustSpec build_asked_bust(const Spec& spec, Expression expression) {
+  const std::vector<BustSpec>& listed = spec.busts;
+  const auto own = std::ranges::find_if(listed, [&](const BustSpec& bust) {
+    return bust.expression.name == expression.name && bust.expression.library == expression.library;
+  });
+  BustSpec asked;
+  if (own != listed.end()) {
+    asked = *own;
+  } else if (!listed.empty()) {
+    const auto take_shared = [&](auto BustSpec::*option) {
+      const auto& first = listed.front().*option;
+      if (std::ranges::all_of(listed, [&](const BustSpec& bust) { return bust.*option == first; }))
+        asked.*option = first;
+    };
+    take_shared(&BustSpec::height_mm);
+    take_shared(&BustSpec::base);
+    take_shared(&BustSpec::is_hollow);
+    take_shared(&BustSpec::wall_mm);
+    take_shared(&BustSpec::drain_mm);
+    take_shared(&BustSpec::magnet_mm);
+    take_shared(&BustSpec::triangles);
+    asked.label = find_asked_label(listed, expression.name);
+  }
+  asked.expression = std::move(expression);
+  return asked;
+}
 
 void load_busts(const YamlValue& value, const ExpressionBook& book, Spec& spec) {
   if (find_node(value).kind == NodeKind::mapping)

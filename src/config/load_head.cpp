@@ -99,7 +99,13 @@ const Look* take_named_look(YamlMapping& entries, std::string_view key,
   if (found == looks.end()) {
     Names names;
     for (const auto& [name, colours] : looks) names.push_back(name);
-    add_unexpected(entry->value, "a colour such as \"#dcae8f\", or one of: " + join_names(names));
+    const std::string& word = find_node(entry->value).text;
+    const std::string suggestion = describe_suggestion(word, names);
+    if (suggestion.empty())
+      add_unexpected(entry->value, "a colour such as \"#dcae8f\", or one of: " + join_names(names));
+    else
+      add_mistake(entry->value,
+                  fmt::format("{} is '{}'; {}", describe_subject(entry->value), show_word(word), suggestion));
   }
   entries.erase(entry);
   return found == looks.end() ? nullptr : &found->second;

@@ -43,6 +43,11 @@ const Expression& find_expression(const Spec& spec, const std::string& name);
 // A copy of it with the file's `exaggerate`: the face that --express asks for.
 Expression take_expression(const Spec& spec, const std::string& name);
 
+// A bust of this expression that is printed as the file's busts are: as the first that the file lists of it;
+// else with each print option that all of the file's have in common, and if each of them bears a label, with
+// its own name (or the label that several share). Its strength is its own.
+BustSpec build_asked_bust(const Spec& spec, Expression expression);
+
 // Every expression of the libraries in the folder, by library and name.
 std::vector<Expression> load_expression_libraries(const std::filesystem::path& folder);
 

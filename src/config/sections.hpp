@@ -58,7 +58,7 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec);
 
 RenderSpec load_render(const YamlValue& value);
 
-// A list of busts, or a set: all expressions of a library, each with its name on the base.
+// A list of busts, or a set: all expressions of a library or those of a list, each with its name on the base.
 void load_busts(const YamlValue& value, const ExpressionBook& book, Spec& spec);
 
 }  // namespace mien

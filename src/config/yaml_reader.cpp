@@ -73,8 +73,8 @@ std::string describe_unknown_key(const YamlValue& owner, const std::string& key,
     if (!is_of_face && path != owner.path && find_key(*section, key) != nullptr)
       return start + (path.empty() ? std::string("it belongs at the top of the file")
                                    : fmt::format("it belongs in '{}'", path));
-  const std::string nearest = suggest_name(key, keys);
-  if (!nearest.empty()) return start + fmt::format("did you mean '{}'?", nearest);
+  const std::string suggestion = describe_suggestion(key, keys);
+  if (!suggestion.empty()) return start + suggestion;
   const std::size_t colon = key.find(':');
   if (colon != std::string::npos && std::ranges::find(keys, key.substr(0, colon)) != keys.end())
     return start + "expected a space after ':'";

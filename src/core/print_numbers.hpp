@@ -92,5 +92,10 @@ inline constexpr double kCavityStep_mm = 0.3;  // rows nearer to the floor or th
 inline constexpr double kDrainShare = 0.95;  // of the floor's breadth: the corners of a round drain stand out
 inline constexpr double kMagnetLedge_mm = 0.8;  // that holds a magnet under its drain
 inline constexpr double kLeastDrain_mm = 1;     // through less nothing runs
+// The vent, a tunnel from the drain to the base's back: with the drain alone, which lies on the bed, the
+// hollow is a cup that sucks at a resin printer's film.
+inline constexpr double kVentShare = 0.8;     // of the drain's width; wider, and it cuts the drain in two
+inline constexpr double kVentPlate_mm = 0.8;  // below and above it: two lines of a nozzle
+inline constexpr double kVentEdge_mm = 0.3;   // of plain wall above and below its mouth
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <system_error>
 
 namespace mien {
 
@@ -18,6 +19,10 @@ void open_missing_streams() {
 void write_stream(std::FILE* stream, std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stream);
   std::fflush(stream);
+}
+
+void flush_stream(std::FILE* stream) {
+  if (std::fflush(stream) != 0) throw std::system_error(errno, std::generic_category());
 }
 
 bool has_lost_text(std::FILE* stream) { return std::fflush(stream) != 0 || std::ferror(stream) != 0; }

@@ -15,6 +15,9 @@ void open_missing_streams();
 // the stream (has_lost_text).
 void write_stream(std::FILE* stream, std::string_view text);
 
+// What the stream still holds goes out now; throws std::system_error, as fmt::print does, if it cannot.
+void flush_stream(std::FILE* stream);
+
 // Whether anything written to the stream was lost, what it still held included.
 bool has_lost_text(std::FILE* stream);
 

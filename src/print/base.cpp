@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <span>
 
 #include "core/error.hpp"
@@ -78,7 +79,85 @@ void require_pocket(const Base& base, const std::vector<glm::vec3>& underside) {
                                base.magnet_diameter_mm, base.magnet_depth_mm));
 }
 
+void append_quad(Mesh& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t d) {
+  mesh.triangles.push_back({a, b, c});
+  mesh.triangles.push_back({a, c, d});
+}
+
 }  // namespace
+
+Vent find_vent(const Base& base, double drain_mm) {
+  if (base.shape == BaseShape::none || !(drain_mm > 0)) return {};
+  const std::span<const ProfilePoint> profile = find_profile(base.shape);
+  const auto find_height = [&](std::size_t from_below) {
+    return profile[profile.size() - from_below].up * base.height_mm;
+  };
+  const double lower = find_height(kLabelRing), upper = find_height(kLabelRing + 1),
+               ledge = find_height(kLabelRing + 2);
+  const bool has_pocket = base.magnet_diameter_mm > 0 && base.magnet_depth_mm > 0;
+  Vent vent;
+  vent.width_mm = kVentShare * drain_mm;
+  vent.low_mm = std::max(
+      {kVentPlate_mm, lower + kVentEdge_mm, has_pocket ? base.magnet_depth_mm + kMagnetLedge_mm : 0});
+  vent.high_mm = std::min({vent.low_mm + vent.width_mm, upper - kVentEdge_mm, ledge - kVentPlate_mm});
+  if (std::min(vent.width_mm, vent.high_mm - vent.low_mm) < kLeastDrain_mm) return {};
+  return vent;
+}
+
+VentMouth cut_vent_mouth(Mesh& mesh, std::size_t first, const Loop& from, const Loop& to, const Vent& vent) {
+  const std::size_t n = to.size();
+  const auto at = [&](std::size_t i) { return glm::dvec3(mesh.positions[to[i % n]]); };
+  const double half = vent.width_mm / 2;
+  std::size_t begin = n, end = n;  // columns: those on either side of the back's middle, then beyond the vent
+  for (std::size_t i = n; i < 2 * n; ++i)
+    if (at(i).y > 0 && (at(i).x <= 0) != (at(i + 1).x <= 0)) begin = i, end = i + 1;
+  if (begin == end) throw RunError("internal: the base has no back");
+  while (std::abs(at(begin).x) <= half) --begin;
+  while (std::abs(at(end).x) <= half) ++end;
+  const std::size_t last = end - begin;
+
+  std::set<std::uint32_t> opened;
+  for (std::size_t i = begin; i <= end; ++i) opened.insert({from[i % n], to[i % n]});
+  const auto is_opened = [&](const Triangle& t) {
+    return opened.contains(t[0]) && opened.contains(t[1]) && opened.contains(t[2]);
+  };
+  const auto tail = mesh.triangles.begin() + static_cast<std::ptrdiff_t>(first);
+  mesh.triangles.erase(std::remove_if(tail, mesh.triangles.end(), is_opened), mesh.triangles.end());
+
+  // Where |x| is half the width on the way from a column beyond the vent to the next one.
+  const auto find_edge = [&](const glm::dvec3& beyond, const glm::dvec3& next) {
+    return glm::mix(beyond, next, (std::copysign(half, beyond.x) - beyond.x) / (next.x - beyond.x));
+  };
+  std::vector<glm::dvec3> line;
+  for (std::size_t c = 0; c <= last; ++c)
+    line.push_back(c == 0      ? find_edge(at(begin), at(begin + 1))
+                   : c == last ? find_edge(at(end), at(end - 1))
+                               : at(begin + c));
+  const auto append_line = [&](double z) {
+    std::vector<glm::vec3> places;
+    for (const glm::dvec3& p : line) places.emplace_back(p.x, p.y, z);
+    return append_ring(mesh, places);
+  };
+  VentMouth mouth{vent, append_line(vent.low_mm), append_line(vent.high_mm)};
+  const bool is_downward = mesh.positions[from[0]].z > mesh.positions[to[0]].z;
+  const Loop &a = is_downward ? mouth.high : mouth.low, &b = is_downward ? mouth.low : mouth.high;
+  const auto f = [&](std::size_t c) { return from[(begin + c) % n]; };
+  const auto t = [&](std::size_t c) { return to[(begin + c) % n]; };
+  for (std::size_t c = 0; c < last; ++c) {
+    append_quad(mesh, f(c), f(c + 1), a[c + 1], a[c]);
+    append_quad(mesh, b[c], b[c + 1], t(c + 1), t(c));
+  }
+  append_quad(mesh, f(0), a[0], b[0], t(0));
+  append_quad(mesh, a[last], f(last), t(last), b[last]);
+  return mouth;
+}
+
+void append_tunnel(Mesh& mesh, const VentMouth& outside, const VentMouth& inside) {
+  append_strip(mesh, outside.high, inside.high);
+  append_strip(mesh, inside.low, outside.low);
+  append_quad(mesh, outside.low.front(), outside.high.front(), inside.high.front(), inside.low.front());
+  append_quad(mesh, outside.high.back(), outside.low.back(), inside.low.back(), inside.high.back());
+}
 
 std::vector<std::vector<glm::vec3>> list_base_rings(const Base& base, const std::vector<glm::vec3>& foot) {
   require_base(base);
@@ -116,8 +195,8 @@ Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Lett
                    room.width_mm);
 }
 
-Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Letters& letters,
-                 double drain_mm) {
+Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Letters& letters, double drain_mm,
+                 VentMouth* outside) {
   std::vector<glm::vec3> foot;
   for (const std::uint32_t v : foot_loop) foot.push_back(body.positions[v]);
   const Label label = fit_label(base, foot, letters);
@@ -125,11 +204,15 @@ Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Lett
   Loop last = foot_loop;
   for (std::size_t i = 0; i < rings.size(); ++i) {
     const Loop ring = append_ring(body, rings[i]);
-    if (!label.strokes.empty() && i + kLabelRing == rings.size())
+    const std::size_t first = body.triangles.size();
+    const bool is_upright = i + kLabelRing == rings.size();
+    if (!label.strokes.empty() && is_upright)
       append_label_band(body, {last.rbegin(), last.rend()}, {ring.rbegin(), ring.rend()}, label,
                         base.label_raise_mm);
     else
       append_band(body, last, ring);
+    if (is_upright && outside != nullptr && outside->vent.width_mm > 0)
+      *outside = cut_vent_mouth(body, first, last, ring, outside->vent);
     last = ring;
     foot = rings[i];
   }

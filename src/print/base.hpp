@@ -30,6 +30,30 @@ struct Base {
   double magnet_depth_mm = 0;
 };
 
+// A tunnel straight from the drain to the middle of the base's back, where air comes into the hollow while
+// the underside lies on the bed. Its floor and ceiling are horizontal; width 0: there is none.
+struct Vent {
+  double width_mm = 0, low_mm = 0, high_mm = 0;
+};
+
+// Where a tunnel ends in a wall: two lines of as many vertices, its floor's and its ceiling's edge, in the
+// order of the wall's rings.
+struct VentMouth {
+  Vent vent;
+  Loop low, high;
+};
+
+// The vent of a base with a drain so wide. There is none without a shape, and where the upright back leaves
+// less than kLeastDrain_mm above a magnet's pocket.
+Vent find_vent(const Base& base, double drain_mm);
+
+// Opens the band between two upright rings, whose triangles are those from `first` on that have vertices of
+// both alone, for a mouth of the vent in its back. The band is append_band(mesh, from, to).
+VentMouth cut_vent_mouth(Mesh& mesh, std::size_t first, const Loop& from, const Loop& to, const Vent& vent);
+
+// The tunnel between a mouth in the base's back and one in the drain.
+void append_tunnel(Mesh& mesh, const VentMouth& outside, const VentMouth& inside);
+
 // The rings of the base below `foot`, from the top one to the outer edge of the underside (z = 0), each with
 // a point for each of the foot's, in its order and at its angle. `foot` is horizontal, at z =
 // base.height_mm, and star-shaped as seen from the z axis. Without a shape there is one ring straight below
@@ -46,9 +70,11 @@ Label fit_label(const Base& base, const std::vector<glm::vec3>& foot, const Lett
 // Joins the base to `body`, which is open along `foot_loop` (as find_boundary_loops gives it); closed
 // afterwards, but for a round hole of `drain_mm` in the middle of the underside, or of the ceiling of the
 // magnet's pocket, if that is above 0: its loop is returned, a vertex for each of the foot's and in their
-// order. The label is what fit_label makes of it. Normals are dropped. Throws RunError "the base's height of
-// 0 mm is not above 0", "the magnet's pocket of 20 x 2 mm does not fit the base" and the like.
+// order. With `outside`, it stays open for the vent's mouth in its back, too, if its vent has a width: its
+// lines are put there. The label is what fit_label makes of it. Normals are dropped. Throws RunError "the
+// base's height of 0 mm is not above 0", "the magnet's pocket of 20 x 2 mm does not fit the base" and the
+// like.
 Loop append_base(Mesh& body, const Loop& foot_loop, const Base& base, const Letters& letters = {},
-                 double drain_mm = 0);
+                 double drain_mm = 0, VentMouth* outside = nullptr);
 
 }  // namespace mien

@@ -92,7 +92,7 @@ Cavity build_cavity(const CavityPlan& plan, const Hollow& hollow) {
   return cavity;
 }
 
-std::size_t append_cavity(Mesh& mesh, const Cavity& cavity, const Loop& drain) {
+std::size_t append_cavity(Mesh& mesh, const Cavity& cavity, const Loop& drain, const VentMouth& outside) {
   mesh.normals.clear();
   const auto append_ring = [&](const std::vector<glm::vec3>& ring) {
     Loop loop(ring.size());
@@ -106,7 +106,10 @@ std::size_t append_cavity(Mesh& mesh, const Cavity& cavity, const Loop& drain) {
     for (const std::uint32_t v : drain)
       high.emplace_back(mesh.positions[v].x, mesh.positions[v].y, cavity.floor.z);
     tube = append_ring(high);
+    const std::size_t first = mesh.triangles.size();
     append_band(mesh, drain, tube);
+    if (outside.vent.width_mm > 0)
+      append_tunnel(mesh, outside, cut_vent_mouth(mesh, first, drain, tube, outside.vent));
   }
   const std::size_t before = mesh.triangles.size();
   Loop last = append_ring(cavity.rings.front());

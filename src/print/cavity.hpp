@@ -3,6 +3,7 @@
 
 #include "core/holes.hpp"
 #include "core/print.hpp"
+#include "print/base.hpp"
 
 namespace mien {
 
@@ -26,8 +27,9 @@ Cavity build_cavity(const CavityPlan& plan, const Hollow& hollow);
 
 // The cavity as an inner wall behind `mesh`, joined by a tube to `drain`, the open loop that append_base
 // left (as many vertices for each of the plan's directions as it has more); sealed if that is empty.
-// Returns how many triangles of the mesh are not the cavity's wall: the tube is before it.
-std::size_t append_cavity(Mesh& mesh, const Cavity& cavity, const Loop& drain);
+// The vent, if there is one, leads from the tube to its mouth `outside`, which append_base left open, too.
+// Returns how many triangles of the mesh are not the cavity's wall: the tube and the vent are before it.
+std::size_t append_cavity(Mesh& mesh, const Cavity& cavity, const Loop& drain, const VentMouth& outside = {});
 
 // The least distance between the cavity's wall and the surface of `body`, the print as a solid, on a sample
 // a millimetre.

@@ -64,22 +64,6 @@ glm::dvec2 sample(const Front& front, const std::vector<glm::dvec2>& values, dou
   return values[i] + share * (values[i + 1] - values[i]);
 }
 
-// A strip between two lines that run the same way, the second to the left of the first.
-void append_strip(Mesh& mesh, const Loop& right, const Loop& left) {
-  std::size_t i = 0, j = 0;
-  while (i + 1 < right.size() || j + 1 < left.size()) {
-    const double next_i = double(i + 1) / double(right.size() - 1),
-                 next_j = double(j + 1) / double(left.size() - 1);
-    if (j + 1 == left.size() || (i + 1 < right.size() && next_i <= next_j)) {
-      mesh.triangles.push_back({right[i], right[i + 1], left[j]});
-      ++i;
-    } else {
-      mesh.triangles.push_back({right[i], left[j + 1], left[j]});
-      ++j;
-    }
-  }
-}
-
 // The relief, its sides in the order bottom, right, top, left, each counter-clockwise as seen from the front.
 struct Relief {
   Mesh mesh;
@@ -135,6 +119,21 @@ void simplify_relief(Relief& relief) {
 }
 
 }  // namespace
+
+void append_strip(Mesh& mesh, const Loop& right, const Loop& left) {
+  std::size_t i = 0, j = 0;
+  while (i + 1 < right.size() || j + 1 < left.size()) {
+    const double next_i = double(i + 1) / double(right.size() - 1),
+                 next_j = double(j + 1) / double(left.size() - 1);
+    if (j + 1 == left.size() || (i + 1 < right.size() && next_i <= next_j)) {
+      mesh.triangles.push_back({right[i], right[i + 1], left[j]});
+      ++i;
+    } else {
+      mesh.triangles.push_back({right[i], left[j + 1], left[j]});
+      ++j;
+    }
+  }
+}
 
 LabelRoom compute_label_room(const std::vector<glm::vec3>& high, const std::vector<glm::vec3>& low) {
   const Front front = compute_front(low);

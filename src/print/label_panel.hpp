@@ -19,4 +19,8 @@ LabelRoom compute_label_room(const std::vector<glm::vec3>& high, const std::vect
 // raised from its front by `raise_mm`; it must fit the room.
 void append_label_band(Mesh& mesh, const Loop& high, const Loop& low, const Label& label, double raise_mm);
 
+// A strip of triangles between two lines of vertices that run the same way, the second to the left of the
+// first.
+void append_strip(Mesh& mesh, const Loop& right, const Loop& left);
+
 }  // namespace mien

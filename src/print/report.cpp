@@ -122,6 +122,11 @@ void update_warnings(PrintReport& report) {
   if (report.sealed_cavities > 0)
     say.push_back(fmt::format("It has {} without a hole, where resin would stay.",
                               count_things(report.sealed_cavities, "cavity", "cavities")));
+  if (report.drain_mm > 0 && report.vent_mm.x <= 0)
+    say.emplace_back(
+        "Its only hole lies on the bed: on a resin printer the hollow is a cup that sucks at the film. Print "
+        "it "
+        "tilted on supports, or drill a second hole near the bed.");
   if (report.fine.size() == 1)
     say.push_back(fmt::format("A detail of it is {} mm thick, at {}; below {} mm it may not print.",
                               format_number(report.fine[0].finest_mm, 2), format_place(report.fine[0].place),
@@ -148,7 +153,8 @@ void update_warnings(PrintReport& report) {
 }
 
 bool is_printable(const PrintReport& report) {
-  return report.open_edges == 0 && report.parts == 1 && report.volume_mm3 > 0 && report.bed_mm2 > 0;
+  return report.open_edges == 0 && report.parts == 1 && report.volume_mm3 > 0 && report.bed_mm2 > 0 &&
+         report.crossings == 0;
 }
 
 std::string describe_report(const PrintReport& report) {
@@ -166,6 +172,10 @@ std::string describe_report(const PrintReport& report) {
                            ? format_number(kFinest_mm, 1) + " mm or more"
                            : fmt::format("{} mm, at {}", format_number(report.fine[0].finest_mm, 2),
                                          format_place(report.fine[0].place)));
+  if (report.drain_mm > 0) add("drain", format_number(report.drain_mm, 1) + " mm, in the underside");
+  if (report.vent_mm.x > 0)
+    add("vent", fmt::format("{} x {} mm, from the drain to the base's back",
+                            format_number(report.vent_mm.x, 1), format_number(report.vent_mm.y, 1)));
   std::string overhang = format_number(report.overhang_mm2, 0) + " mm2 past 45 degrees";
   if (report.inner_overhang_mm2 > 0)
     overhang += fmt::format(", {} mm2 inside", format_number(report.inner_overhang_mm2, 0));

@@ -14,10 +14,12 @@ struct PrintReport {
   glm::dvec3 size_mm{0};
   double volume_mm3 = 0;
   double pla_g = 0, resin_g = 0;  // if nothing inside the solid is left out
-  double least_wall_mm = 0;      // all but a hundredth of the surface is thicker; measure_wall_mm of a hollow
-                                 // print is exact: put it here
-  std::vector<FineDetail> fine;  // details finer than 0.8 mm, specks left out; the finest first
-  double overhang_mm2 = 0;       // outside, more than 45 degrees from upright; what lies on the bed is not
+  double least_wall_mm = 0;  // all but a hundredth of the surface is thicker; measure_wall_mm of a hollow
+                             // print is exact: put it here
+  double drain_mm = 0;       // of a hollow print, the hole in the underside; put it here, and
+  glm::dvec2 vent_mm{0};  // breadth and height of the tunnel from there to the base's back; 0: there is none
+  std::vector<FineDetail> fine;   // details finer than 0.8 mm, specks left out; the finest first
+  double overhang_mm2 = 0;        // outside, more than 45 degrees from upright; what lies on the bed is not
   double inner_overhang_mm2 = 0;  // in the cavity, where no support can be taken out
   double bed_mm2 = 0;             // what lies on the bed
   std::vector<Island> islands;
@@ -35,7 +37,8 @@ PrintReport measure_print(const Mesh& mesh, std::size_t inner_first = 0, std::si
 // Writes the warnings again, after a value was changed.
 void update_warnings(PrintReport& report);
 
-// One closed part that is wound outwards and stands on the bed.
+// One closed part that is wound outwards, stands on the bed and nowhere passes through itself: of what does,
+// a slicer fills or empties what it likes.
 bool is_printable(const PrintReport& report);
 
 // A table of a line for each value, then the warnings, a line each; ends with a line break.

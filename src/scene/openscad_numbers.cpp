@@ -56,7 +56,12 @@ ScadValues list_scad_base() {
           {"most_label_steps", number(kMostLabelSteps)}};
 }
 
-ScadValues list_scad_hollow() { return {{"cavity_step", number(kCavityStep_mm)}}; }
+ScadValues list_scad_hollow() {
+  return {{"cavity_step", number(kCavityStep_mm)}, {"label_ring", number(static_cast<double>(kLabelRing))},
+          {"vent_share", number(kVentShare)},      {"vent_plate", number(kVentPlate_mm)},
+          {"vent_edge", number(kVentEdge_mm)},     {"magnet_ledge", number(kMagnetLedge_mm)},
+          {"least_drain", number(kLeastDrain_mm)}};
+}
 
 ScadValues list_scad_carving() {
   return {{"label_step", number(kLabelStep_mm)},

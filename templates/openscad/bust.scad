@@ -20,7 +20,7 @@ magnet_depth_mm = {{magnet_depth_mm}}; // [0.5:0.5:20]
 hollow = {{is_hollow}};
 // Thickness of the wall in mm
 wall_mm = {{wall_mm}}; // [0.8:0.1:10]
-// Diameter in mm of the hole to drain the hollow; with a magnet it is in the pocket; 0: the hollow stays closed
+// Diameter in mm of the hole to drain the hollow, which has a vent to the base's back; with a magnet it is in the pocket; 0: the hollow stays closed
 drain_mm = {{drain_mm}}; // [0:0.5:12]
 
 /* [Expression] */
@@ -51,6 +51,11 @@ stand_mm = is_flat ? 0 : base_height_mm;
 foot_mm = is_flat == own_is_flat ? 0 : other_foot_mm;
 growth = (height_mm - stand_mm) / (figure_mm - foot_mm);
 
+// "a, b, c"; the values of an expression that is not there would be nothing, and so would all that is made of them.
+function join_names(names, i = 0) = i >= len(names) ? "" : str(i > 0 ? ", " : "", names[i], join_names(names, i + 1));
+assert(len([for (e = expressions) if (e[0] == expression) e]) > 0,
+       str("there is no expression \"", expression, "\"; known: ", join_names([for (e = expressions) e[0]])));
+
 {{base_functions}}
 
 {{hollow_functions}}
@@ -61,7 +66,6 @@ module body() {
 
   slider_values = [{{slider_names}}];
   chosen = [for (e = expressions) if (e[0] == expression) e][0];
-  assert(chosen != undef, str("there is no expression ", expression));
   values = [for (m = [0:len(moves) - 1]) min(max(chosen[1][m] + slider_values[m], moves[m][0]), moves[m][1])];
 
   // How much of a move's state i there is at value x; `a` are the values of its states. The states in between share x.
@@ -220,10 +224,28 @@ module body() {
     : label_band(label, label_size_mm, {{label_raise}}, letter_step_mm, outer_points, ring(front), ring(front + 1),
                  len(outer_points) + len(inner_points));
 
+  // The vent's mouths: in the upright back of the base, and in the drain.
+  vent = drain > 0 ? base_vent(base, stand_mm, drain, ceiling) : [];
+  has_vent = len(vent) > 0;
+  walls = has_vent ? [len(base_points) - {{label_ring}}, len(outer) - 1] : [];  // the first of either one's two rings
+  wall_points = has_vent ? [base_points[walls[0]], tube[1]] : [];
+  columns_of = [for (p = wall_points) vent_columns(p, vent[0] / 2)];
+  lines = [for (w = [0:1:len(walls) - 1]) for (z = [vent[1], vent[2]]) vent_line(wall_points[w], columns_of[w], vent[0] / 2, z)];
+  line_first = len(outer_points) + len(inner_points) + len(labelled[0]);
+  function line_start(i) = i == 0 ? line_first : line_start(i - 1) + len(lines[i - 1]);
+  mouths = [for (i = [0:1:len(lines) - 1]) let (start = line_start(i)) [for (k = [0:len(lines[i]) - 1]) start + k]];
+  rims = [for (w = [0:1:len(walls) - 1]) [for (k = [walls[w], walls[w] + 1]) let (r = ring(k)) [for (c = columns_of[w]) r[c]]]];
+  function wall_faces(k) = let (faces = k == front ? labelled[1] : band(ring(k), ring(k + 1)))
+    !has_vent || k != walls[0] && k != walls[1] ? faces
+    : let (rim = rims[k == walls[0] ? 0 : 1]) faces_outside(faces, concat(rim[0], rim[1]));
+  vent_faces = !has_vent ? [] : concat(
+    vent_frame(rims[0][0], rims[0][1], mouths[1], mouths[0]), vent_frame(rims[1][0], rims[1][1], mouths[2], mouths[3]),
+    vent_tunnel(mouths[0], mouths[1], mouths[2], mouths[3]));
+
   polyhedron(convexity = 12,
-    points = concat(outer_points, inner_points, labelled[0]),
-    faces = concat(triangles, labelled[1],
-      [for (k = [0:1:len(outer) - 1]) if (k != front) each band(ring(k), ring(k + 1))],
+    points = concat(outer_points, inner_points, labelled[0], [for (l = lines) each l]),
+    faces = concat(triangles, vent_faces,
+      [for (k = [0:1:len(outer) - 1]) each wall_faces(k)],
       drain > 0 ? collar(bottom, inner_ring(0))
         : concat([for (i = [0:sides - 1]) [bottom[i], under, bottom[(i + 1) % sides]]], hollow ? [inner_ring(0)] : []),
       [for (k = [0:1:len(inner) - 2]) each band(inner_ring(k), inner_ring(k + 1))],

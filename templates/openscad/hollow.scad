@@ -47,3 +47,39 @@ function collar(tube, ring) = let (n = len(ring), stride = len(tube) / n)
   [for (i = [0:n - 1]) each concat(
     [for (t = [0:stride - 1]) [tube[i * stride + t], ring[i], tube[(i * stride + t + 1) % len(tube)]]],
     [[tube[(i + 1) * stride % len(tube)], ring[i], ring[(i + 1) % n]]])];
+
+// The vent, a tunnel from the drain to the base's back, as [width, floor, ceiling]; [] where it has no room. `pocket` is how
+// deep a magnet's is.
+function base_vent(shape, height, drain, pocket) = let (
+    profile = shape == "plinth" ? base_block : base_socle, lower = len(profile) - {{label_ring}},
+    width = {{vent_share}} * drain,
+    low = max({{vent_plate}}, profile[lower][1] * height + {{vent_edge}}, pocket > 0 ? pocket + {{magnet_ledge}} : 0),
+    high = min(low + width, profile[lower - 1][1] * height - {{vent_edge}}, profile[lower - 2][1] * height - {{vent_plate}}))
+  shape == "none" || min(width, high - low) < {{least_drain}} ? [] : [width, low, high];
+
+// The columns of a ring from beyond one side of the vent to beyond the other, across the middle of the back.
+function vent_columns(ring, half) = let (
+    n = len(ring),
+    middle = [for (i = [0:n - 1]) if (ring[i][1] > 0 && (ring[i][0] <= 0) != (ring[(i + 1) % n][0] <= 0)) i + n][0],
+    before = len([for (i = 0; abs(ring[(middle - i) % n][0]) <= half; i = i + 1) i]),
+    behind = len([for (i = 1; abs(ring[(middle + i) % n][0]) <= half; i = i + 1) i]))
+  [for (i = [middle - before:middle + 1 + behind]) i % n];
+
+// An edge of the tunnel in the ring's wall.
+function vent_line(ring, columns, half, z) = let (last = len(columns) - 1)
+  [for (c = [0:last]) let (
+      p = ring[columns[c]], next = ring[columns[c == 0 ? 1 : c - 1]],
+      at = c > 0 && c < last ? p : p + (next - p) * ((p[0] > 0 ? half : -half) - p[0]) / (next[0] - p[0]))
+    [at[0], at[1], z]];
+
+// Faces, of vertices: around a mouth, between two rings and the tunnel's edges nearer to either; of the tunnel.
+function quad(a, b, c, d) = [[a, c, b], [a, d, c]];
+function vent_frame(from, to, a, b) = let (last = len(a) - 1) concat(
+  [for (c = [0:last - 1]) each concat(quad(from[c], from[c + 1], a[c + 1], a[c]), quad(b[c], b[c + 1], to[c + 1], to[c]))],
+  quad(from[0], a[0], b[0], to[0]), quad(a[last], from[last], to[last], b[last]));
+function vent_tunnel(out_low, out_high, in_low, in_high) = let (last = len(out_low) - 1, end = len(in_low) - 1) concat(
+  strip(out_high, in_high), strip(in_low, out_low), quad(out_low[0], out_high[0], in_high[0], in_low[0]),
+  quad(out_high[last], out_low[last], in_low[end], in_high[end]));
+// The faces but for those that have vertices of the opening alone.
+function faces_outside(faces, opening) =
+  [for (f = faces) if (len([for (v = f, o = opening) if (v == o) v]) < len(f)) f];

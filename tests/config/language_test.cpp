@@ -6,10 +6,14 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <regex>
 #include <set>
+#include <sstream>
 
+#include "config/common_words.hpp"
 #include "config/config_fixture.hpp"
+#include "config/data_words.hpp"
 #include "config/validator.hpp"
 #include "house/sources.hpp"
 
@@ -291,6 +295,116 @@ TEST(language, keys_stand_once_and_have_help) {
   }
   for (const Names* names : {&kSharedClipKeys, &kTakes})
     for (const std::string& name : *names) EXPECT_NE(find_key(find_sections().clip, name), nullptr) << name;
+}
+
+// Every word that may stand somewhere: keys, fixed words, and what the data define.
+std::set<std::string> list_all_names() {
+  std::set<std::string> names;
+  const std::function<void(const Forms&)> add = [&](const Forms& forms) {
+    for (const Form& form : forms) {
+      for (const Word& word : form.words) names.insert(std::string(word.name));
+      add(form.items);
+    }
+  };
+  for (const Section* section : list_sections())
+    for (const Key& key : section->keys) {
+      names.insert(key.name);
+      add(key.forms);
+    }
+  for (const auto& [list, words] : load_data_words(kData))
+    for (const DataWord& word : words) {
+      names.insert(word.name);
+      names.insert(word.name.substr(word.name.find('/') + 1));
+    }
+  return names;
+}
+
+std::vector<std::string> split_words(std::string_view words) {
+  std::istringstream stream{std::string(words)};
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+TEST(language, common_words_lead_to_names_that_exist) {
+  const std::set<std::string> names = list_all_names();
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const CommonWord& row : kCommonWords) {
+    const std::string name(row.name);
+    EXPECT_TRUE(names.contains(name)) << name;
+    ASSERT_FALSE(split_words(row.words).empty()) << name;
+    for (const std::string& word : split_words(row.words)) {
+      EXPECT_NE(word, name);
+      EXPECT_TRUE(seen.insert({word, name}).second) << word << " leads to " << name << " twice";
+      EXPECT_EQ(suggest_name(word, {"xxxxxxxxxxxxxxxx", name}), name) << word;
+      EXPECT_EQ(suggest_name(word, {"xxxxxxxxxxxxxxxx"}), "")
+          << word;  // nothing is hinted at that is not known
+    }
+  }
+  EXPECT_GT(seen.size(), 200U);
+}
+
+TEST(language, a_common_word_gives_way_to_ones_own) {
+  EXPECT_EQ(suggest_name("Sad", {"sadness", "sad"}), "sad");
+  EXPECT_EQ(suggest_name("Light-Brown", {"black", "brown"}), "brown");
+  EXPECT_EQ(suggest_name("light brown", {"black", "brown"}), "brown");
+  EXPECT_EQ(describe_suggestion("closed", {"upper", "lower"}), "did you mean 'upper' (below 0 closes it)?");
+  EXPECT_EQ(describe_suggestion("closed", {"up", "side"}), "");
+}
+
+TEST(language, common_words_are_answered_with_ours) {
+  const auto answer = [](const std::string& text) {
+    const std::string told = find_text_mistakes("mien: 1\n" + text + "\n");
+    const std::size_t at = told.find("error: ");
+    return at == told.npos ? told : told.substr(at + 7, told.find('\n', at) - at - 7);
+  };
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {"clip: {keys: [{at: 0s, express: sad}]}", "unknown expression 'sad'; did you mean 'sadness'?"},
+      {"clip: {keys: [{at: 0s, express: happy}]}", "unknown expression 'happy'; did you mean 'smile'?"},
+      {"clip: {keys: [{at: 0s, express: emfacs/happy}]}",
+       "unknown expression 'emfacs/happy'; did you mean 'emfacs/joy'?"},
+      {"clip: {keys: [{at: 0s, express: Angry}]}", "unknown expression 'Angry'; did you mean 'anger'?"},
+      {"clip: {keys: [{at: 0s, express: {scared: 0.5}}]}",
+       "unknown expression 'scared'; did you mean 'fear'?"},
+      {"expressions: {mine: {from: surprised}}", "unknown expression 'surprised'; did you mean 'surprise'?"},
+      {"busts: [{express: laughing}]", "unknown expression 'laughing'; did you mean 'laugh'?"},
+      {"clip: {keys: [{at: 0s, areas: {eyebrows: {up: 1}}}]}",
+       "unknown area 'eyebrows' in 'clip.keys.areas'; did you mean 'brows'?"},
+      {"clip: {keys: [{at: 0s, areas: {mouth: {up: 1}}}]}",
+       "unknown area 'mouth' in 'clip.keys.areas'; did you mean 'lips'?"},
+      {"clip: {keys: [{at: 0s, areas: {jaw: {down: 1}}}]}",
+       "unknown area 'jaw' in 'clip.keys.areas'; did you mean 'chin'?"},
+      {"clip: {keys: [{at: 0s, areas: {left_eyebrow: {up: 1}}}]}",
+       "unknown area 'left_eyebrow' in 'clip.keys.areas'; did you mean 'brow.left'?"},
+      {"expressions: {mine: {eyelids: {upper: 1}}}",
+       "unknown key 'eyelids' in 'expressions.mine'; did you mean 'lids'?"},
+      {"expressions: {mine: {lids: {closed: 1}}}",
+       "unknown move 'closed' in 'expressions.mine.lids'; did you mean 'upper' (below 0 closes it)?"},
+      {"expressions: {mine: {lids: {open: 1}}}",
+       "unknown move 'open' in 'expressions.mine.lids'; did you mean 'upper'?"},
+      {"expressions: {mine: {lips: {closed: 1}}}",
+       "unknown move 'closed' in 'expressions.mine.lips'; did you mean 'press'?"},
+      {"expressions: {mine: {chin: {open: 1}}}",
+       "unknown move 'open' in 'expressions.mine.chin'; did you mean 'down'?"},
+      {"expressions: {mine: {brows: {down: 1}}}",
+       "unknown move 'down' in 'expressions.mine.brows'; did you mean 'up' (below 0 is down)?"},
+      {"expressions: {mine: {eyes: {left: 1}}}",
+       "unknown move 'left' in 'expressions.mine.eyes'; did you mean 'side' (above 0 is the character's "
+       "left)?"},
+      {"head: {age: baby}", "unknown age 'baby'; did you mean 'infant'?"},
+      {"head: {age: kid}", "unknown age 'kid'; did you mean 'child'?"},
+      {"head: {age: elderly}", "unknown age 'elderly'; did you mean 'old'?"},
+      {"head: {hair: short}", "unknown cut of hair 'short'; did you mean 'crop'?"},
+      {"head: {hair: bald}", "unknown cut of hair 'bald'; did you mean 'none'?"},
+      {"head: {look: {beard: full}}", "unknown beard 'full'; did you mean 'short'?"},
+      {"head: {look: {skin: dark}}", "'head.look.skin' is 'dark'; did you mean 'deep'?"},
+      {"head: {look: {skin: pale}}", "'head.look.skin' is 'pale'; did you mean 'porcelain'?"},
+      {"head: {look: {hair: blonde}}", "'head.look.hair' is 'blonde'; did you mean 'blond'?"},
+      {"head: {look: {hair: brunette}}", "'head.look.hair' is 'brunette'; did you mean 'brown'?"},
+      {"head: {look: {hair: dark}}", "'head.look.hair' is 'dark'; did you mean 'brown'?"},
+      {"head: {look: {hair: gray}}", "'head.look.hair' is 'gray'; did you mean 'grey'?"},
+      {"head: {look: {hair: auburn}}", "'head.look.hair' is 'auburn'; did you mean 'chestnut'?"},
+      {"head: {look: {brow: ginger}}", "'head.look.brow' is 'ginger'; did you mean 'red'?"},
+      {"busts: [{hollow: yes}]", "unknown answer 'yes'; did you mean 'true'?"}};
+  for (const auto& [text, message] : cases) EXPECT_EQ(answer(text), message) << text;
 }
 
 }  // namespace

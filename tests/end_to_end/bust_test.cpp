@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+#include <sstream>
+
 #include "bust/build_bust.hpp"
 #include "core/text.hpp"
 #include "end_to_end/program.hpp"
@@ -48,6 +51,77 @@ TEST(bust, is_one_closed_part_for_the_slicer) {
   EXPECT_EQ(read_file(folder / "out/bust_laugh.stl"), stl);
   EXPECT_EQ(read_file(folder / "out/bust_laugh.scad"), scad);
   EXPECT_EQ(read_file(folder / "out/bust_laugh.3mf"), package);
+}
+
+TEST(bust, warnings_and_notes_are_json_too) {
+  const auto folder = make_folder("bust_json");
+  write_file(folder / "a.yaml",
+             "mien: 1\nhead: {hair: bob}\nbusts: {all: [smile, anger], height: 30mm, triangles: 8000}\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml --json --no-stl -o out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  std::istringstream lines(run.out);
+  std::vector<std::string> told, notes;
+  for (std::string line; std::getline(lines, line);) {
+    const auto object = nlohmann::json::parse(line);
+    if (!object.contains("kind")) continue;
+    EXPECT_EQ(object["file"], "a.yaml");
+    if (object["kind"] == "note") notes.push_back(object["message"]);
+    if (object["kind"] == "warning")
+      told.push_back(object["bust"].get<std::string>() + ".txt: " + object["message"].get<std::string>());
+  }
+  EXPECT_EQ(notes, std::vector<std::string>{"Its hair is not printed: hair is finer than any nozzle."});
+  // What the reports warn of, but for the hair.
+  std::vector<std::string> meant;
+  for (const char* name : {"bust_smile.txt", "bust_anger.txt"}) {
+    std::istringstream report(read_file(folder / "out" / name));
+    for (std::string line; std::getline(report, line);)
+      if (line.starts_with("warning: ") && line.substr(9) != notes[0])
+        meant.push_back(fmt::format("{}: {}", name, line.substr(9)));
+  }
+  EXPECT_EQ(told, meant);
+  EXPECT_GE(told.size(), 2U);
+  // In words once a run, under the files what each has besides.
+  const ProgramRun words = run_shell(folder, "mien bust a.yaml --no-stl -o out");
+  EXPECT_THAT(
+      words.out,
+      testing::StartsWith("a.yaml: note: Its hair is not printed: hair is finer than any nozzle.\nsource "));
+  EXPECT_EQ(words.out.find("not printed"), words.out.rfind("not printed"));
+  EXPECT_EQ(run_shell(folder, "mien bust a.yaml --quiet --no-stl -o out").out, "");
+}
+
+TEST(bust, one_that_passes_through_itself_is_not_printable) {
+  const auto folder = make_folder("bust_crossed");
+  write_file(folder / "a.yaml",
+             "mien: 1\nhead: {sculpt: [{at: nose_tip, move: [0, -20mm, -20mm], radius: 8mm}]}\n"
+             "busts: [{express: laugh, height: 60mm, triangles: 8000}]\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml -o out");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(run.err, "error: not every bust is printable; the reports say why\n");
+  EXPECT_THAT(run.out, HasSubstr("        Its surface passes through itself at "));
+  EXPECT_EQ(list_files(folder / "out"),
+            (std::vector<std::string>{"bust_laugh.scad", "bust_laugh.stl", "bust_laugh.txt"}));
+}
+
+TEST(bust, an_asked_one_is_printed_as_the_file_says) {
+  const auto folder = make_folder("bust_asked");
+  write_file(folder / "a.yaml",
+             "mien: 1\nclip: {length: 1s}\n"
+             "busts: {all: [smile, anger], height: 40mm, base: plinth, triangles: 8000}\n");
+  const auto find_size = [&](const std::string& asked, const std::string& stem) {
+    const ProgramRun run = run_shell(folder, "mien bust a.yaml --no-stl -o out " + asked);
+    EXPECT_EQ(run.status, 0) << run.err;
+    const std::string source = read_file(folder / "out" / (stem + ".scad"));
+    const auto line = [&](const std::string& start) {
+      const std::size_t at = source.find("\n" + start) + 1;
+      return source.substr(at, source.find(';', at) - at);
+    };
+    return line("height_mm = ") + ", " + line("base = ") + ", " + line("label = ");
+  };
+  EXPECT_EQ(find_size("--express laugh", "bust_laugh"),
+            "height_mm = 40, base = \"plinth\", label = \"laugh\"");
+  EXPECT_EQ(find_size("--express smile --height 30mm", "bust_smile"),
+            "height_mm = 30, base = \"plinth\", label = \"smile\"");
+  EXPECT_EQ(find_size("--at 0.5s", "bust_0.5s"), "height_mm = 40, base = \"plinth\", label = \"0.5s\"");
 }
 
 TEST(bust, says_that_hair_and_beard_are_not_printed) {
@@ -313,6 +387,14 @@ TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
     const Box box = compute_bounds(meant.positions);
     EXPECT_LT(glm::distance(facts.box.low, box.low), 0.02) << set;
     EXPECT_LT(glm::distance(facts.box.high, box.high), 0.02) << set;
+    // Every vertex of the base's back, and of the vent's mouth there, in either one.
+    const auto list_back = [](const Mesh& mesh) {
+      std::vector<glm::vec3> back;
+      for (const glm::vec3& p : mesh.positions)
+        if (p.y > 0 && p.z < 7.5f) back.push_back(p);
+      return back;
+    };
+    EXPECT_LT(find_furthest_mm(list_back(read_stl(folder / "a.stl")), list_back(meant)), 0.02f) << set;
   };
   spec.is_hollow = true;
   compare(spec, R"("hollow": "true")");
@@ -325,6 +407,10 @@ TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {
   spec.label = "Oh, \"no\"! \\ \u00e9";
   compare(spec, R"("hollow": "true", "wall_mm": "1", "expression": "open", "magnet_diameter_mm": "6",)"
                 R"("magnet_depth_mm": "2", "label": "Oh, \"no\"! \\ \u00e9")");
+  const ProgramRun unknown = pose_in_openscad(folder, R"("expression": "grin")");
+  EXPECT_EQ(unknown.status, 1);
+  EXPECT_THAT(unknown.out, HasSubstr("there is no expression \"grin\"; known: neutral, open"));
+  EXPECT_LT(unknown.out.size(), 2000u);
   const ProgramRun thick = pose_in_openscad(folder, R"("hollow": "true", "wall_mm": "6")");
   EXPECT_EQ(thick.status, 1);
   EXPECT_THAT(thick.out, HasSubstr("wall_mm can be 3.6 at most in a bust of this height"));

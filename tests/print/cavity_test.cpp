@@ -114,6 +114,67 @@ TEST(cavity, drains_through_the_magnets_pocket) {
   EXPECT_NEAR(build_cavity(plan, build_hollow(deep, 2)).rings[0][0].z, 9, 1e-5);
 }
 
+// Whether the middle of the base's back is open, at a height.
+bool is_open_behind(const Mesh& mesh, double radius_mm, double z_mm) {
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const glm::dvec3 p(mesh.positions[a]), q(mesh.positions[b]), r(mesh.positions[c]);
+    // Seen along y: does the triangle cover (0, z) and lie beyond half of the radius?
+    const auto cross = [&](const glm::dvec3& s, const glm::dvec3& t) {
+      return (t.x - s.x) * (z_mm - s.z) - (t.z - s.z) * (0 - s.x);
+    };
+    const double one = cross(p, q), two = cross(q, r), three = cross(r, p);
+    const bool is_within = (one > 0 && two > 0 && three > 0) || (one < 0 && two < 0 && three < 0);
+    if (is_within && std::min({p.y, q.y, r.y}) > radius_mm / 2) return false;
+  }
+  return true;
+}
+
+TEST(cavity, is_vented_through_the_back_of_its_base) {
+  for (const BaseShape shape : {BaseShape::round, BaseShape::square, BaseShape::plinth})
+    for (const double height : {5.0, 8.0, 14.0})
+      for (const double magnet : {0.0, 6.0}) {
+        Base base = build_base(shape, height, 18);
+        base.magnet_diameter_mm = magnet;
+        base.magnet_depth_mm = 2;
+        const Figure figure = build_figure(base);
+        const std::string what = fmt::format("{} {} {}", int(shape), height, magnet);
+        const Cavity cavity = build_cavity(build_plan(figure, {2}), build_hollow(figure, 2));
+        Mesh closed = figure.open, mesh = figure.open;
+        append_cavity(closed, cavity, append_base(closed, figure.foot, base, {}, cavity.drain_mm));
+        VentMouth vent{find_vent(base, cavity.drain_mm), {}, {}};
+        if (vent.vent.width_mm == 0) {
+          EXPECT_TRUE(magnet > 0 && height == 5) << what;  // the pocket takes the room
+          continue;
+        }
+        const Loop drain = append_base(mesh, figure.foot, base, {}, cavity.drain_mm, &vent);
+        append_cavity(mesh, cavity, drain, vent);
+        EXPECT_EQ(count_open_edges(mesh.triangles), 0u) << what;
+        EXPECT_EQ(split_pieces(mesh).size(), 1u) << what;
+        EXPECT_EQ(find_crossings(mesh.positions, mesh.triangles).size(), 0u) << what;
+        // The tunnel's volume, from the drain's wall to the back: an eighth of a drain's width for the round
+        // ends.
+        const auto [width, low, high] = vent.vent;
+        const double way = 18 - cavity.drain_mm / 2;
+        EXPECT_NEAR(compute_volume_mm3(closed) - compute_volume_mm3(mesh), width * (high - low) * way,
+                    0.12 * width * (high - low) * way)
+            << what;
+        EXPECT_TRUE(is_open_behind(mesh, 18, (low + high) / 2 + 0.01)) << what;
+        EXPECT_FALSE(is_open_behind(mesh, 18, low - 0.1)) << what;
+        EXPECT_FALSE(is_open_behind(mesh, 18, high + 0.1)) << what;
+        EXPECT_FALSE(is_open_behind(closed, 18, (low + high) / 2 + 0.01)) << what;
+        EXPECT_GE(high - low, 1) << what;
+        EXPECT_GE(low, magnet > 0 ? 2.8 : 0.8) << what;  // a floor that prints, and a ledge above a magnet
+      }
+}
+
+TEST(cavity, a_vent_needs_an_upright_base_and_a_drain) {
+  EXPECT_EQ(find_vent(build_base(BaseShape::none, 0, 18), 4).width_mm, 0);
+  EXPECT_EQ(find_vent(build_base(BaseShape::round, 8, 18), 0).width_mm, 0);
+  EXPECT_EQ(find_vent(build_base(BaseShape::round, 8, 18), 1.2).width_mm, 0);  // 0.96 mm: nothing runs
+  EXPECT_EQ(find_vent(build_base(BaseShape::round, 3, 18), 4).width_mm, 0);    // too low a base
+  EXPECT_NEAR(find_vent(build_base(BaseShape::round, 8, 18), 4).width_mm, 3.2, 1e-9);
+}
+
 TEST(cavity, is_the_same_in_every_pose_and_inside_all) {
   const Figure figure = build_figure(build_base(BaseShape::round, 8, 18));
   Figure dented = figure;  // on one side, by 6 mm

@@ -143,6 +143,29 @@ TEST(report, a_surface_through_itself_is_told) {
   EXPECT_GT(report.crossings, 0u);
   EXPECT_NEAR(report.crossing_at.x, 10, 1);
   EXPECT_THAT(report.warnings, Contains(HasSubstr("Its surface passes through itself at ")));
+  EXPECT_FALSE(is_printable(report));
+  PrintReport crossed = measure_print(build_block({-10, -5, 0}, {10, 5, 30}));
+  EXPECT_TRUE(is_printable(crossed));
+  crossed.crossings = 1;  // though it is one closed part on the bed
+  EXPECT_FALSE(is_printable(crossed));
+}
+
+TEST(report, a_hollow_with_one_hole_on_the_bed_is_a_cup) {
+  PrintReport report = measure_print(build_block({-10, -5, 0}, {10, 5, 30}));
+  report.drain_mm = 4;
+  update_warnings(report);
+  EXPECT_THAT(
+      report.warnings,
+      ElementsAre("Its only hole lies on the bed: on a resin printer the hollow is a cup that sucks at the "
+                  "film. Print it tilted on supports, or drill a second hole near the bed."));
+  EXPECT_THAT(describe_report(report), HasSubstr("\ndrain           4 mm, in the underside\noverhang "));
+  report.vent_mm = {3.2, 2.94};
+  update_warnings(report);
+  EXPECT_TRUE(report.warnings.empty());
+  EXPECT_THAT(describe_report(report),
+              HasSubstr("\ndrain           4 mm, in the underside\n"
+                        "vent            3.2 x 2.9 mm, from the drain to the base's back\n"));
+  EXPECT_TRUE(is_printable(report));
 }
 
 TEST(report, is_a_table_and_sentences) {
