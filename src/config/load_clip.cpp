@@ -127,10 +127,11 @@ void check_number(const FormulaPointer& formula, const ClipReader& reader,
   const auto found =
       std::ranges::find(reader.library->formulas, formula, [](const auto& pair) { return pair.first; });
   if (found != reader.library->formulas.end())
-    add_mistake(found->second,
-                fmt::format("with {} the formulas before it take too long to try at every time; expected fewer, "
-                            "shorter ones or fewer that use each other",
-                            describe_subject(found->second)));
+    add_mistake(
+        found->second,
+        fmt::format("with {} the formulas before it take too long to try at every time; expected fewer, "
+                    "shorter ones or fewer that use each other",
+                    describe_subject(found->second)));
 }
 
 void check_pose(const PoseKey& key, const ClipReader& reader, const std::vector<double>& times_s) {
@@ -138,8 +139,7 @@ void check_pose(const PoseKey& key, const ClipReader& reader, const std::vector<
   for (const LivePose::Share& share : key.live->shares)
     if (share.weight.formula) check_number(share.weight.formula, reader, times_s);
   if (key.live->strength.formula) check_number(key.live->strength.formula, reader, times_s);
-  for (const LivePose::Value& value : key.live->values)
-    check_number(value.formula, reader, times_s);
+  for (const LivePose::Value& value : key.live->values) check_number(value.formula, reader, times_s);
 }
 
 void check_pose(const TurnKey& key, const ClipReader& reader, const std::vector<double>& times_s) {
@@ -195,9 +195,10 @@ bool count_part(const YamlValue& item, const ClipReader& reader) {
   if (reader.library == nullptr) return true;
   std::size_t& parts = reader.library->counts->parts;
   if (++parts == kMaxParts + 1)
-    add_mistake(item, fmt::format("more than {} keys, cues, laws and tracks; expected fewer (those of a script "
-                                  "count for each set of parameters that it is played with)",
-                                  kMaxParts));
+    add_mistake(item,
+                fmt::format("more than {} keys, cues, laws and tracks; expected fewer (those of a script "
+                            "count for each set of parameters that it is played with)",
+                            kMaxParts));
   return parts <= kMaxParts;
 }
 
@@ -208,7 +209,8 @@ double compute_work(const ClipSpec& clip) {
                 compute_keys_work(clip.camera, clip.length_s, clip.fps);
   for (const CueSpec& cue : clip.cues) {
     const double from_s = std::clamp(cue.from_s, 0.0, clip.length_s);
-    const double frames = (std::clamp(cue.end_s, from_s, std::max(from_s, clip.length_s)) - from_s) * clip.fps;
+    const double frames =
+        (std::clamp(cue.end_s, from_s, std::max(from_s, clip.length_s)) - from_s) * clip.fps;
     work += frames * kPoseWork + compute_asked(frames) * compute_work(cue.what);
     if (cue.script)
       work += frames * compute_frame_work(*cue.script, scripts) +
@@ -221,10 +223,11 @@ void check_work(const std::vector<const ClipSpec*>& clips, const YamlValue& plac
   double work = 0;
   for (const ClipSpec* clip : clips) work += compute_work(*clip);
   if (work > kMaxWork)
-    add_mistake(place, fmt::format("{} is {:.3g} numbers to work out over its {} frames; expected {:.3g} at most: "
-                                   "fewer cues, laws and formulas at one time, or a shorter clip (a script "
-                                   "counts with all that it plays)",
-                                   describe_subject(place), work, count_frames(*clips.front()), kMaxWork));
+    add_mistake(place,
+                fmt::format("{} is {:.3g} numbers to work out over its {} frames; expected {:.3g} at most: "
+                            "fewer cues, laws and formulas at one time, or a shorter clip (a script "
+                            "counts with all that it plays)",
+                            describe_subject(place), work, count_frames(*clips.front()), kMaxWork));
 }
 
 ClipClock build_clip_clock(int fps, const NamedTimes* times) {

@@ -70,8 +70,8 @@ struct ClipLibrary {
   ClipCounts* counts = &own;  // of the whole file
 };
 
-// Of a file with all that it includes, its scripts once for each set of parameters: ten thousand are an hour with a
-// key in each second.
+// Of a file with all that it includes, its scripts once for each set of parameters: ten thousand are an hour
+// with a key in each second.
 inline constexpr std::size_t kMaxParts = 20'000;
 
 // The work of playing a clip once and of judging it, counted in numbers that are worked out, of some 0.2 us

@@ -94,7 +94,7 @@ const std::optional<YamlDocument>& find_document(const Include& include, const C
   Findings& findings = *include.place.findings;
   const auto [known, is_new] = reader.library->documents.try_emplace(include.file->path.string());
   if (!is_new || !has_room(include.place, include.file->path)) return known->second;
-  auto text = load_source(include.file->path, findings);
+  auto text = load_named_source(include.file->path, kMienFile, findings);
   if (text) known->second = scan_document(std::move(*text), findings);
   return known->second;
 }

@@ -74,6 +74,12 @@ struct Columns {
 };
 
 bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& columns) {
+  const Names known = list_columns();
+  if (cells.size() > known.size()) {
+    report(file, cells.front().spot,
+           fmt::format("this line has {} columns; expected {} at most", cells.size(), known.size()));
+    return false;
+  }
   bool has_time = false, is_right = true;
   std::bitset<kMoveCount> seen;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -86,7 +92,7 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
       columns.time = i;
       columns.is_frames = cell.text == "frame";
     } else if (columns.moves.back().empty()) {
-      const std::string nearest = suggest_name(cell.text, list_columns());
+      const std::string nearest = suggest_name(cell.text, known);
       mistake =
           fmt::format("unknown column '{}'; {}", show_word(cell.text),
                       nearest.empty() ? "expected time, frame, or a move such as brow.left.up or lips.upper"
@@ -142,11 +148,29 @@ void load_row(const CsvFile& file, const std::vector<Cell>& cells, const std::ve
   }
 }
 
+// Whether one of the first line's words is a column's, or nearly.
+bool has_columns(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n,;";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+  const std::string_view line = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+  const Names known = list_columns();
+  std::vector<Cell> cells = split(line, 1, find_separator(line));
+  if (cells.size() > known.size()) cells.resize(known.size());  // a word takes some microseconds
+  return std::ranges::any_of(cells,
+                             [&](const Cell& cell) { return !suggest_name(cell.text, known).empty(); });
+}
+
+const NamedKind kTableFile{
+    has_columns,
+    "is no table: none of the words of its first line is a column; expected time, frame or a move such as "
+    "lips.upper",
+    "the file is empty; expected a line of names such as time,lips.upper and a line for each time"};
+
 }  // namespace
 
 std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& path, int fps,
                                                  Findings& findings) {
-  auto source = load_source(path, findings);
+  auto source = load_named_source(path, kTableFile, findings);
   if (!source) return {};
   const CsvFile file{std::move(*source), &findings};
   const auto before = findings.mistakes.size() + findings.untold;

@@ -54,9 +54,10 @@ bool is_formula(const YamlValue& value, const Measure& measure) {
 FormulaPointer load_formula(const YamlValue& value, const FormulaReader& reader) {
   if (reader.count != nullptr && ++*reader.count > kMaxFormulas) {
     if (*reader.count == kMaxFormulas + 1)
-      add_mistake(value, fmt::format("more than {} formulas; expected fewer (those of a script count for each "
-                                     "set of parameters that it is played with)",
-                                     kMaxFormulas));
+      add_mistake(value,
+                  fmt::format("more than {} formulas; expected fewer (those of a script count for each "
+                              "set of parameters that it is played with)",
+                              kMaxFormulas));
     return {};
   }
   FormulaFault fault;

@@ -199,8 +199,7 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   load_growth(entries, *source.words, head);
   if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
-  if (const YamlValue* sculpt = find_value(entries, "sculpt"))
-    load_sculpt(*sculpt, source, head.sculpt);
+  if (const YamlValue* sculpt = find_value(entries, "sculpt")) load_sculpt(*sculpt, source, head.sculpt);
   head.said = find_said(entries);
   if (const YamlValue* random = find_value(entries, "random"))
     load_random(*random, source.words->people, head);

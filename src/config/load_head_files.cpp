@@ -40,7 +40,7 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
     return report(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
   Findings& findings = *value.findings;
   if (!has_room(value, spot, path)) return false;
-  auto text = load_source(path, findings);
+  auto text = load_named_source(path, kMienFile, findings);
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
   if (!document) return false;
   const YamlValue root = find_root(*document, findings);
@@ -128,8 +128,7 @@ std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
 }
 
 void load_mesh(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into) {
-  if (load_file(value, into) && note_landmark_file(value, into->path))
-    count_scan(value, source, into->path);
+  if (load_file(value, into) && note_landmark_file(value, into->path)) count_scan(value, source, into->path);
 }
 
 void load_scan(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into) {

@@ -91,7 +91,9 @@ void load_head_track(const YamlMapping& entries, const HeadSource& source, const
   if (!has_few_keys(entries, *source.counts)) return;
   clip.head = load_track<HeadKey>(
       entries, "head", "{at: 1s, age: child}", build_reader(clip, times),
-      [&](const YamlMapping& key_entries, HeadKey& key) { load_growth(key_entries, *source.words, key.head); },
+      [&](const YamlMapping& key_entries, HeadKey& key) {
+        load_growth(key_entries, *source.words, key.head);
+      },
       start);
   stretch_clip(entries, clip.head, clip);
 }

@@ -42,7 +42,8 @@ void freeze_cues(std::span<Cue> cues) {
     Cue& cue = cues[i];
     cue.gone = cue.end;
     if (cue.spec.rule != Rule::over) continue;
-    // Until when each move is still. What comes over it meanwhile has an end that is not later (compute_covers).
+    // Until when each move is still. What comes over it meanwhile has an end that is not later
+    // (compute_covers).
     std::array<Ticks, kMoveCount> still{};
     still.fill(-kEndless);
     const auto is_still = [&](Ticks time) {

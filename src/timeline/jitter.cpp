@@ -96,7 +96,8 @@ Moves leave_out_twins(const LivePose& live, Moves moves) {
     const MoveInfo &left = kMoves[one.move], &right = kMoves[next.move];
     const bool is_same = one.formula == next.formula && one.low == next.low && one.high == next.high &&
                          left.low == right.low && left.high == right.high;
-    if (is_same && left.area == right.area && left.move == right.move) moves.reset(std::max(one.move, next.move));
+    if (is_same && left.area == right.area && left.move == right.move)
+      moves.reset(std::max(one.move, next.move));
   }
   return moves;
 }
