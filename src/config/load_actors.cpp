@@ -135,6 +135,16 @@ void share_length(bool has_length, Spec& spec) {
   for (ActorSpec& actor : spec.actors) actor.clip.length_s = spec.clip.length_s;
 }
 
+// All who play, frame by frame: `mien check` keeps a kilobyte of each.
+void check_frames(const Spec& spec, const YamlValue& actors) {
+  constexpr std::size_t kMost = 400'000;
+  const auto frames = static_cast<std::size_t>(count_frames(spec.clip));
+  if (spec.actors.size() * frames > kMost)
+    add_mistake(actors, fmt::format("{} actors play {} frames each, {} in all; expected {} at most: fewer of them "
+                                    "or a shorter clip",
+                                    spec.actors.size(), frames, spec.actors.size() * frames, kMost));
+}
+
 // Of all who play, and the file's own, whose camera is everybody's.
 std::vector<const ClipSpec*> list_clips(const Spec& spec) {
   std::vector<const ClipSpec*> clips{&spec.clip};
@@ -183,6 +193,7 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) 
   share_length(find_value(parts.front().clip, "length") != nullptr, spec);
   const YamlValue* place = actors != nullptr ? actors : clip;
   if (place != nullptr) check_work(list_clips(spec), *place);
+  if (actors != nullptr) check_frames(spec, *actors);
 }
 
 }  // namespace mien

@@ -23,7 +23,7 @@ struct ScanMark {
   glm::dvec3 at{0};   // in the mesh's unit
   LinearRow place;    // the same place on our skin, as a form over the cage
   double weight = 1;  // how well the place is defined: less for extremes such as the crown
-  SaidAt said;        // of a half's other side where the first is
+  SaidAt said{};      // of a half's other side where the first is
 };
 
 struct Scan {

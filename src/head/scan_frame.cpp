@@ -24,9 +24,10 @@ double compute_square(const glm::dvec3& a, const glm::dvec3& b) { return glm::do
 // other's places.
 void check_pairs(const Scan& scan, const std::vector<glm::dvec3>& ours,
                  const std::vector<glm::dvec3>& theirs) {
-  constexpr double kLeastGain_mm2 =
-      2 * 7 * 7;                     // two landmarks 7 mm apart each; nearer ones are a matter of taste
-  constexpr double kMostLeft = 0.3;  // of the misses' squares, after the exchange
+  // Of two landmarks 7 mm off each; nearer ones are a matter of taste.
+  constexpr double kLeastGain_mm2 = 2 * 7 * 7;
+  constexpr double kMostLeft = 0.3;   // of the misses' squares, after the exchange
+  constexpr double kMostMiss_mm = 25;  // of either then: further off, more is wrong than these two
   std::size_t first = 0, second = 0;
   double most = kLeastGain_mm2;
   for (std::size_t i = 0; i < ours.size(); ++i)
@@ -35,6 +36,9 @@ void check_pairs(const Scan& scan, const std::vector<glm::dvec3>& ours,
       const double now = compute_square(theirs[i], ours[i]) + compute_square(theirs[j], ours[j]);
       const double then = compute_square(theirs[j], ours[i]) + compute_square(theirs[i], ours[j]);
       if (then > kMostLeft * now || now - then <= most) continue;
+      if (glm::distance(theirs[j], ours[i]) > kMostMiss_mm ||
+          glm::distance(theirs[i], ours[j]) > kMostMiss_mm)
+        continue;
       most = now - then, first = i, second = j;
     }
   if (second == 0) return;

@@ -368,11 +368,42 @@ void leave_out_far(Polygons& mesh) {
     if (glm::length(p) > kFar_mm) p = glm::dvec3(0);  // nobody's now
 }
 
+// Triangles that join points from all over the head make no surface, and would be looked at from everywhere.
+// Throws InputError if all together are too long.
+void check_triangles(const HeadStock& stock, const Polygons& mesh) {
+  constexpr double kMost = 20;        // a scan with hair and an inside comes to 5, one of slivers to 10
+  constexpr double kAround_mm = 250;  // what lies further off, such as a body, may be as large as it is
+  const auto compute_square = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b); };
+  std::vector<Float4> packed;
+  std::vector<glm::vec3> skin;
+  pack_points(stock.adult.points, packed);
+  deform_surface(*stock.surface, packed, skin);
+  double head = 0, scan = 0;
+  for (const Quad& q : stock.surface->quads)
+    head += 2 * compute_square(glm::dvec3(skin[q[0]]), glm::dvec3(skin[q[2]]));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    for (std::uint32_t i = mesh.first[f] + 2; i < mesh.first[f + 1]; ++i) {
+      const glm::dvec3 &a = mesh.positions[mesh.corners[mesh.first[f]]],
+                       &b = mesh.positions[mesh.corners[i - 1]], &c = mesh.positions[mesh.corners[i]];
+      if (glm::length(a + b + c) < 3 * kAround_mm)
+        scan += std::max({compute_square(a, b), compute_square(b, c), compute_square(c, a)});
+    }
+  if (scan > kMost * head)
+    throw InputError(std::vector<Diagnostic>{
+        {{mesh.file, 0, 0},
+         fmt::format("its triangles are so long that they would cover a head {:.0f} times; expected {} times at "
+                     "most: they make no surface",
+                     scan / head, kMost),
+         "",
+         false}});
+}
+
 // Lays the scan on the adult; the equations are those of the adult's half.
 Problem build_problem(const HeadStock& stock, const Scan& scan, const Similarity& ours_from_scan) {
   Polygons mesh = scan.mesh;
   for (glm::dvec3& p : mesh.positions) p = apply_similarity(ours_from_scan, p);
   leave_out_far(mesh);
+  check_triangles(stock, mesh);
   Problem problem;
   problem.stock = &stock;
   problem.scan.tree = build_surface_tree(mesh);

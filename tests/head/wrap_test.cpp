@@ -511,7 +511,7 @@ TEST(wrap, refuses_triangles_that_make_no_surface) {
   std::mt19937 random(3);
   for (std::uint32_t& corner : scan.mesh.corners)
     corner = static_cast<std::uint32_t>(random() % scan.mesh.positions.size());
-  EXPECT_TRUE(find_fault(scan).ends_with("expected 40 at most: its triangles make no surface"))
+  EXPECT_TRUE(find_fault(scan).ends_with("expected 20 times at most: they make no surface"))
       << find_fault(scan);
 }
 
