@@ -140,9 +140,10 @@ void check_frames(const Spec& spec, const YamlValue& actors) {
   constexpr std::size_t kMost = 400'000;
   const auto frames = static_cast<std::size_t>(count_frames(spec.clip));
   if (spec.actors.size() * frames > kMost)
-    add_mistake(actors, fmt::format("{} actors play {} frames each, {} in all; expected {} at most: fewer of them "
-                                    "or a shorter clip",
-                                    spec.actors.size(), frames, spec.actors.size() * frames, kMost));
+    add_mistake(actors,
+                fmt::format("{} actors play {} frames each, {} in all; expected {} at most: fewer of them "
+                            "or a shorter clip",
+                            spec.actors.size(), frames, spec.actors.size() * frames, kMost));
 }
 
 // Of all who play, and the file's own, whose camera is everybody's.

@@ -26,7 +26,7 @@ void check_pairs(const Scan& scan, const std::vector<glm::dvec3>& ours,
                  const std::vector<glm::dvec3>& theirs) {
   // Of two landmarks 7 mm off each; nearer ones are a matter of taste.
   constexpr double kLeastGain_mm2 = 2 * 7 * 7;
-  constexpr double kMostLeft = 0.3;   // of the misses' squares, after the exchange
+  constexpr double kMostLeft = 0.3;    // of the misses' squares, after the exchange
   constexpr double kMostMiss_mm = 25;  // of either then: further off, more is wrong than these two
   std::size_t first = 0, second = 0;
   double most = kLeastGain_mm2;

@@ -391,9 +391,10 @@ void check_triangles(const HeadStock& stock, const Polygons& mesh) {
   if (scan > kMost * head)
     throw InputError(std::vector<Diagnostic>{
         {{mesh.file, 0, 0},
-         fmt::format("its triangles are so long that they would cover a head {:.0f} times; expected {} times at "
-                     "most: they make no surface",
-                     scan / head, kMost),
+         fmt::format(
+             "its triangles are so long that they would cover a head {:.0f} times; expected {} times at "
+             "most: they make no surface",
+             scan / head, kMost),
          "",
          false}});
 }

@@ -132,8 +132,8 @@ std::vector<Diagnostic> judge_wrap(const Scan& scan, const WrapWorth& worth) {
   // What scans of faces come to, and what others do, is told in docs/soundness.md.
   constexpr double kLeastCovered = 0.7, kNoFace = 0.3;
   constexpr double kLeastAgreeing = 0.85, kNoSurface = 0.6;
-  constexpr double kMostRms_mm = 2, kMostOff = 0.12, kMostStray = 0.15;
-  constexpr double kMostMark_mm = 8;
+  constexpr double kMostRms_mm = 1.5, kMostOff = 0.12, kMostStray = 0.15;
+  constexpr double kMostMark_mm = 5;
   constexpr int kMostFolded = 8;
   const Place place{scan.mesh.file, 0, 0};
   if (worth.covered < kNoFace)
