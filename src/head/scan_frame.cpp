@@ -98,21 +98,35 @@ Similarity align_marks(const HeadStock& stock, const Scan& scan) {
 // How much larger the scanned head is than the one we wrapped, which was laid on the adult.
 double compute_growth(const Scan& scan, double ours_per_unit) {
   const auto growth_of = [&](double unit_mm) { return unit_mm / ours_per_unit; };
-  if (scan.unit_mm > 0) {
-    constexpr double kLeast = 0.4, kMost = 2.5;  // an infant's head is 0.75 of the adult's
-    const double growth = growth_of(scan.unit_mm);
-    if (growth < kLeast || growth > kMost)
-      fail_at(scan, scan.unit_said,
-              fmt::format(
-                  "with this unit the head is {:.3g} times as large as an adult's; expected {} to {}, or no "
-                  "unit at all",
+  constexpr double kLeast = 0.4, kMost = 2.5;  // an infant's head is 0.75 of the adult's
+  double growth = growth_of(scan.unit_mm > 0 ? scan.unit_mm : 1);
+  if (scan.unit_mm == 0)
+    for (const double unit_mm : {10.0, 25.4, 1000.0})
+      if (std::abs(std::log(growth_of(unit_mm))) < std::abs(std::log(growth))) growth = growth_of(unit_mm);
+  if (growth >= kLeast && growth <= kMost) return growth;
+  if (scan.unit_mm > 0)
+    fail_at(scan, scan.unit_said,
+            fmt::format(
+                "with this unit the head is {:.3g} times as large as an adult's; expected {} to {}, or no "
+                "unit at all",
+                growth, kLeast, kMost));
+  fail_at(
+      scan, scan.marks_said,
+      fmt::format("in mm, cm, in and m alike the head is no head's size, at best {:.3g} times an adult's; "
+                  "expected {} to {}",
                   growth, kLeast, kMost));
-    return growth;
-  }
-  double best = growth_of(1);
-  for (const double unit_mm : {10.0, 25.4, 1000.0})
-    if (std::abs(std::log(growth_of(unit_mm))) < std::abs(std::log(best))) best = growth_of(unit_mm);
-  return best;
+}
+
+std::vector<Diagnostic> judge_growth(const Scan& scan, double growth) {
+  constexpr double kLeast = 0.65, kMost = 1.3;
+  if (scan.unit_mm > 0 || (growth >= kLeast && growth <= kMost)) return {};
+  const SaidAt& said = scan.marks_said;
+  return {{said.place.file.empty() ? Place{scan.mesh.file, 0, 0} : said.place,
+           fmt::format(
+               "the head is {:.3g} times as large as an adult's in the unit that fits best: say the scan's "
+               "unit, such as unit: mm",
+               growth),
+           said.line, true}};
 }
 
 }  // namespace mien

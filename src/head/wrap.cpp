@@ -458,6 +458,7 @@ Wrap wrap_scan(const HeadStock& stock, const Scan& scan) {
   for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, compute_step(i), true, wrap.form);
   if (!problem.ear.is_found) wrap.kept.emplace_back("ears");
   wrap.warnings = scan.warnings;
+  for (Diagnostic& warning : judge_growth(scan, growth)) wrap.warnings.push_back(std::move(warning));
   judge(problem, scan, wrap);
   finish_wrap(stock, growth, wrap.form);
   return wrap;

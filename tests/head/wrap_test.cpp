@@ -473,6 +473,26 @@ TEST(wrap, refuses_landmarks_that_are_no_heads) {
   EXPECT_EQ(find_fault(scan),
             "with this unit the head is 1e+03 times as large as an adult's; expected 0.4 to 2.5, or no unit "
             "at all");
+  scan.unit_mm = 0;
+  for (glm::dvec3& p : scan.mesh.positions) p *= 150;
+  for (ScanMark& mark : scan.marks) mark.at *= 150;
+  EXPECT_EQ(find_fault(scan),
+            "in mm, cm, in and m alike the head is no head's size, at best 150 times an adult's; expected "
+            "0.4 to 2.5");
+}
+
+TEST(wrap, says_that_a_unit_would_tell_how_large_a_head_is) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  for (glm::dvec3& p : scan.mesh.positions) p *= 1.5;
+  for (ScanMark& mark : scan.marks) mark.at *= 1.5;
+  scan.mesh.file = "face.ply";
+  EXPECT_EQ(
+      join_warnings(wrap_scan(stock(), scan)),
+      "the head is 1.5 times as large as an adult's in the unit that fits best: say the scan's unit, such as "
+      "unit: mm\n");
+  scan.unit_mm = 1;
+  EXPECT_EQ(join_warnings(wrap_scan(stock(), scan)), "") << "who says so knows";
 }
 
 // Inner and outer corners of the eyes lie some 29 mm apart: less than a landmark may miss.
