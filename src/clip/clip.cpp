@@ -31,7 +31,9 @@ Clip open_clip(const Options& options, const Language& language) {
   Clip clip;
   clip.spec = load_request(options, language);
   clip.performance = build_performance(clip.spec.clip);
-  for (const ActorSpec& actor : list_actors(clip.spec))
+  if (clip.spec.actors.empty())  // the only one plays the clip itself
+    clip.actors.push_back({"", clip.spec.head, {}, clip.performance});
+  for (const ActorSpec& actor : clip.spec.actors)
     clip.actors.push_back({actor.name, actor.head, actor.place, build_performance(actor.clip)});
   return clip;
 }

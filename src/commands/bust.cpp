@@ -99,6 +99,7 @@ void run_bust(const Options& options) {
   check_output_folder(options, folder, list_bust_files(stems, clip.spec.plate_mm.x > 0, options), clip.spec);
   const FolderLock lock = hold_folder(options, folder);
   const auto count = static_cast<std::size_t>(count_bust_files(options));
+  report_starts(options, {head}, resources.heads);
   report_held(options, list_held(busts));
   const std::string hair = describe_unprinted_hair(figure.model);
   report_note(options, clip.spec, hair);

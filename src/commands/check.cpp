@@ -10,7 +10,7 @@
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
-#include "head/wrap.hpp"
+#include "head/form.hpp"
 #include "render/terminal.hpp"
 #include "timeline/advice.hpp"
 #include "timeline/chart.hpp"
@@ -30,44 +30,30 @@ MoveReach compute_reach(const Figure& figure) {
   return reach;
 }
 
-std::string format_json(const Diagnostic& advice) {
-  return format_object(nlohmann::ordered_json{{"kind", "warning"},
-                                              {"file", advice.place.file},
-                                              {"line", advice.place.line},
-                                              {"column", advice.place.column},
-                                              {"message", advice.message}});
-}
-
 // A line each: "file:line:col: warning: ..." or JSON.
 void report_advice(const Options& options, const Performance& performance, const Rehearsal& rehearsal,
                    const Figure& figure) {
   for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, compute_reach(figure)))
-    fmt::print("{}\n", options.is_json ? format_json(advice) : format_diagnostic(advice));
+    report_warning(options, advice);
 }
 
 // What scans do not show, a line each; of mixed heads, of each.
 void report_kept(const Options& options, const HeadSpec& head, const HeadStock& stock) {
-  for (const HeadShare& share : head.mix) report_kept(options, share.head, stock);
-  if (!head.scan) return;
-  const auto& [path, place] = *head.scan;
-  for (const std::string& part : list_kept_parts(stock, load_scan_files(stock, path, false))) {
-    const std::string text =
-        fmt::format("scan '{}' has no {}: kept from the shipped head", path.filename().string(), part);
-    if (options.is_json)
-      fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "note"},
-                                                              {"file", place.file},
-                                                              {"line", place.line},
-                                                              {"column", place.column},
-                                                              {"kept", part},
-                                                              {"message", text}}));
-    else
-      fmt::print("{}:{}:{}: note: {}\n", place.file, place.line, place.column, text);
-  }
-}
-
-bool has_scan(const HeadSpec& head) {
-  return head.scan ||
-         std::ranges::any_of(head.mix, [](const HeadShare& share) { return has_scan(share.head); });
+  for (const StartNote& note : list_start_notes(stock, head))
+    for (const std::string& part : note.kept) {
+      const auto& [path, place] = note.file;
+      const std::string text =
+          fmt::format("scan '{}' has no {}: kept from the shipped head", path.filename().string(), part);
+      if (options.is_json)
+        fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "note"},
+                                                                {"file", place.file},
+                                                                {"line", place.line},
+                                                                {"column", place.column},
+                                                                {"kept", part},
+                                                                {"message", text}}));
+      else
+        fmt::print("{}:{}:{}: note: {}\n", place.file, place.line, place.column, text);
+    }
 }
 
 // As wide as the terminal and in its letters; plain ASCII in 80 columns into a pipe or a file, since nobody
@@ -121,8 +107,8 @@ void run_check(const Options& options) {
   clip.plan = plan_frames(compute_clip_drawings(clip, rehearsals), options.frames);
   report_held(options, list_held(clip.spec, rehearsals));
   if (options.is_quiet) return;
-  for (const Actor& actor : clip.actors)
-    if (has_scan(actor.head)) report_kept(options, actor.head, stock);
+  for (const Actor& actor : clip.actors) report_kept(options, actor.head, stock);
+  report_starts(options, list_heads(clip), stock);
   for (std::size_t i = 0; i < figures.size(); ++i)
     report_advice(options, performances[i], rehearsals[i], *figures[i]);
   report_summary(options, clip);

@@ -16,6 +16,7 @@ void run_frames(const Options& options) {
   check_clip_folder(options, clip, false);
   const Cast cast = build_cast(clip, resources.heads);
   const FolderLock lock = hold_folder(options, clip.files.folder);
+  report_starts(options, list_heads(clip), resources.heads);
   report_clip_held(options, clip, cast, resources.heads);
   Progress progress = start_progress(options, "scenes", clip.plan.drawings.size());
   write_scenes(clip, cast, resources, count_jobs(options),

@@ -53,12 +53,15 @@ void run_mesh(const Options& options) {
   for (const OutputFile& output : outputs) remove_left_parts_of(output.path);
   const fs::path& path = outputs[0].path;
   if (options.is_half) {
-    write_file(path, build_half_text(resources.heads, head));
+    const std::string half = build_half_text(resources.heads, head);
+    report_starts(options, {head}, resources.heads);
+    write_file(path, half);
     return report_result(options, "half", path);
   }
   const Figure figure = build_figure(resources.heads, head);
   std::vector<Held> held;
   const Drawing drawing = draw_moment(figure, compute_moment(options, clip, actor, figure, held));
+  report_starts(options, {head}, resources.heads);
   report_held(options, std::move(held));
   write_file(path, build_mesh_file(find_ending(path), figure.model, drawing,
                                    spec.title.empty() ? spec.name : spec.title));

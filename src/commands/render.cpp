@@ -20,6 +20,7 @@ void run_render(const Options& options) {
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
   const Cast cast = build_cast(clip, resources.heads);
   const FolderLock lock = hold_folder(options, clip.files.folder);
+  report_starts(options, list_heads(clip), resources.heads);
   report_clip_held(options, clip, cast, resources.heads);
   const std::size_t count = clip.plan.drawings.size();
 

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <set>
 
 #include "config/areas.hpp"
+#include "head/form.hpp"
 
 namespace mien {
 
@@ -39,6 +41,30 @@ void report_clip_held(const Options& options, const Clip& clip, const Cast& cast
   for (const Performance& performance : list_performances(clip, cast, stock))
     rehearsals.push_back(rehearse(performance));
   report_held(options, list_held(clip.spec, rehearsals));
+}
+
+void report_starts(const Options& options, const std::vector<HeadSpec>& heads, const HeadStock& stock) {
+  if (options.is_quiet) return;
+  std::set<std::string> told;
+  for (const HeadSpec& head : heads)
+    for (const StartNote& note : list_start_notes(stock, head))
+      for (const Diagnostic& warning : note.warnings)
+        if (told.insert(format_diagnostic(warning)).second) report_warning(options, warning);
+}
+
+std::vector<HeadSpec> list_heads(const Clip& clip) {
+  std::vector<HeadSpec> heads;
+  for (const Actor& actor : clip.actors) heads.push_back(actor.head);
+  return heads;
+}
+
+void report_warning(const Options& options, const Diagnostic& warning) {
+  if (!options.is_json) return fmt::print("{}\n", format_diagnostic(warning));
+  fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "warning"},
+                                                          {"file", warning.place.file},
+                                                          {"line", warning.place.line},
+                                                          {"column", warning.place.column},
+                                                          {"message", warning.message}}));
 }
 
 std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {

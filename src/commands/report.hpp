@@ -28,6 +28,16 @@ void report_clip_held(const Options& options, const Clip& clip, const Cast& cast
 // The file's whole ledger, with what its people are held back from in time.
 std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals);
 
+// Why the scans and meshes that the heads are made from may be no good heads, each warning once, to standard
+// output, with --json one object a line; with --quiet nothing.
+void report_starts(const Options& options, const std::vector<HeadSpec>& heads, const HeadStock& stock);
+
+// Those of all who play.
+std::vector<HeadSpec> list_heads(const Clip& clip);
+
+// "file:line:col: warning: ..." or a line of --json.
+void report_warning(const Options& options, const Diagnostic& warning);
+
 // A line of --json of one note of a ledger.
 std::string format_json(const HeldNote& note);
 

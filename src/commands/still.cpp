@@ -55,6 +55,7 @@ void run_still(const Options& options) {
   const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
   const StillScene scene = build_still_scene(clip, cast, still, resources);
   held.insert(held.end(), scene.held.begin(), scene.held.end());
+  report_starts(options, list_heads(clip), resources.heads);
   report_held(options, std::move(held));
   write_file(work.path / "still.pov", scene.text);
   write_file(work.path / "head.inc", scene.include);

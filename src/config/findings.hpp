@@ -1,6 +1,7 @@
 // The mistakes of one run, gathered while files are read and thrown together.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -17,6 +18,7 @@ struct Findings {
   std::vector<Diagnostic> mistakes;
   std::size_t untold = 0;                    // how many came after kMaxMistakes
   std::vector<std::filesystem::path> files;  // that were read, or are named to be read
+  std::uintmax_t named_bytes = 0;            // of the texts among them that a file names
 };
 
 // True when a further mistake would only be counted, so that no work need go into its words.

@@ -248,6 +248,13 @@ FormulaPointer shift_formula(const Formula& formula, double more) {
   return shifted;
 }
 
+std::size_t count_bytes_used(const Formula& formula) {
+  std::size_t bytes = formula.text.size();
+  for (std::size_t i = 0; i < formula.inputs.size(); ++i)
+    if (formula.is_used[i] && formula.inputs[i].formula) bytes += formula.inputs[i].formula->text.size();
+  return bytes;
+}
+
 double compute_start_s(const Formula& formula) { return formula.start_s; }
 
 double evaluate_held(const Formula& formula, double time_s) {

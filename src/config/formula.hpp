@@ -41,6 +41,9 @@ double evaluate_held(const Formula& formula, double time_s);
 // The same formula whose number is greater by `more`.
 FormulaPointer shift_formula(const Formula& formula, double more);
 
+// How many bytes of formulas are worked out for its number: its own, and those of the inputs that it uses.
+std::size_t count_bytes_used(const Formula& formula);
+
 // When its `t` is 0.
 double compute_start_s(const Formula& formula);
 

@@ -91,14 +91,14 @@ std::vector<Part> load_parts(const YamlValue& actors) {
 }
 
 ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTimes& times,
-                     const ClipSpec& shared, const Names& others) {
+                     const ClipSpec& shared, const Names& others, ClipCounts& counts) {
   ActorSpec actor;
   actor.name = part.name;
   if (const YamlValue* head = find_value(part.entries, "head"))
     actor.head = load_actor_head(*head, source.head);
   if (const YamlValue* place = find_value(part.entries, "place")) load_place(*place, actor.place);
-  actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others});
-  load_head_track(part.clip, *source.head.words, actor.head, times, actor.clip);
+  actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others, &counts});
+  load_head_track(part.clip, source.head, actor.head, times, actor.clip);
   actor.clip.camera = shared.camera;  // for looks into it: as seen by one who is turned
   for (CameraKey& key : actor.clip.camera) {
     key.angle_deg -= actor.place.turn_deg;
@@ -135,6 +135,24 @@ void share_length(bool has_length, Spec& spec) {
   for (ActorSpec& actor : spec.actors) actor.clip.length_s = spec.clip.length_s;
 }
 
+// All who play, frame by frame: `mien check` keeps a kilobyte of each.
+void check_frames(const Spec& spec, const YamlValue& actors) {
+  constexpr std::size_t kMost = 400'000;
+  const auto frames = static_cast<std::size_t>(count_frames(spec.clip));
+  if (spec.actors.size() * frames > kMost)
+    add_mistake(actors,
+                fmt::format("{} actors play {} frames each, {} in all; expected {} at most: fewer of them "
+                            "or a shorter clip",
+                            spec.actors.size(), frames, spec.actors.size() * frames, kMost));
+}
+
+// Of all who play, and the file's own, whose camera is everybody's.
+std::vector<const ClipSpec*> list_clips(const Spec& spec) {
+  std::vector<const ClipSpec*> clips{&spec.clip};
+  for (const ActorSpec& actor : spec.actors) clips.push_back(&actor.clip);
+  return clips;
+}
+
 }  // namespace
 
 void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) {
@@ -159,9 +177,10 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) 
   const std::vector<NamedTimes> times = load_named_times(clips, fps);
 
   if (const YamlValue* head = find_value(file, "head")) spec.head = load_head(*head, source.head);
-  spec.clip = load_clip(clip, *source.book, {nullptr, &times.front()});
+  ClipCounts counts;
+  spec.clip = load_clip(clip, *source.book, {nullptr, &times.front(), {}, &counts});
   if (actors == nullptr)
-    load_head_track(parts.front().clip, *source.head.words, spec.head, times.front(), spec.clip);
+    load_head_track(parts.front().clip, source.head, spec.head, times.front(), spec.clip);
   Names names;
   for (std::size_t i = 1; i < parts.size(); ++i) names.push_back(parts[i].name);
   load_camera_sights(parts.front().clip, {list_places(*source.head.words), names}, spec.clip);
@@ -169,10 +188,13 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) 
   for (std::size_t i = 1; i < parts.size(); ++i) {
     Names others = names;
     std::erase(others, parts[i].name);
-    spec.actors.push_back(load_actor(parts[i], source, times[i], spec.clip, others));
+    spec.actors.push_back(load_actor(parts[i], source, times[i], spec.clip, others, counts));
   }
   place_looks(spec.actors);
   share_length(find_value(parts.front().clip, "length") != nullptr, spec);
+  const YamlValue* place = actors != nullptr ? actors : clip;
+  if (place != nullptr) check_work(list_clips(spec), *place);
+  if (actors != nullptr) check_frames(spec, *actors);
 }
 
 }  // namespace mien

@@ -40,23 +40,116 @@ std::vector<double> list_times(double from_s, double to_s, int fps) {
   return times_s;
 }
 
+// A formula of so many bytes takes twice as long as the shortest.
+constexpr double kWorkBytes = 64;
+constexpr double kPoseWork = 3;  // of a cue without formulas, a frame: it is played, leaned and judged
+// How often a formula's number is asked for: in a frame, and besides in a frame's steps for its swings, of
+// which there are no more than that (timeline/jitter.cpp).
+constexpr double kAsked = 4, kSteps = 8, kMostSteps = 200'000;
+
+double compute_work(const Formula& formula) {
+  return 1 + static_cast<double>(count_bytes_used(formula)) / kWorkBytes;
+}
+
+double compute_work(const FormulaPointer& formula) { return formula ? compute_work(*formula) : 0; }
+
+// Of a pose's formulas, once.
+double compute_work(const PoseKey& key) {
+  if (!key.live) return 0;
+  double work = compute_work(key.live->strength.formula);
+  for (const LivePose::Share& share : key.live->shares) work += compute_work(share.weight.formula);
+  for (const LivePose::Value& value : key.live->values) work += compute_work(value.formula);
+  return work;
+}
+
+template <typename Key>
+double compute_work(const Key& key) {
+  double work = 0;
+  for (const FormulaPointer& formula : key.live) work += compute_work(formula);
+  return work;
+}
+
+// What asking for a number over so many frames comes to.
+double compute_asked(double frames) { return kAsked * frames + std::min(kSteps * frames, kMostSteps); }
+
+// What each script asks for in a frame, by its clip.
+using ScriptWork = std::map<const ClipSpec*, double>;
+
+double compute_frame_work(const ClipSpec& script, ScriptWork& known);
+
+double compute_frame_work(const CueSpec& cue, ScriptWork& known) {
+  return kPoseWork + kAsked * compute_work(cue.what) +
+         (cue.script ? compute_frame_work(*cue.script, known) : 0.0);
+}
+
+// At its busiest moment.
+double compute_frame_work(const ClipSpec& script, ScriptWork& known) {
+  if (const auto found = known.find(&script); found != known.end()) return found->second;
+  std::vector<std::pair<double, double>> changes;  // of what there is, by time
+  for (const CueSpec& cue : script.cues) {
+    const double work = compute_frame_work(cue, known);
+    changes.emplace_back(cue.from_s, work);
+    changes.emplace_back(cue.end_s, -work);
+  }
+  std::ranges::sort(changes);
+  double now = 0, most = 0;
+  for (const auto& [time_s, work] : changes) most = std::max(most, now += work);
+  double keys = 0;
+  for (const PoseKey& key : script.keys) keys = std::max(keys, compute_work(key));
+  return known[&script] = kPoseWork + kAsked * keys + most;
+}
+
+// The swings that are looked for in a script, a step.
+double compute_script_swings(const ClipSpec& script) {
+  double work = script.turn.size() > 1 ? 3 : 0;
+  for (const CueSpec& cue : script.cues) work += compute_work(cue.what);
+  return work;
+}
+
+template <typename Key>
+double compute_keys_work(const std::vector<Key>& keys, double end_s, int fps) {
+  double work = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    const double from_s = i == 0 ? 0 : keys[i - 1].at_s;
+    const double to_s = i + 1 == keys.size() ? std::max(end_s, keys[i].at_s) : keys[i + 1].at_s;
+    work += compute_work(keys[i]) * compute_asked((to_s - from_s) * fps);
+  }
+  return work;
+}
+
+// Trying a formula at each of so many times, and no further if that is too much.
+void check_number(const FormulaPointer& formula, const ClipReader& reader,
+                  const std::vector<double>& times_s) {
+  double& work = reader.library->counts->work;
+  if (work > kMaxWork) return;
+  work += static_cast<double>(times_s.size()) * compute_work(*formula);
+  if (work <= kMaxWork) return check_formula(formula, reader.formulas, times_s);
+  const auto found =
+      std::ranges::find(reader.library->formulas, formula, [](const auto& pair) { return pair.first; });
+  if (found != reader.library->formulas.end())
+    add_mistake(
+        found->second,
+        fmt::format("with {} the formulas before it take too long to try at every time; expected fewer, "
+                    "shorter ones or fewer that use each other",
+                    describe_subject(found->second)));
+}
+
 void check_pose(const PoseKey& key, const ClipReader& reader, const std::vector<double>& times_s) {
   if (!key.live) return;
   for (const LivePose::Share& share : key.live->shares)
-    if (share.weight.formula) check_formula(share.weight.formula, reader.formulas, times_s);
-  if (key.live->strength.formula) check_formula(key.live->strength.formula, reader.formulas, times_s);
-  for (const LivePose::Value& value : key.live->values)
-    check_formula(value.formula, reader.formulas, times_s);
+    if (share.weight.formula) check_number(share.weight.formula, reader, times_s);
+  if (key.live->strength.formula) check_number(key.live->strength.formula, reader, times_s);
+  for (const LivePose::Value& value : key.live->values) check_number(value.formula, reader, times_s);
 }
 
 void check_pose(const TurnKey& key, const ClipReader& reader, const std::vector<double>& times_s) {
   for (const FormulaPointer& formula : key.live)
-    if (formula) check_formula(formula, reader.formulas, times_s);
+    if (formula) check_number(formula, reader, times_s);
 }
 
 void check_pose(const CameraKey& key, const ClipReader& reader, const std::vector<double>& times_s) {
   for (const FormulaPointer& formula : key.live)
-    if (formula) check_formula(formula, reader.formulas, times_s);
+    if (formula) check_number(formula, reader, times_s);
 }
 
 // A key is there from the one before it to the one after it.
@@ -98,6 +191,45 @@ bool load_waiting_time(const YamlValue& value, const ClipClock& clock, double& i
 
 }  // namespace
 
+bool count_part(const YamlValue& item, const ClipReader& reader) {
+  if (reader.library == nullptr) return true;
+  std::size_t& parts = reader.library->counts->parts;
+  if (++parts == kMaxParts + 1)
+    add_mistake(item,
+                fmt::format("more than {} keys, cues, laws and tracks; expected fewer (those of a script "
+                            "count for each set of parameters that it is played with)",
+                            kMaxParts));
+  return parts <= kMaxParts;
+}
+
+double compute_work(const ClipSpec& clip) {
+  ScriptWork scripts;
+  double work = compute_keys_work(clip.keys, clip.length_s, clip.fps) +
+                compute_keys_work(clip.turn, clip.length_s, clip.fps) +
+                compute_keys_work(clip.camera, clip.length_s, clip.fps);
+  for (const CueSpec& cue : clip.cues) {
+    const double from_s = std::clamp(cue.from_s, 0.0, clip.length_s);
+    const double frames =
+        (std::clamp(cue.end_s, from_s, std::max(from_s, clip.length_s)) - from_s) * clip.fps;
+    work += frames * kPoseWork + compute_asked(frames) * compute_work(cue.what);
+    if (cue.script)
+      work += frames * compute_frame_work(*cue.script, scripts) +
+              std::min(kSteps * frames, kMostSteps) * compute_script_swings(*cue.script);
+  }
+  return work;
+}
+
+void check_work(const std::vector<const ClipSpec*>& clips, const YamlValue& place) {
+  double work = 0;
+  for (const ClipSpec* clip : clips) work += compute_work(*clip);
+  if (work > kMaxWork)
+    add_mistake(place,
+                fmt::format("{} is {:.3g} numbers to work out over its {} frames; expected {:.3g} at most: "
+                            "fewer cues, laws and formulas at one time, or a shorter clip (a script "
+                            "counts with all that it plays)",
+                            describe_subject(place), work, count_frames(*clips.front()), kMaxWork));
+}
+
 ClipClock build_clip_clock(int fps, const NamedTimes* times) {
   ClipClock clock{build_time_measure(fps), static_cast<double>(kMaxFrames) / fps, 0, times, {}};
   clock.measure.note = fmt::format(" ({} frames)", kMaxFrames);
@@ -133,11 +265,13 @@ double compute_last_s(const ClipSpec& clip) {
 }
 
 void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec& into) {
+  // Of two keys at one time the later read one counts.
   const auto merge = [](auto& keys, auto more) {
-    for (auto& key : more) {
-      std::erase_if(keys, [&](const auto& other) { return other.at_s == key.at_s; });
-      keys.push_back(std::move(key));
-    }
+    std::set<double> times_s;
+    for (const auto& key : more) times_s.insert(key.at_s);
+    std::erase_if(keys, [&](const auto& other) { return times_s.contains(other.at_s); });
+    for (auto key = more.begin(); key != more.end(); ++key)
+      if (std::next(key) == more.end() || std::next(key)->at_s != key->at_s) keys.push_back(std::move(*key));
     std::ranges::stable_sort(keys, [](const auto& a, const auto& b) { return a.at_s < b.at_s; });
   };
   merge(into.keys, load_pose_keys(entries, reader));
@@ -174,6 +308,8 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   reader.book = std::make_shared<const ExpressionBook>(book);
   reader.library = &library;
   reader.formulas.found = &library.formulas;
+  if (setting.counts != nullptr) library.counts = setting.counts;
+  reader.formulas.count = &library.counts->formulas;
   reader.formulas.fps = clip.fps;
   if (value != nullptr) reader.files.push_back(find_canonical(value->document->source.file));
   load_draw(entries, reader.clock, clip);

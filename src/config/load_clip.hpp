@@ -2,12 +2,15 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <set>
+#include <tuple>
 
 #include "config/clip_spec.hpp"
 #include "config/expressions.hpp"
 #include "config/load_formula.hpp"
 #include "config/named_times.hpp"
+#include "config/sections.hpp"
 #include "config/yaml_reader.hpp"
 
 namespace mien {
@@ -55,12 +58,25 @@ struct ScriptText {
 struct ClipLibrary {
   std::map<std::string, ScriptText> scripts;
   std::map<std::string, std::shared_ptr<const ClipSpec>> played;  // by the script's name and its parameters
+  // By file, frames a second and `between`: a table that many tracks show is read once.
+  std::map<std::tuple<std::string, int, Between>, std::shared_ptr<const TimeTable>> tables;
   std::set<std::string> played_names;
   std::deque<std::pair<FormulaPointer, YamlValue>> formulas;
-  std::deque<YamlDocument> documents;             // of `include`: values point into them
+  // Of `include`, by the file as it is named: values point into them. Empty: it cannot be read, as was told.
+  std::map<std::string, std::optional<YamlDocument>> documents;
   std::map<std::filesystem::path, Names> inputs;  // of files included before
   int include_count = 0;
+  ClipCounts own;
+  ClipCounts* counts = &own;  // of the whole file
 };
+
+// Of a file with all that it includes, its scripts once for each set of parameters: ten thousand are an hour
+// with a key in each second.
+inline constexpr std::size_t kMaxParts = 20'000;
+
+// The work of playing a clip once and of judging it, counted in numbers that are worked out, of some 0.2 us
+// each (compute_work): at this many `mien check` takes five seconds.
+inline constexpr double kMaxWork = 4e7;
 
 // Where a part of a clip is read: in which file, or in which script.
 struct ClipReader {
@@ -73,6 +89,17 @@ struct ClipReader {
   std::vector<std::string> scripts;          // being read, the outermost first
   std::vector<std::filesystem::path> files;  // the same of files
 };
+
+// Counts one more key, cue, law or track; false if there are too many, which is told once, at the first one.
+bool count_part(const YamlValue& item, const ClipReader& reader);
+
+// How many numbers `mien check` works out for a clip: three a frame for each cue while it is there, a formula
+// some twelve times (in all steps of a frame, for its swings), one of 64 bytes as two, and a script for all
+// that it has at its busiest moment.
+double compute_work(const ClipSpec& clip);
+
+// Tells a mistake at `place` if of all clips of a file that is more than kMaxWork.
+void check_work(const std::vector<const ClipSpec*>& clips, const YamlValue& place);
 
 // `between:` and `ease:` of a key.
 void load_way(const YamlMapping& entries, const ClipReader& reader, Ease& ease, Between& between);

@@ -182,6 +182,7 @@ void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<Cu
   }
   std::vector<Draft> drafts;
   for (const YamlValue& item : items) {
+    if (!count_part(item, reader)) break;
     const YamlMapping entries = load_section(item);
     Draft draft;
     CueSpec& cue = draft.cue;

@@ -89,6 +89,16 @@ void load_other(const YamlValue& value, const Include& include, const YamlMappin
   outer.formulas.inputs = reader.formulas.inputs;
 }
 
+// A file that is included again is read once.
+const std::optional<YamlDocument>& find_document(const Include& include, const ClipReader& reader) {
+  Findings& findings = *include.place.findings;
+  const auto [known, is_new] = reader.library->documents.try_emplace(include.file->path.string());
+  if (!is_new || !has_room(include.place, include.file->path)) return known->second;
+  auto text = load_named_source(include.file->path, kMienFile, findings);
+  if (text) known->second = scan_document(std::move(*text), findings);
+  return known->second;
+}
+
 void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
   const fs::path path = find_canonical(include.file->path);
   if (std::ranges::find(reader.files, path) != reader.files.end())
@@ -101,11 +111,9 @@ void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
     return add_mistake(include.place,
                        fmt::format("more than {} files are included; expected fewer", kMaxFiles));
   Findings& findings = *include.place.findings;
-  auto text = load_source(include.file->path, findings);
-  auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
+  const std::optional<YamlDocument>& document = find_document(include, reader);
   if (!document) return;
-  reader.library->documents.push_back(std::move(*document));
-  const YamlValue root = find_root(reader.library->documents.back(), findings);
+  const YamlValue root = find_root(*document, findings);
   const YamlMapping entries = load_section(root, find_sections().file);
   if (find_node(root).kind != NodeKind::mapping) return;
   check_version(root, entries);

@@ -76,6 +76,7 @@ void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<Cu
   if (list == nullptr) return;
   constexpr const char* kExample = "{area: brows, move: up, value: \"0.3*sin(t)\"}";
   for (const YamlValue& item : load_list(*list, fmt::format("a list of laws such as [{}]", kExample))) {
+    if (!count_part(item, reader)) break;
     const YamlMapping entries = load_section(item);
     CueSpec cue;
     cue.layer = Layer::law;

@@ -63,16 +63,16 @@ void load_scripts(const YamlMapping& clip, const ClipReader& reader) {
 std::shared_ptr<const ClipSpec> play_script(const YamlValue& name, const YamlValue* parameters,
                                             const ClipReader& reader) {
   ClipLibrary& library = *reader.library;
-  Names known;
-  for (const auto& [script, text] : library.scripts) known.push_back(script);
   std::string word;
   if (!load_text(name, "a script's name", word)) return {};
-  if (known.empty()) {
+  if (library.scripts.empty()) {
     add_mistake(
         name, fmt::format("unknown script '{}'; expected one of 'scripts', which has none", show_word(word)));
     return {};
   }
-  if (std::ranges::find(known, word) == known.end()) {
+  if (!library.scripts.contains(word)) {
+    Names known;
+    for (const auto& [script, text] : library.scripts) known.push_back(script);
     add_mistake(name, describe_unknown("script", word, known));
     return {};
   }

@@ -74,6 +74,12 @@ struct Columns {
 };
 
 bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& columns) {
+  const Names known = list_columns();
+  if (cells.size() > known.size()) {
+    report(file, cells.front().spot,
+           fmt::format("this line has {} columns; expected {} at most", cells.size(), known.size()));
+    return false;
+  }
   bool has_time = false, is_right = true;
   std::bitset<kMoveCount> seen;
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -86,7 +92,7 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
       columns.time = i;
       columns.is_frames = cell.text == "frame";
     } else if (columns.moves.back().empty()) {
-      const std::string nearest = suggest_name(cell.text, list_columns());
+      const std::string nearest = suggest_name(cell.text, known);
       mistake =
           fmt::format("unknown column '{}'; {}", show_word(cell.text),
                       nearest.empty() ? "expected time, frame, or a move such as brow.left.up or lips.upper"
@@ -142,11 +148,29 @@ void load_row(const CsvFile& file, const std::vector<Cell>& cells, const std::ve
   }
 }
 
+// Whether one of the first line's words is a column's, or nearly.
+bool has_columns(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n,;";
+  const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
+  const std::string_view line = text.substr(begin, text.find_first_of("\r\n", begin) - begin);
+  const Names known = list_columns();
+  std::vector<Cell> cells = split(line, 1, find_separator(line));
+  if (cells.size() > known.size()) cells.resize(known.size());  // a word takes some microseconds
+  return std::ranges::any_of(cells,
+                             [&](const Cell& cell) { return !suggest_name(cell.text, known).empty(); });
+}
+
+const NamedKind kTableFile{
+    has_columns,
+    "is no table: none of the words of its first line is a column; expected time, frame or a move such as "
+    "lips.upper",
+    "the file is empty; expected a line of names such as time,lips.upper and a line for each time"};
+
 }  // namespace
 
 std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& path, int fps,
                                                  Findings& findings) {
-  auto source = load_source(path, findings);
+  auto source = load_named_source(path, kTableFile, findings);
   if (!source) return {};
   const CsvFile file{std::move(*source), &findings};
   const auto before = findings.mistakes.size() + findings.untold;
@@ -173,10 +197,31 @@ std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& pa
   return std::make_shared<const TimeTable>(std::move(table));
 }
 
+namespace {
+
+// The table as a track shows it, from the library if it was read for another one. Empty, with mistakes told,
+// if it is wrong.
+std::shared_ptr<const TimeTable> find_table(const YamlValue& csv, const std::filesystem::path& file,
+                                            Between between, const ClipReader& reader) {
+  auto& tables = reader.library->tables;
+  const int fps = static_cast<int>(std::lround(reader.clock.measure.units[2].over));
+  const std::tuple key(file.string(), fps, between);
+  if (const auto known = tables.find(key); known != tables.end()) return known->second;
+  if (!has_room(csv, file)) return tables[key] = nullptr;
+  const auto table = load_move_table(file, fps, *csv.findings);
+  if (!table) return tables[key] = nullptr;
+  TimeTable timed = *table;
+  timed.between = between;
+  return tables[key] = std::make_shared<const TimeTable>(std::move(timed));
+}
+
+}  // namespace
+
 void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into) {
   const YamlValue* list = find_value(clip, "tracks");
   if (list == nullptr) return;
   for (const YamlValue& item : load_list(*list, "a list of tracks such as [{csv: talk.csv}]")) {
+    if (!count_part(item, reader)) break;
     const YamlMapping entries = load_section(item);
     CueSpec cue;
     cue.layer = Layer::table;
@@ -193,19 +238,15 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     const YamlValue* csv = find_required(entries, "csv", item, "a file such as talk.csv");
     std::optional<FileReference> file;
     if (csv == nullptr || !load_file(*csv, file)) continue;
-    const auto table = load_move_table(
-        file->path, static_cast<int>(std::lround(reader.clock.measure.units[2].over)), *item.findings);
-    if (!table) continue;
-    TimeTable timed = *table;
-    timed.between = between;
+    cue.table = find_table(*csv, file->path, between, reader);
+    if (!cue.table) continue;
     const Ticks start = compute_ticks(cue.start_s);
-    cue.full_s = compute_seconds(start + compute_ticks(timed.at_s.front()));
-    cue.ebb_s = compute_seconds(start + compute_ticks(timed.at_s.back()));
+    cue.full_s = compute_seconds(start + compute_ticks(cue.table->at_s.front()));
+    cue.ebb_s = compute_seconds(start + compute_ticks(cue.table->at_s.back()));
     cue.from_s = cue.full_s - attack_s;
     cue.end_s = cue.ebb_s + release_s;
-    for (const std::size_t move : timed.moves) cue.owns.set(move);
+    for (const std::size_t move : cue.table->moves) cue.owns.set(move);
     cue.what.label = file->path.filename().string();
-    cue.table = std::make_shared<const TimeTable>(std::move(timed));
     into.push_back(std::move(cue));
   }
 }

@@ -9,6 +9,9 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMaxInputs = 64;  // each is worked out for each number that uses it
+// Of a clip, those of its scripts once for each set of parameters. Each keeps a parser for each thread, some
+// ten kilobytes.
+constexpr std::size_t kMaxFormulas = 4000;
 
 // The place of a byte of the formula. A text with escapes or on several lines is told of at its beginning.
 Spot find_spot(const YamlValue& value, std::size_t byte) {
@@ -49,6 +52,14 @@ bool is_formula(const YamlValue& value, const Measure& measure) {
 }
 
 FormulaPointer load_formula(const YamlValue& value, const FormulaReader& reader) {
+  if (reader.count != nullptr && ++*reader.count > kMaxFormulas) {
+    if (*reader.count == kMaxFormulas + 1)
+      add_mistake(value,
+                  fmt::format("more than {} formulas; expected fewer (those of a script count for each "
+                              "set of parameters that it is played with)",
+                              kMaxFormulas));
+    return {};
+  }
   FormulaFault fault;
   FormulaPointer formula = build_formula(find_node(value).text, reader.inputs, reader.start_s, fault);
   if (formula == nullptr)

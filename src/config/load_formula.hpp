@@ -16,7 +16,8 @@ struct FormulaReader {
   double start_s = 0;  // when `t` is 0
   int fps = 0;         // of the frames that mistakes name; 0: a script's, whose times are no frames
   std::deque<std::pair<FormulaPointer, YamlValue>>* found =
-      nullptr;  // all that were read, and where they stand
+      nullptr;                   // all that were read, and where they stand
+  std::size_t* count = nullptr;  // of the whole file; none: nobody counts
 };
 
 // A text in quotes: "0.3*sin(t)". With a measure, one that is no plain quantity: "20deg" is no formula.

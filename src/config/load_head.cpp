@@ -160,8 +160,8 @@ void load_start(const YamlMapping& entries, const HeadSource& source, HeadSpec& 
           *entry.value.findings, entry.value.document->source, entry.spot,
           fmt::format("'{}' stands beside '{}'; expected one of mesh, scan and mix", entry.key, start->key));
     start = &entry;
-    if (entry.key == "mesh") load_mesh(entry.value, head.mesh);
-    if (entry.key == "scan") load_scan(entry.value, head.scan);
+    if (entry.key == "mesh") load_mesh(entry.value, source, head.mesh);
+    if (entry.key == "scan") load_scan(entry.value, source, head.scan);
     if (entry.key == "mix") load_head_mix(entry.value, source, head);
   }
 }
@@ -199,8 +199,7 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   load_growth(entries, *source.words, head);
   if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
-  if (const YamlValue* sculpt = find_value(entries, "sculpt"))
-    load_sculpt(*sculpt, *source.words, head.sculpt);
+  if (const YamlValue* sculpt = find_value(entries, "sculpt")) load_sculpt(*sculpt, source, head.sculpt);
   head.said = find_said(entries);
   if (const YamlValue* random = find_value(entries, "random"))
     load_random(*random, source.words->people, head);

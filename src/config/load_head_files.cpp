@@ -36,10 +36,11 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
                               describe_circle(source.chain, inner.chain.back())));
   if (inner.chain.size() > static_cast<std::size_t>(kMaxMixDepth) + 1)
     return report(fmt::format("heads are mixed more than {} deep; expected fewer", kMaxMixDepth));
-  if (++*source.head_count > kMaxMixedHeads)
+  if (++source.counts->mixed > kMaxMixedHeads)
     return report(fmt::format("more than {} heads are mixed; expected fewer", kMaxMixedHeads));
   Findings& findings = *value.findings;
-  auto text = load_source(path, findings);
+  if (!has_room(value, spot, path)) return false;
+  auto text = load_named_source(path, kMienFile, findings);
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
   if (!document) return false;
   const YamlValue root = find_root(*document, findings);
@@ -108,6 +109,13 @@ bool note_landmark_file(const YamlValue& value, const fs::path& mesh) {
   return landmarks.has_value();
 }
 
+// Different scans only: one that several heads name is wrapped once.
+void count_scan(const YamlValue& value, const HeadSource& source, const fs::path& mesh) {
+  source.counts->scans.insert(find_canonical(mesh));
+  if (source.counts->scans.size() == kMaxScans + 1)
+    add_mistake(value, fmt::format("more than {} different scans; expected fewer", kMaxScans));
+}
+
 }  // namespace
 
 std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
@@ -119,12 +127,13 @@ std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
   return std::nullopt;
 }
 
-void load_mesh(const YamlValue& value, std::optional<FileReference>& into) {
-  if (load_file(value, into)) note_landmark_file(value, into->path);
+void load_mesh(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into) {
+  if (load_file(value, into) && note_landmark_file(value, into->path)) count_scan(value, source, into->path);
 }
 
-void load_scan(const YamlValue& value, std::optional<FileReference>& into) {
-  if (!load_file(value, into) || note_landmark_file(value, into->path)) return;
+void load_scan(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into) {
+  if (!load_file(value, into)) return;
+  if (note_landmark_file(value, into->path)) return count_scan(value, source, into->path);
   add_mistake(
       value,
       fmt::format("'{}' has no landmarks beside it; expected a file '{}' such as landmarks: {{prn: [x, "
@@ -162,8 +171,11 @@ void load_head_mix(const YamlValue& value, const HeadSource& source, HeadSpec& h
   mix_limits(head);
 }
 
-void load_sculpt(const YamlValue& value, const HeadWords& words, std::vector<SculptStroke>& into) {
+void load_sculpt(const YamlValue& value, const HeadSource& source, std::vector<SculptStroke>& into) {
+  const HeadWords& words = *source.words;
   for (const YamlValue& item : load_list(value, "a list such as [{at: chin, move: [0, -2mm, 3mm]}]")) {
+    if (++source.counts->strokes > kMaxStrokes)
+      return add_mistake(item, fmt::format("more than {} strokes of 'sculpt'; expected fewer", kMaxStrokes));
     const YamlMapping entries = load_section(item);
     SculptStroke stroke;
     const YamlValue* at = find_required(entries, "at", item, "a place of the head such as chin");

@@ -69,8 +69,8 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
     load_drafts(*expressions, "", book, drafts);
     build_drafts(drafts, book);
   }
-  int head_count = 0;
-  load_stage(entries, {&book, {&words, {find_canonical(spec.file)}, &head_count}}, spec);
+  HeadCounts counts;
+  load_stage(entries, {&book, {&words, {find_canonical(spec.file)}, &counts}}, spec);
   if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);

@@ -63,6 +63,18 @@ ClipReader build_reader(const ClipSpec& clip, const NamedTimes& times) {
   return reader;
 }
 
+// Tells a key of `head:` that is one too many.
+bool has_few_keys(const YamlMapping& entries, HeadCounts& counts) {
+  const YamlValue* track = find_value(entries, "head");
+  if (track == nullptr || find_node(*track).kind != NodeKind::list) return true;
+  for (const YamlValue& item : load_list(*track, "")) {
+    if (++counts.keys <= kMaxHeadKeys) continue;
+    add_mistake(item, fmt::format("more than {} keys of 'clip.head'; expected fewer", kMaxHeadKeys));
+    return false;
+  }
+  return true;
+}
+
 // Without `length:` a clip lasts until its last key.
 template <typename Key>
 void stretch_clip(const YamlMapping& entries, const std::vector<Key>& keys, ClipSpec& clip) {
@@ -72,13 +84,16 @@ void stretch_clip(const YamlMapping& entries, const std::vector<Key>& keys, Clip
 
 }  // namespace
 
-void load_head_track(const YamlMapping& entries, const HeadWords& words, const HeadSpec& first,
+void load_head_track(const YamlMapping& entries, const HeadSource& source, const HeadSpec& first,
                      const NamedTimes& times, ClipSpec& clip) {
   HeadKey start;
   start.head = first;
+  if (!has_few_keys(entries, *source.counts)) return;
   clip.head = load_track<HeadKey>(
       entries, "head", "{at: 1s, age: child}", build_reader(clip, times),
-      [&](const YamlMapping& key_entries, HeadKey& key) { load_growth(key_entries, words, key.head); },
+      [&](const YamlMapping& key_entries, HeadKey& key) {
+        load_growth(key_entries, *source.words, key.head);
+      },
       start);
   stretch_clip(entries, clip.head, clip);
 }

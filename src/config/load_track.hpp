@@ -21,6 +21,7 @@ std::vector<Key> load_track(const YamlMapping& clip, std::string_view name, std:
   if (track == nullptr) return keys;
   std::optional<double> before_s;
   for (const YamlValue& value : load_list(*track, "a list of keys such as [" + std::string(example) + "]")) {
+    if (!count_part(value, reader)) break;
     Key key = keys.empty() ? first : keys.back();
     const YamlMapping entries = load_section(value);
     load_key_time(entries, value, reader.clock, before_s, key.at_s);

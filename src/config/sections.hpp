@@ -16,7 +16,7 @@ void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& h
 
 // `clip.head`: keys of a head that changes, from `first` on. Without a `length` the clip lasts until the
 // last.
-void load_head_track(const YamlMapping& entries, const HeadWords& words, const HeadSpec& first,
+void load_head_track(const YamlMapping& entries, const HeadSource& source, const HeadSpec& first,
                      const NamedTimes& times, ClipSpec& clip);
 
 // `look_at` and `lens` of the camera's keys, over those of the key before.
@@ -32,12 +32,20 @@ void load_light_tracks(const YamlMapping& entries, const NamedTimes& times, Clip
 // `mien: 1` in a file's entries.
 void check_version(const YamlValue& root, const YamlMapping& entries);
 
+// What all clips of a file have together.
+struct ClipCounts {
+  std::size_t parts = 0;     // keys, cues, laws and tracks that were read
+  std::size_t formulas = 0;  // that were read
+  double work = 0;           // of trying them (kMaxWork)
+};
+
 // A clip without keys on a track gets one at 0 s. `value` is empty if the file has no clip.
 // What a clip is told by those around it.
 struct ClipSetting {
   const ClipSpec* shared = nullptr;   // of an actor's clip the file's own
   const NamedTimes* times = nullptr;  // that its keys may wait for
   Names others = {};                  // actors that one may look at
+  ClipCounts* counts = nullptr;       // of the file; none: its own
 };
 ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const ClipSetting& setting = {});
 

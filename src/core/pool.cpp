@@ -13,6 +13,8 @@
 #include <mutex>
 #include <thread>
 
+#include "core/signals.hpp"
+
 namespace mien {
 
 namespace {
@@ -52,6 +54,7 @@ void for_each_index(std::size_t count, int jobs, const std::function<void(std::s
   std::mutex mutex;
   const auto run = [&](int worker) {
     for (std::size_t i = next++; i < count; i = next++) try {
+        throw_if_interrupted();
         work(i, worker);
       } catch (...) {
         const std::lock_guard lock(mutex);

@@ -20,7 +20,8 @@ int count_cores();
 // caller's among them; `worker` (below `jobs`) is nobody else's during the call, so that each can have its
 // own buffers. Work may call this again: all share the same threads, and whoever waits for inner work does
 // nothing of the outer work meanwhile, so that what it holds locked stays its own affair. Indices are begun
-// in ascending order. The first exception stops what has not begun and is thrown again here.
+// in ascending order. The first exception stops what has not begun and is thrown again here; so does Ctrl-C
+// (core/signals.hpp).
 void for_each_index(std::size_t count, int jobs,
                     const std::function<void(std::size_t index, int worker)>& work);
 

@@ -13,6 +13,7 @@
 #include <queue>
 
 #include "core/pool.hpp"
+#include "core/signals.hpp"
 
 namespace mien {
 
@@ -72,8 +73,10 @@ Points thin_out(const Polygons& cloud) {
   Points points{cloud.positions, cloud.normals};
   const Extent extent = find_extent(points.at);
   const double size = glm::distance(extent.low, extent.high);
-  for (double cell = kFirstCell * size; points.at.size() > kMostPoints && cell < size; cell *= kCellGrowth)
+  for (double cell = kFirstCell * size; points.at.size() > kMostPoints && cell < size; cell *= kCellGrowth) {
+    throw_if_interrupted();  // two million points take a second
     points = gather_points({cloud.positions, cloud.normals}, extent.low, cell);
+  }
   return points;
 }
 

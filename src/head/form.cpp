@@ -1,10 +1,16 @@
 #include "head/form.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <functional>
+#include <map>
+#include <mutex>
 
+#include "config/head_files.hpp"
 #include "config/part_numbers.hpp"
 #include "core/pool.hpp"
+#include "core/shared_cache.hpp"
 #include "head/contact.hpp"
 #include "head/nostrils.hpp"
 #include "head/own_half.hpp"
@@ -16,7 +22,41 @@
 
 namespace mien {
 
+constexpr std::size_t kMostStarts = 64;  // kept at once, some 100 kB each
+
+struct StartStore {
+  std::mutex mutex;
+  std::map<std::string, std::size_t> numbers;  // of files as they are
+  SharedCache<Wrap> starts{kMostStarts};
+};
+
 namespace {
+
+namespace fs = std::filesystem;
+
+// The file and when it was written: one that has changed meanwhile is another one.
+std::string describe_state(const fs::path& file) {
+  std::error_code error;
+  const auto written = fs::last_write_time(file, error).time_since_epoch().count();
+  const fs::path canonical = fs::weakly_canonical(file, error);
+  return fmt::format("{}\n{} {}\n", canonical.string(), fs::file_size(file, error), written);
+}
+
+// What the mesh or the scan was made into, once, however many heads are made from it.
+std::shared_ptr<const Wrap> find_start(const HeadStock& stock, const fs::path& file, bool is_half) {
+  const auto build = [&] {
+    return is_half ? build_own_half(stock, file) : wrap_scan(stock, load_scan_files(stock, file, false));
+  };
+  if (!stock.starts) return std::make_shared<const Wrap>(build());
+  std::string key = (is_half ? "mesh " : "scan ") + describe_state(file);
+  if (const auto landmarks = find_landmark_file(file)) key += describe_state(*landmarks);
+  std::size_t number = 0;
+  {
+    const std::lock_guard lock(stock.starts->mutex);
+    number = stock.starts->numbers.try_emplace(key, stock.starts->numbers.size()).first->second;
+  }
+  return share_thing<Wrap>(stock.starts->starts, number, build);
+}
 
 void settle_contacts(const HeadStock& stock, const Eye& eye, Cage& cage) {
   seat_lids(*stock.surface, stock.data->parts.eye, eye, cage);
@@ -30,8 +70,8 @@ HeadForm mix_forms(const HeadStock& stock, const std::vector<HeadShare>& shares)
 }
 
 HeadForm build_start(const HeadStock& stock, const HeadSpec& spec) {
-  if (spec.mesh) return build_own_half(stock, spec.mesh->path);
-  if (spec.scan) return wrap_head(stock, load_scan_files(stock, spec.scan->path, false));
+  if (spec.mesh) return find_start(stock, spec.mesh->path, true)->form;
+  if (spec.scan) return find_start(stock, spec.scan->path, false)->form;
   if (!spec.mix.empty()) return mix_forms(stock, spec.mix);
   return {stock.adult.points, Eye{}};
 }
@@ -50,6 +90,7 @@ void settle(const HeadStock& stock, const HeadForm& start, HeadForm& form) {
 
 HeadStock build_head_stock(HeadDataPointer data) {
   HeadStock stock;
+  stock.starts = std::make_shared<StartStore>();
   stock.data = std::move(data);
   stock.adult = build_cage(stock.data->half);
   const Cage unsolved = stock.adult;  // the surface asks for its quads only
@@ -80,6 +121,18 @@ HeadForm build_form(const HeadStock& stock, const HeadSpec& spec) {
   settle(stock, start, form);
   sculpt_form(stock, spec.sculpt, form);
   return form;
+}
+
+std::vector<StartNote> list_start_notes(const HeadStock& stock, const HeadSpec& spec) {
+  if (spec.mesh || spec.scan) {
+    const FileReference& file = spec.mesh ? *spec.mesh : *spec.scan;
+    const auto start = find_start(stock, file.path, spec.mesh.has_value());
+    return {{file, spec.scan ? start->kept : std::vector<std::string>{}, start->warnings}};
+  }
+  std::vector<StartNote> notes;
+  for (const HeadShare& share : spec.mix)
+    for (StartNote& note : list_start_notes(stock, share.head)) notes.push_back(std::move(note));
+  return notes;
 }
 
 }  // namespace mien

@@ -156,10 +156,10 @@ std::vector<Quad> compute_half_quads(const HeadStock& stock) {
           stock.adult.quads.begin() + static_cast<std::ptrdiff_t>(stock.data->half.quads.size())};
 }
 
-HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& file) {
+Wrap build_own_half(const HeadStock& stock, const std::filesystem::path& file) {
   Polygons mesh = load_polygons(file, find_landmark_file(file) ? Faces::optional : Faces::needed);
   if (!has_our_faces(stock, mesh)) {
-    if (find_landmark_file(file)) return wrap_head(stock, load_scan_files(stock, file, true));
+    if (find_landmark_file(file)) return wrap_scan(stock, load_scan_files(stock, file, true));
     fail_at_point(
         mesh, mesh.positions.size(),
         fmt::format("{} points and {} faces are not those of the shipped half ({} and {}); expected "
@@ -170,7 +170,7 @@ HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& fil
   }
   check_size(stock, mesh);
   put_on_left(mesh);
-  return build_moved(stock, mesh);
+  return {build_moved(stock, mesh), {}, {}, {}};
 }
 
 }  // namespace mien

@@ -1,7 +1,7 @@
 // The half head as a mesh that people edit, and back.
 #pragma once
 
-#include "head/form.hpp"
+#include "head/wrap.hpp"
 
 namespace mien {
 
@@ -13,8 +13,8 @@ std::vector<glm::dvec3> compute_half_places(const HeadStock& stock, const std::v
 std::vector<Quad> compute_half_quads(const HeadStock& stock);
 
 // The shipped adult with its half moved to the mesh of `file`: the same faces, either side of the mid-plane.
-// A mesh that equals the shipped half gives the shipped head bit for bit. The eyeball follows the lids.
-// Throws InputError for a file that is no such half.
-HeadForm build_own_half(const HeadStock& stock, const std::filesystem::path& file);
+// A mesh that equals the shipped half gives the shipped head bit for bit. The eyeball follows the lids. Half
+// a head of other faces is wrapped as a scan is. Throws InputError for a file that is no such half.
+Wrap build_own_half(const HeadStock& stock, const std::filesystem::path& file);
 
 }  // namespace mien

@@ -5,10 +5,12 @@
 #include <cmath>
 
 #include "config/head_files.hpp"
+#include "config/named_file.hpp"
 #include "core/error.hpp"
 #include "head/cloud.hpp"
 #include "head/landmarks.hpp"
 #include "head/nearest.hpp"
+#include "head/scan_strays.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -28,6 +30,11 @@ double compute_size(const Polygons& mesh) {
   glm::dvec3 low(1e300), high(-1e300);
   for (const glm::dvec3& p : mesh.positions) low = glm::min(low, p), high = glm::max(high, p);
   return glm::distance(low, high);
+}
+
+SaidAt find_said(const YamlValue& value) {
+  const SourceText& source = value.document->source;
+  return {find_place(source, value.spot), std::string(find_line(source, value.spot.line))};
 }
 
 // The place of one landmark: three coordinates, or the number of one of the mesh's points as its file counts.
@@ -93,14 +100,44 @@ void check_half(const Polygons& mesh) {
        false}});
 }
 
-void check_cloud(const Polygons& mesh) {
-  if (mesh.face_count() > 0 || mesh.positions.size() >= kLeastCloudPoints) return;
-  throw InputError(std::vector<Diagnostic>{
-      {{mesh.file, 0, 0},
-       fmt::format("has {} points and no faces; expected a surface, or a cloud of {} points at least",
-                   mesh.positions.size(), kLeastCloudPoints),
-       "",
-       false}});
+[[noreturn]] void fail_mesh(const Polygons& mesh, const std::string& message) {
+  throw InputError(std::vector<Diagnostic>{{{mesh.file, 0, 0}, message, "", false}});
+}
+
+// What is said if `count` points are too few for a cloud.
+void check_cloud(const Polygons& mesh, std::string_view points) {
+  if (mesh.positions.size() < kLeastCloudPoints)
+    fail_mesh(mesh,
+              fmt::format("has {} {} and no faces; expected a surface, or a cloud of {} points at least",
+                          mesh.positions.size(), points, kLeastCloudPoints));
+}
+
+// What is no part of the surface is taken out of it. Throws InputError if there is no surface then.
+void clean_mesh(Scan& scan) {
+  Polygons& mesh = scan.mesh;
+  const bool is_cloud = mesh.face_count() == 0;
+  if (is_cloud) check_cloud(mesh, "points");
+  const std::size_t count = mesh.positions.size();
+  const Strays strays = leave_out_strays(mesh);
+  if (strays.count > 0)
+    scan.warnings.push_back(
+        {{mesh.file, 0, 0},
+         fmt::format(
+             "{} of {} points {} astray, up to {:.4g} from the middle of the others, which lie within "
+             "{:.4g}: left out, with their faces",
+             strays.count, count, strays.count == 1 ? "is" : "are", strays.furthest, strays.most_within),
+         "",
+         true});
+  if (!is_cloud) return;
+  leave_out_doubles(mesh);  // a thousand in one place would be each other's neighbours
+  check_cloud(mesh, "different points");
+}
+
+SurfaceTree build_tree(const Polygons& mesh) {
+  SurfaceTree tree = build_surface_tree(mesh);
+  if (tree.triangles.empty())
+    fail_mesh(mesh, fmt::format("none of its {} faces has an area; expected a surface", mesh.face_count()));
+  return tree;
 }
 
 struct MarkReader {
@@ -108,16 +145,17 @@ struct MarkReader {
   const HeadWords& words;
   NeutralHead adult;
   bool is_half = false;
+  Polygons file;  // the points as the file counts them
   Scan& scan;
 };
 
 void add_mark(MarkReader& reader, const std::string& name, const std::string& bare, bool is_right,
-              const glm::dvec3& at) {
+              const glm::dvec3& at, const SaidAt& said) {
   const SkinSpot spot = find_place(reader.adult, bare);
   LinearRow place = compute_mean_row(*reader.stock.surface, spot.vertices, spot.shares);
   if (is_right)
     for (auto& entry : place) entry.first = reader.stock.adult.mirror[entry.first];
-  reader.scan.marks.push_back({name, at, std::move(place), spot.is_extreme ? kExtremeWeight : 1});
+  reader.scan.marks.push_back({name, at, std::move(place), spot.is_extreme ? kExtremeWeight : 1, said});
 }
 
 void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTree& tree) {
@@ -127,7 +165,7 @@ void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTre
     const bool is_sided = entry.key.ends_with("_l") || entry.key.ends_with("_r");
     const std::string bare = is_sided ? entry.key.substr(0, entry.key.size() - 2) : entry.key;
     glm::dvec3 at{0};
-    if (!load_mark(entry.value, scan.mesh, at) || bare == "pupil") continue;  // a pupil is no skin
+    if (!load_mark(entry.value, reader.file, at) || bare == "pupil") continue;  // a pupil is no skin
     const double off = find_nearest(tree, at, size * 10).distance;
     if (off > kMostOff * size) {
       add_mistake(entry.value,
@@ -138,13 +176,13 @@ void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTre
     }
     if (!reader.is_half || !is_sided) {
       if (reader.is_half) at.x = 0;
-      add_mark(reader, entry.key, bare, entry.key.ends_with("_r"), at);
+      add_mark(reader, entry.key, bare, entry.key.ends_with("_r"), at, find_said(entry.value));
       continue;
     }
     // Of a half one side is told: the other one is its mirror image. Ours is the side with x > 0.
     at.x = std::abs(at.x);
-    add_mark(reader, bare + "_l", bare, false, at);
-    add_mark(reader, bare + "_r", bare, true, at * glm::dvec3(-1, 1, 1));
+    add_mark(reader, bare + "_l", bare, false, at, find_said(entry.value));
+    add_mark(reader, bare + "_r", bare, true, at * glm::dvec3(-1, 1, 1), find_said(entry.value));
   }
 }
 
@@ -169,7 +207,10 @@ void check_needed(const MarkReader& reader, const YamlValue& root) {
 Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half) {
   Scan scan;
   scan.mesh = load_polygons(file, Faces::optional);
-  check_cloud(scan.mesh);
+  Polygons counted;
+  counted.file = scan.mesh.file;
+  counted.positions = scan.mesh.positions;
+  clean_mesh(scan);
   if (is_half) check_half(scan.mesh);
   const auto beside = find_landmark_file(file);
   if (!beside)
@@ -191,20 +232,24 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
   for (const std::string& name : words.sided)
     for (const char* side : {"_l", "_r"}) names.push_back(name + side);
   for (const char* pupil : {"pupil_l", "pupil_r"}) names.push_back(pupil);
-  auto source = load_source(*beside, findings);
+  auto source = load_named_source(*beside, kLandmarkFile, findings);
   if (const auto document = source ? scan_document(std::move(*source), findings) : std::nullopt) {
-    MarkReader reader{stock, words, build_bare_head(stock, stock.adult.points), is_half, scan};
+    MarkReader reader{stock, words, build_bare_head(stock, stock.adult.points), is_half, std::move(counted),
+                      scan};
     const YamlValue root = find_root(*document, findings);
     const YamlMapping entries =
         load_mapping(root, kScanKeys, "a mapping such as landmarks: {prn: [x, y, z], ...}");
     if (const YamlValue* unit = find_value(entries, "unit")) {
       std::string name;
+      scan.unit_said = find_said(*unit);
       if (load_name(*unit, "unit", kUnits, name))
         scan.unit_mm = kUnits_mm[static_cast<std::size_t>(std::ranges::find(kUnits, name) - kUnits.begin())];
     }
-    if (const YamlValue* marks = find_required(entries, "landmarks", root, "names and places"))
+    if (const YamlValue* marks = find_required(entries, "landmarks", root, "names and places")) {
+      scan.marks_said = find_said(*marks);
       load_marks(reader, load_mapping(*marks, names, "names and places such as {prn: [x, y, z]}", "landmark"),
-                 build_surface_tree(is_cloud ? cloud.mesh : scan.mesh));
+                 build_tree(is_cloud ? cloud.mesh : scan.mesh));
+    }
     if (findings.mistakes.empty()) check_needed(reader, root);
   }
   throw_mistakes(std::move(findings));

@@ -11,7 +11,11 @@ namespace mien {
 Similarity align_marks(const HeadStock& stock, const Scan& scan);
 
 // How much larger than the adult the scanned head is, laid on it with `ours_per_unit` mm for a unit of the
-// scan. Throws InputError if the scan's own unit would make a giant or a dwarf of it.
+// scan. Throws InputError if the scan's own unit, or where it has none each that is known, would make a giant
+// or a dwarf of it.
 double compute_growth(const Scan& scan, double ours_per_unit);
+
+// A warning if a unit was found for the scan and its head is larger or smaller than people are.
+std::vector<Diagnostic> judge_growth(const Scan& scan, double growth);
 
 }  // namespace mien

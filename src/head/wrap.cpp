@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/pool.hpp"
+#include "core/signals.hpp"
 #include "head/eye_fit.hpp"
 #include "head/half_system.hpp"
 #include "head/own_half.hpp"
@@ -339,6 +340,7 @@ void add_surface(Problem& problem, const Step& step, const HeadForm& form) {
 }
 
 void fit_step(Problem& problem, const Step& step, bool has_surface, HeadForm& form) {
+  throw_if_interrupted();
   clear_equations(problem.system);
   add_fairness(problem, step.stiffness);
   for (std::size_t i = 0; i < problem.marks.size(); ++i)
@@ -349,10 +351,60 @@ void fit_step(Problem& problem, const Step& step, bool has_surface, HeadForm& fo
   apply_moves(problem, solve_equations(problem.system), form);
 }
 
+// Faces that reach far from the head: no step asks for them, and their boxes would hold everything.
+void leave_out_far(Polygons& mesh) {
+  constexpr double kFar_mm = 1000;
+  const auto is_far = [&](std::uint32_t corner) { return glm::length(mesh.positions[corner]) > kFar_mm; };
+  std::vector<std::uint32_t> corners, first{0};
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    const auto begin = mesh.corners.begin() + mesh.first[f], end = mesh.corners.begin() + mesh.first[f + 1];
+    if (std::any_of(begin, end, is_far)) continue;
+    corners.insert(corners.end(), begin, end);
+    first.push_back(static_cast<std::uint32_t>(corners.size()));
+  }
+  mesh.corners = std::move(corners);
+  mesh.first = std::move(first);
+  for (glm::dvec3& p : mesh.positions)
+    if (glm::length(p) > kFar_mm) p = glm::dvec3(0);  // nobody's now
+}
+
+// Triangles that join points from all over the head make no surface, and would be looked at from everywhere.
+// Throws InputError if all together are too long.
+void check_triangles(const HeadStock& stock, const Polygons& mesh) {
+  constexpr double kMost = 20;        // a scan with hair and an inside comes to 5, one of slivers to 10
+  constexpr double kAround_mm = 250;  // what lies further off, such as a body, may be as large as it is
+  const auto compute_square = [](const glm::dvec3& a, const glm::dvec3& b) { return glm::dot(a - b, a - b); };
+  std::vector<Float4> packed;
+  std::vector<glm::vec3> skin;
+  pack_points(stock.adult.points, packed);
+  deform_surface(*stock.surface, packed, skin);
+  double head = 0, scan = 0;
+  for (const Quad& q : stock.surface->quads)
+    head += 2 * compute_square(glm::dvec3(skin[q[0]]), glm::dvec3(skin[q[2]]));
+  for (std::size_t f = 0; f < mesh.face_count(); ++f)
+    for (std::uint32_t i = mesh.first[f] + 2; i < mesh.first[f + 1]; ++i) {
+      const glm::dvec3 &a = mesh.positions[mesh.corners[mesh.first[f]]],
+                       &b = mesh.positions[mesh.corners[i - 1]], &c = mesh.positions[mesh.corners[i]];
+      if (glm::length(a + b + c) < 3 * kAround_mm)
+        scan += std::max({compute_square(a, b), compute_square(b, c), compute_square(c, a)});
+    }
+  if (scan > kMost * head)
+    throw InputError(std::vector<Diagnostic>{
+        {{mesh.file, 0, 0},
+         fmt::format(
+             "its triangles are so long that they would cover a head {:.0f} times; expected {} times at "
+             "most: they make no surface",
+             scan / head, kMost),
+         "",
+         false}});
+}
+
 // Lays the scan on the adult; the equations are those of the adult's half.
 Problem build_problem(const HeadStock& stock, const Scan& scan, const Similarity& ours_from_scan) {
   Polygons mesh = scan.mesh;
   for (glm::dvec3& p : mesh.positions) p = apply_similarity(ours_from_scan, p);
+  leave_out_far(mesh);
+  check_triangles(stock, mesh);
   Problem problem;
   problem.stock = &stock;
   problem.scan.tree = build_surface_tree(mesh);
@@ -380,23 +432,36 @@ HeadForm begin_fit(Problem& problem, const Scan& scan) {
   return form;
 }
 
+// Throws InputError if the scan is no face.
+void judge(const Problem& problem, const Scan& scan, Wrap& wrap) {
+  const Skin skin = build_skin(*problem.stock->surface, wrap.form.points);
+  std::vector<std::uint32_t> plain;
+  for (std::size_t i = 0; i < problem.vertices.size(); ++i)
+    if (problem.zones[i] == Zone::skin) plain.push_back(problem.vertices[i]);
+  std::vector<glm::dvec3> marks;
+  for (const glm::dvec3& p : problem.mark_to) marks.push_back(problem.scan.turn * p + problem.scan.shift);
+  wrap.worth = measure_wrap(
+      {*problem.stock, scan, problem.scan, plain, skin.positions, skin.normals, wrap.form.points, marks});
+  std::vector<Diagnostic> told = judge_wrap(scan, wrap.worth);
+  if (!told.empty() && !told.front().is_warning) throw InputError(std::move(told));
+  wrap.warnings.insert(wrap.warnings.end(), told.begin(), told.end());
+}
+
 }  // namespace
 
-HeadForm wrap_head(const HeadStock& stock, const Scan& scan) {
+Wrap wrap_scan(const HeadStock& stock, const Scan& scan) {
   const Similarity ours_from_scan = align_marks(stock, scan);
   const double growth = compute_growth(scan, ours_from_scan.scale);
   Problem problem = build_problem(stock, scan, ours_from_scan);
-  HeadForm form = begin_fit(problem, scan);
-  for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, compute_step(i), true, form);
-  finish_wrap(stock, growth, form);
-  return form;
-}
-
-std::vector<std::string> list_kept_parts(const HeadStock& stock, const Scan& scan) {
-  Problem problem = build_problem(stock, scan, align_marks(stock, scan));
-  begin_fit(problem, scan);
-  if (problem.ear.is_found) return {};
-  return {"ears"};
+  Wrap wrap;
+  wrap.form = begin_fit(problem, scan);
+  for (int i = kEarStep; i < kSteps; ++i) fit_step(problem, compute_step(i), true, wrap.form);
+  if (!problem.ear.is_found) wrap.kept.emplace_back("ears");
+  wrap.warnings = scan.warnings;
+  for (Diagnostic& warning : judge_growth(scan, growth)) wrap.warnings.push_back(std::move(warning));
+  judge(problem, scan, wrap);
+  finish_wrap(stock, growth, wrap.form);
+  return wrap;
 }
 
 }  // namespace mien

@@ -99,6 +99,9 @@ Polygons read_obj(const std::string& file, std::string_view bytes) {
     } else if (word == "vn" && reader.mesh.face_count() == 0) {
       read_normal(reader);
     } else if (std::ranges::find(kPassed, word) == kPassed.end()) {
+      // What is no OBJ at all is none of this message's business.
+      if (reader.mesh.positions.empty())
+        fail_line(file, reader.lines.number, "no word of an OBJ file; expected v, f or another one");
       fail_line(
           file, reader.lines.number,
           fmt::format("unknown word '{}'; expected v, f or another word of an OBJ file", show_found(word)));

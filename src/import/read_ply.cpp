@@ -104,8 +104,7 @@ void read_head_line(PlyReader& reader) {
 
 void read_head(PlyReader& reader) {
   if (!read_line(reader.lines) || reader.lines.line != "ply")
-    fail_line(reader.lines.file, 1,
-              fmt::format("begins with '{}'; expected the word 'ply'", show_found(reader.lines.line)));
+    fail_line(reader.lines.file, 1, "the file does not begin with the word 'ply'; expected a PLY file");
   while (read_line(reader.lines)) {
     split_words(reader.lines.line, reader.words);
     if (reader.words.empty()) continue;
@@ -164,16 +163,24 @@ double read_number(PlyReader& reader, const PlyType& type) {
   fail_file(reader.lines.file, fmt::format("before byte {}: {}", reader.at, what));
 }
 
+// How many numbers a property has here: one, or what a list says.
+int read_count(PlyReader& reader, const Property& property) {
+  constexpr double kMostInList = 10000;  // corners of a face and the like; a list that says more is none
+  if (property.count_type == nullptr) return 1;
+  const double count = read_number(reader, *property.count_type);
+  if (!(count >= 0 && count <= kMostInList))
+    fail_here(reader, fmt::format("{} {} has a list of {:.7g}; expected 0 to {}", reader.element->name,
+                                  reader.item, count, kMostInList));
+  return static_cast<int>(count);
+}
+
 void read_vertex(PlyReader& reader, Polygons& mesh) {
   constexpr std::string_view kNormal[] = {"nx", "ny", "nz"};
   glm::dvec3 position{0}, normal{0};
   int normal_axes = 0;
   for (const Property& property : reader.element->properties) {
-    const std::size_t count =
-        property.count_type
-            ? static_cast<std::size_t>(std::max(0.0, read_number(reader, *property.count_type)))
-            : 1;
-    for (std::size_t i = 0; i < count; ++i) {
+    const int count = read_count(reader, property);
+    for (int i = 0; i < count; ++i) {
       const double value = read_number(reader, *property.type);
       if (property.count_type) continue;
       if (const auto found = std::ranges::find(kNormal, property.name); found != std::end(kNormal)) {
@@ -197,14 +204,13 @@ void read_vertex(PlyReader& reader, Polygons& mesh) {
 }
 
 void read_face(PlyReader& reader, std::size_t point_count, Polygons& mesh) {
-  constexpr double kMaxCorners = 10000;  // of one face; a list that says more is none
   for (const Property& property : reader.element->properties) {
     const bool is_corners = property.name == "vertex_indices" || property.name == "vertex_index";
-    const double count = property.count_type ? read_number(reader, *property.count_type) : 1;
-    if (!(count >= 0 && count <= kMaxCorners) || (is_corners && count < 3))
+    const int count = read_count(reader, property);
+    if (is_corners && count < 3)
       fail_here(reader,
-                fmt::format("face {} is a list of {:.7g}; expected 3 points or more", reader.item, count));
-    for (int i = 0; i < static_cast<int>(count); ++i) {
+                fmt::format("face {} is a list of {}; expected 3 points or more", reader.item, count));
+    for (int i = 0; i < count; ++i) {
       const double value = read_number(reader, *property.type);
       if (!is_corners) continue;
       if (!(value >= 0 && value < static_cast<double>(point_count)))
@@ -216,6 +222,13 @@ void read_face(PlyReader& reader, std::size_t point_count, Polygons& mesh) {
   }
 }
 
+// Points without places would all lie at 0 0 0, however many the head says.
+void check_axes(const PlyReader& reader, const Element& vertices) {
+  for (const char* axis : {"x", "y", "z"})
+    if (std::ranges::find(vertices.properties, axis, &Property::name) == vertices.properties.end())
+      fail(reader, fmt::format("element vertex has no property '{}'; expected x, y and z", axis));
+}
+
 }  // namespace
 
 Polygons read_ply(const std::string& file, std::string_view bytes) {
@@ -223,8 +236,10 @@ Polygons read_ply(const std::string& file, std::string_view bytes) {
   read_head(reader);
   const auto vertices = std::ranges::find(reader.elements, "vertex", &Element::name);
   const std::size_t point_count = vertices == reader.elements.end() ? 0 : vertices->count;
+  if (point_count > 0) check_axes(reader, *vertices);
   Polygons mesh;
   for (const Element& element : reader.elements) {
+    if (element.properties.empty()) continue;  // nothing to read, however many there are
     reader.element = &element;
     for (reader.item = 0; reader.item < element.count; ++reader.item) {
       if (element.name == "vertex") {

@@ -42,14 +42,25 @@ void freeze_cues(std::span<Cue> cues) {
     Cue& cue = cues[i];
     cue.gone = cue.end;
     if (cue.spec.rule != Rule::over) continue;
+    // Until when each move is still. What comes over it meanwhile has an end that is not later
+    // (compute_covers).
+    std::array<Ticks, kMoveCount> still{};
+    still.fill(-kEndless);
+    const auto is_still = [&](Ticks time) {
+      for (std::size_t move = 0; move < kMoveCount; ++move)
+        if (cue.spec.owns[move] && still[move] < time) return false;
+      return true;
+    };
     for (std::size_t later = i + 1; later < cues.size() && cues[later].from < cue.end; ++later) {
       const Cue& other = cues[later];
       const auto shared = cue.spec.owns & other.spec.owns;
       if (!covers(other) || shared.none()) continue;
+      if (is_still(cue.end)) break;
       for (std::size_t move = 0; move < kMoveCount; ++move) {
-        if (!shared[move]) continue;
+        if (!shared[move] || other.from < still[move]) continue;
         const Ticks until = covered[later][move];
         if (cue.full <= other.from && until <= cue.ebb) continue;  // all there meanwhile anyhow
+        still[move] = until;
         if (cue.freezes.empty() || cue.freezes.back().from != other.from || cue.freezes.back().until != until)
           cue.freezes.push_back({other.from, until, {}});
         cue.freezes.back().moves.set(move);
@@ -63,10 +74,10 @@ void freeze_cues(std::span<Cue> cues) {
 FaceState show(const Cue& cue, Ticks time, const Moves& only) {
   if (cue.script) return sample_layers(*cue.script, compute_script_time(cue, time), only);
   FaceState shown;
-  if (!cue.table.keys.empty()) {
+  if (cue.table) {
     std::array<double, kMaxChannels> row;
     const auto& moves = cue.spec.table->moves;
-    sample_track(cue.table, time - cue.start, std::span(row).first(moves.size()));
+    sample_track(*cue.table, time - cue.start, std::span(row).first(moves.size()));
     for (std::size_t i = 0; i < moves.size(); ++i) shown.values[moves[i]] = row[i];
     shown.reach.fill(cue.spec.what.reach);
   } else if (cue.spec.what.live) {
@@ -170,7 +181,7 @@ void apply_layer(const CueStack& stack, std::size_t layer, Ticks time, const Mov
 
 }  // namespace
 
-CueStack build_cue_stack(const ClipSpec& clip) {
+CueStack build_cue_stack(const ClipSpec& clip, LayerStore& store) {
   CueStack stack;
   stack.leads.emplace_back();
   for (const CueSpec& spec : clip.cues) {
@@ -180,15 +191,14 @@ CueStack build_cue_stack(const ClipSpec& clip) {
             compute_ticks(spec.ebb_s),
             compute_ticks(spec.end_s),
             compute_ticks(spec.start_s),
-            spec.script ? std::make_shared<const Layers>(build_layers(*spec.script)) : nullptr,
-            {},
+            share_script(spec.script, store),
+            share_table(spec.table, store),
             {},
             0};
     if (spec.has_lead) {
       cue.come = take_lead(clip.lead, Pose{}, spec.what.pose, stack.leads);
       cue.go = take_lead(clip.lead, spec.what.pose, Pose{}, stack.leads);
     }
-    if (spec.table) cue.table = build_table(*spec.table);
     stack.cues.push_back(std::move(cue));
   }
   std::ranges::stable_sort(stack.cues, [](const Cue& a, const Cue& b) {

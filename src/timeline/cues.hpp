@@ -12,6 +12,7 @@
 namespace mien {
 
 struct Layers;
+struct LayerStore;
 
 // While another cue comes over it, a cue stays at what it had then: between two cues in a row there is no
 // rest.
@@ -24,8 +25,9 @@ struct Freeze {
 struct Cue {
   CueSpec spec;
   Ticks from = 0, full = 0, ebb = 0, end = 0, start = 0;
-  std::shared_ptr<const Layers> script;  // what it shows: this,
-  KeyTrack table;                        // else this, if it has keys, else `spec.what`
+  std::shared_ptr<const Layers> script;   // what it shows: this,
+  std::shared_ptr<const KeyTrack> table;  // else this, else `spec.what`
+  // By time; of one move each begins after the one before it has ended.
   std::vector<Freeze> freezes;
   Ticks gone = 0;                // when it ends, or the last freeze does
   std::size_t come = 0, go = 0;  // which lead it comes and goes with
@@ -40,7 +42,8 @@ struct CueStack {
   std::vector<Lead> leads;                // none, the clip's, and those of the kinds of ways
 };
 
-CueStack build_cue_stack(const ClipSpec& clip);
+// `store` holds the scripts and tables that cues share (layers.hpp).
+CueStack build_cue_stack(const ClipSpec& clip, LayerStore& store);
 
 // A face while it is put together: each move's value, and how many times its limit it may go.
 struct FaceState {

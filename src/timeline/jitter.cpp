@@ -7,7 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
+#include <functional>
+#include <set>
 
 #include "config/quantity.hpp"
 #include "core/ticks.hpp"
@@ -62,7 +63,8 @@ struct Swinger {
   std::function<double(double)> value;
 };
 
-using Swingers = std::vector<Swinger>;
+// One swinger after another: a clip may have as many as it has laws, and each would keep what it plays.
+using Judge = std::function<void(const Swinger&)>;
 
 std::string name_move(std::size_t move) {
   const MoveInfo& info = kMoves[move];
@@ -73,20 +75,38 @@ std::string name_move(std::size_t move) {
 using MoveValue = std::function<double(std::size_t, double)>;
 
 // What formulas move: those of single values, and all that a live share or strength takes along.
-void add_pose(const PoseKey& key, const std::string& of, double from_s, double to_s, const MoveValue& value,
-              Swingers& into) {
-  if (!key.live) return;
+Moves list_moved(const LivePose& live) {
   Moves moves;
-  for (const LivePose::Value& each : key.live->values) moves.set(each.move);
-  bool is_whole = key.live->strength.formula != nullptr;
-  for (const LivePose::Share& share : key.live->shares) is_whole |= share.weight.formula != nullptr;
+  for (const LivePose::Value& each : live.values) moves.set(each.move);
+  bool is_whole = live.strength.formula != nullptr;
+  for (const LivePose::Share& share : live.shares) is_whole |= share.weight.formula != nullptr;
   if (is_whole)
-    for (const LivePose::Share& share : key.live->shares)
+    for (const LivePose::Share& share : live.shares)
       for (std::size_t i = 0; i < kMoveCount; ++i)
         if (share.pose.values[i] != 0) moves.set(i);
+  return moves;
+}
+
+// Of both sides that one formula moves alike the left one alone: the right one would be told in the same
+// words.
+Moves leave_out_twins(const LivePose& live, Moves moves) {
+  if (!live.shares.empty()) return moves;
+  for (std::size_t i = 0; i + 1 < live.values.size(); ++i) {
+    const LivePose::Value &one = live.values[i], &next = live.values[i + 1];
+    const MoveInfo &left = kMoves[one.move], &right = kMoves[next.move];
+    const bool is_same = one.formula == next.formula && one.low == next.low && one.high == next.high &&
+                         left.low == right.low && left.high == right.high;
+    if (is_same && left.area == right.area && left.move == right.move)
+      moves.reset(std::max(one.move, next.move));
+  }
+  return moves;
+}
+
+void judge_moves(const Moves& moves, const Place& place, const std::string& of, double from_s, double to_s,
+                 const MoveValue& value, const Judge& judge) {
   for_each_move(moves, [&](std::size_t move) {
-    into.push_back({fmt::format("{} of {}", name_move(move), of), key.place, from_s, to_s, kLeastMove,
-                    [value, move](double t) { return value(move, t); }});
+    judge({fmt::format("{} of {}", name_move(move), of), place, from_s, to_s, kLeastMove,
+           [&value, move](double t) { return value(move, t); }});
   });
 }
 
@@ -112,62 +132,70 @@ double compute_script_s(const CueSpec& cue, double time_s) {
   return cue.is_repeated && length_s > 0 ? std::fmod(since_s, length_s) : std::min(since_s, length_s);
 }
 
+// Whether a channel of a track is ever anything else than at its beginning.
+bool has_moves(const KeyTrack& track, std::size_t channel) {
+  return std::ranges::any_of(track.keys, [&](const TrackKey& key) {
+    return key.law || key.values[channel] != track.keys.front().values[channel];
+  });
+}
+
 // The head's turning in a script, and what trembles in it, as its cue plays it.
-void add_script(const CueSpec& cue, double to_s, Swingers& into) {
-  const auto layers = std::make_shared<const Layers>(build_layers(*cue.script));
+void judge_script(const CueSpec& cue, double to_s, LayerStore& store, const Judge& judge) {
+  const auto layers = share_script(cue.script, store);
   constexpr std::array<std::string_view, 3> kNames{"turn", "nod", "tilt"};
   for (std::size_t i = 0; i < kNames.size(); ++i)
-    into.push_back({fmt::format("the {} of '{}'", kNames[i], cue.what.label), cue.what.place, cue.from_s,
-                    to_s, kLeastTurn_deg, [layers, i, cue](double t) {
-                      std::array<double, 3> turn{};
-                      sample_track(layers->turn, compute_ticks(compute_script_s(cue, t)), turn);
-                      return turn[i];
-                    }});
+    if (has_moves(layers->turn, i))
+      judge({fmt::format("the {} of '{}'", kNames[i], cue.what.label), cue.what.place, cue.from_s, to_s,
+             kLeastTurn_deg, [&](double t) {
+               std::array<double, 3> turn{};
+               sample_track(layers->turn, compute_ticks(compute_script_s(cue, t)), turn);
+               return turn[i];
+             }});
   for (const CueSpec& inner : cue.script->cues) {
     if (!inner.what.live) continue;
-    PoseKey moved = inner.what;
-    moved.place = cue.what.place;
-    add_pose(
-        moved, fmt::format("'{}'", cue.what.label), cue.from_s, to_s,
-        [value = build_value(inner.what), cue](std::size_t move, double t) {
+    judge_moves(
+        leave_out_twins(*inner.what.live, list_moved(*inner.what.live)), cue.what.place,
+        fmt::format("'{}'", cue.what.label), cue.from_s, to_s,
+        [value = build_value(inner.what), &cue](std::size_t move, double t) {
           return value(move, compute_script_s(cue, t));
         },
-        into);
+        judge);
   }
 }
 
 // Keys are judged as they are drawn, mixed with those around them.
-Swingers list_swingers(const ClipSpec& clip) {
-  Swingers all;
-  const auto layers = std::make_shared<const Layers>(build_layers(clip));
-  const MoveValue pose = [layers](std::size_t move, double time_s) {
+void judge_swingers(const ClipSpec& clip, const Judge& judge) {
+  LayerStore store;
+  const Layers layers = build_layers(clip, store);
+  const MoveValue pose = [&](std::size_t move, double time_s) {
     std::array<double, kMoveCount> values{};
-    sample_track(layers->pose, compute_ticks(time_s), Moves().set(move), values);
+    sample_track(layers.pose, compute_ticks(time_s), Moves().set(move), values);
     return values[move];
   };
   add_keys(clip.keys, clip.length_s, [&](const PoseKey& key, double from_s, double to_s) {
-    add_pose(key, fmt::format("'{}'", key.label), from_s, to_s, pose, all);
+    if (key.live)
+      judge_moves(list_moved(*key.live), key.place, fmt::format("'{}'", key.label), from_s, to_s, pose,
+                  judge);
   });
   add_keys(clip.turn, clip.length_s, [&](const TurnKey& key, double from_s, double to_s) {
     constexpr std::array<std::string_view, 3> kNames{"the head's turn", "the head's nod", "the head's tilt"};
     for (std::size_t i = 0; i < kNames.size(); ++i)
       if (key.live[i])
-        all.push_back(
-            {std::string(kNames[i]), key.place, from_s, to_s, kLeastTurn_deg, [layers, i](double t) {
-               std::array<double, 3> turn{};
-               sample_track(layers->turn, compute_ticks(t), turn);
-               return turn[i];
-             }});
+        judge({std::string(kNames[i]), key.place, from_s, to_s, kLeastTurn_deg, [&](double t) {
+                 std::array<double, 3> turn{};
+                 sample_track(layers.turn, compute_ticks(t), turn);
+                 return turn[i];
+               }});
   });
   for (const CueSpec& cue : clip.cues) {
     const double to_s = std::min(cue.end_s, clip.length_s);
     if (cue.script)
-      add_script(cue, to_s, all);
+      judge_script(cue, to_s, store, judge);
     else if (cue.what.live)
-      add_pose(cue.what, cue.layer == Layer::law ? "a law" : fmt::format("the cue '{}'", cue.what.label),
-               cue.from_s, to_s, build_value(cue.what), all);
+      judge_moves(leave_out_twins(*cue.what.live, list_moved(*cue.what.live)), cue.what.place,
+                  cue.layer == Layer::law ? "a law" : fmt::format("the cue '{}'", cue.what.label), cue.from_s,
+                  to_s, build_value(cue.what), judge);
   }
-  return all;
 }
 
 std::string advise(const ClipSpec& clip, const Swing& swing) {
@@ -205,17 +233,17 @@ Swing compute_quickest_swing(const ClipSpec& clip, double from_s, double to_s, d
 
 std::vector<Diagnostic> list_jitter(const ClipSpec& clip) {
   std::vector<Diagnostic> warnings;
-  for (const Swinger& each : list_swingers(clip)) {
+  std::set<std::string> told;
+  judge_swingers(clip, [&](const Swinger& each) {
     const Swing swing = compute_quickest_swing(clip, each.from_s, each.to_s, each.least, each.value);
-    if (swing.per_second == 0 || swing.drawings >= kLeastDrawings * (1 - kTolerance)) continue;
+    if (swing.per_second == 0 || swing.drawings >= kLeastDrawings * (1 - kTolerance)) return;
     std::string message = fmt::format(
         "{} swings {:.1f} times a second (at {}), {:.1f} drawings each time on {}; fewer than {} jitter: {}",
         each.what, swing.per_second,
         format_quantity(std::round(swing.at_s * 1000) / 1000, build_time_measure(clip.fps)), swing.drawings,
         name_draw(swing.draw), kLeastDrawings, advise(clip, swing));
-    if (std::ranges::find(warnings, message, &Diagnostic::message) == warnings.end())
-      warnings.push_back({each.place, std::move(message), "", true});
-  }
+    if (told.insert(message).second) warnings.push_back({each.place, std::move(message), "", true});
+  });
   return warnings;
 }
 

@@ -86,6 +86,26 @@ KeyTrack build_reach(const KeyTrack& pose, std::vector<PoseKey> keys, double& mo
 }  // namespace
 
 Layers build_layers(const ClipSpec& clip) {
+  LayerStore store;
+  return build_layers(clip, store);
+}
+
+std::shared_ptr<const Layers> share_script(const std::shared_ptr<const ClipSpec>& script, LayerStore& store) {
+  if (!script) return {};
+  if (const auto known = store.scripts.find(script.get()); known != store.scripts.end()) return known->second;
+  auto layers = std::make_shared<const Layers>(build_layers(*script, store));
+  return store.scripts[script.get()] = std::move(layers);
+}
+
+std::shared_ptr<const KeyTrack> share_table(const std::shared_ptr<const TimeTable>& table,
+                                            LayerStore& store) {
+  if (!table) return {};
+  std::shared_ptr<const KeyTrack>& track = store.tables[table.get()];
+  if (!track) track = std::make_shared<const KeyTrack>(build_table(*table));
+  return track;
+}
+
+Layers build_layers(const ClipSpec& clip, LayerStore& store) {
   Layers layers;
   layers.pose = build_track(build_track_keys(clip.keys), kMoveCount, build_lead(clip.lead));
   for (std::size_t i = 1; i < layers.pose.keys.size(); ++i) {
@@ -104,7 +124,7 @@ Layers build_layers(const ClipSpec& clip) {
   layers.turn = build_track(build_track_keys(clip.turn), 3, head);
   layers.camera = build_track(build_track_keys(clip.camera), 3);
 
-  layers.cues = build_cue_stack(clip);
+  layers.cues = build_cue_stack(clip, store);
   layers.length = compute_ticks(clip.length_s);
   return layers;
 }

@@ -1,9 +1,18 @@
 // The tracks of a clip or of a script with their cues, made ready to be sampled.
 #pragma once
 
+#include <map>
+
 #include "timeline/cues.hpp"
 
 namespace mien {
+
+// What several cues play, each made ready once: a script of ten cues that play a script of ten cues is two
+// scripts and not eleven.
+struct LayerStore {
+  std::map<const ClipSpec*, std::shared_ptr<const Layers>> scripts;
+  std::map<const TimeTable*, std::shared_ptr<const KeyTrack>> tables;
+};
 
 struct Layers {
   KeyTrack pose, turn, camera;
@@ -14,6 +23,12 @@ struct Layers {
 };
 
 Layers build_layers(const ClipSpec& clip);
+Layers build_layers(const ClipSpec& clip, LayerStore& store);
+
+// The script or the table, from the store if it is there.
+std::shared_ptr<const Layers> share_script(const std::shared_ptr<const ClipSpec>& script, LayerStore& store);
+std::shared_ptr<const KeyTrack> share_table(const std::shared_ptr<const TimeTable>& table, LayerStore& store);
+
 KeyTrack build_table(const TimeTable& table);
 
 // The face with all cues upon it, not yet held within its limits; the head's turn is the track's and the

@@ -1,4 +1,6 @@
 // Cues, laws, scripts, tables and other files, from the text to the plain values.
+#include <fmt/format.h>
+
 #include "config/config_fixture.hpp"
 
 namespace mien {
@@ -261,6 +263,131 @@ TEST(clip, tells_what_is_wrong_in_a_table) {
   EXPECT_NE(mistakes("lips.upper\n0\n").find("no column is the time"), std::string::npos);
   EXPECT_NE(mistakes("").find("talk.csv"), std::string::npos);
   EXPECT_NE(mistakes("time,lips.upper\n").find("there are no rows"), std::string::npos);
+}
+
+std::string repeat(const std::string& line, int count) {
+  std::string text;
+  for (int i = 0; i < count; ++i) text += line;
+  return text;
+}
+
+// A hundred tracks of one file were a hundred tables.
+TEST(clip, a_table_is_read_once) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "talk.csv", "time,lips.upper\n0,0.1\n1,0.2\n");
+  write_file(folder / "main.yaml", "mien: 1\nclip:\n  tracks:\n" + repeat("    - {csv: talk.csv}\n", 3) +
+                                       "    - {csv: talk.csv, between: spline}\n");
+  const ClipSpec clip = load_spec(folder / "main.yaml", *find_language()).clip;
+  ASSERT_EQ(clip.cues.size(), 4u);
+  EXPECT_EQ(clip.cues[0].table, clip.cues[1].table);
+  EXPECT_EQ(clip.cues[0].table, clip.cues[2].table);
+  EXPECT_NE(clip.cues[0].table, clip.cues[3].table) << "another way between its rows";
+}
+
+TEST(clip, tells_the_first_part_that_is_one_too_many) {
+  const std::string law = "    - {area: brows, move: up, value: 0.1}\n";
+  EXPECT_EQ(
+      find_text_mistakes("mien: 1\nclip:\n  laws:\n" + repeat(law, 20001)),
+      "test.yaml:20004:7: error: more than 20000 keys, cues, laws and tracks; expected fewer (those of a "
+      "script count for each set of parameters that it is played with)\n  " +
+          law + "        ^");
+}
+
+TEST(clip, tells_the_first_formula_that_is_one_too_many) {
+  const std::string law = "    - {area: brows, move: up, value: \"sin(t)\"}\n";
+  EXPECT_EQ(
+      find_text_mistakes("mien: 1\nclip:\n  length: 1f\n  laws:\n" + repeat(law, 4001)),
+      "test.yaml:4005:38: error: more than 4000 formulas; expected fewer (those of a script count for each "
+      "set of parameters that it is played with)\n  " +
+          law + "                                       ^");
+}
+
+// Six scripts of ten cues that play each other were a million faces at one moment.
+TEST(clip, tells_a_clip_that_is_too_much_work) {
+  std::string text = "mien: 1\nclip:\n  length: 4s\n  scripts:\n";
+  for (int layer = 0; layer < 6; ++layer) {
+    text += fmt::format("    s{}:\n", layer);
+    text += layer == 5
+                ? "      keys: [{at: 0s, express: smile}, {at: 1s, express: neutral}]\n"
+                : "      cues:\n" + repeat(fmt::format("        - {{from: 0s, play: s{}}}\n", layer + 1), 10);
+  }
+  EXPECT_EQ(
+      find_text_mistakes(text + "  cues: [{from: 0s, play: s0}, {from: 0s, play: s0}]\n"),
+      "test.yaml:3:3: error: 'clip' is 8e+07 numbers to work out over its 96 frames; expected 4e+07 at most: "
+      "fewer cues, laws and formulas at one time, or a shorter clip (a script counts with all that it "
+      "plays)\n"
+      "    length: 4s\n"
+      "    ^");
+  EXPECT_EQ(find_text_mistakes(text + "  cues: [{from: 0s, play: s1}]\n"), "");
+}
+
+// A formula is tried at every frame with the inputs that it uses: here a second's work each.
+TEST(clip, tells_formulas_that_take_too_long_to_try) {
+  std::string text = "mien: 1\nclip:\n  length: 100s\n  inputs:\n    i0: \"sin(t)\"\n";
+  for (int i = 1; i < 60; ++i)
+    text += fmt::format("    i{}: \"i{}*0.9{}\"\n", i, i - 1, repeat("+sin(t)", 100));
+  const std::string law = "    - {area: brows, move: up, value: \"0.001*i59\"}\n";
+  const std::string mistakes = find_text_mistakes(text + "  laws:\n" + repeat(law, 60));
+  EXPECT_EQ(
+      mistakes.substr(mistakes.find('\n') + 1),
+      "    length: 100s\n    ^\n"
+      "test.yaml:81:38: error: with 'clip.laws.value' the formulas before it take too long to try at every "
+      "time; expected fewer, shorter ones or fewer that use each other\n  " +
+          law + "                                       ^");
+}
+
+TEST(clip, texts_that_it_names_are_not_too_long_together) {
+  const auto folder = make_test_folder("_files");
+  std::string text = "mien: 1\nclip:\n  tracks:\n";
+  for (int i = 0; i < 5; ++i) {
+    const std::string name = fmt::format("t{}.csv", i);
+    write_file(folder / name, "time,lips.upper\n0,0\n" + std::string(999'980, ' '));
+    text += "    - {csv: " + name + "}\n";
+  }
+  write_file(folder / "main.yaml", text);
+  EXPECT_EQ(
+      find_mistakes(folder / "main.yaml"),
+      "main.yaml:8:13: error: 't4.csv' makes the texts that are named here 5000000 bytes long; expected "
+      "4194304 at most, all together\n"
+      "      - {csv: t4.csv}\n"
+      "              ^");
+}
+
+TEST(clip, tells_a_table_of_more_columns_than_there_are) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "talk.csv", "time" + repeat(",lips.upper", 5000) + "\n0\n");
+  write_file(folder / "main.yaml", "mien: 1\nclip: {tracks: [{csv: talk.csv}]}\n");
+  EXPECT_EQ(find_mistakes(folder / "main.yaml").substr(0, 57),
+            "talk.csv:1:1: error: this line has 5001 columns; expected");
+}
+
+// Whatever a link or a path leads to: of what is no file for mien nothing is shown.
+TEST(clip, shows_nothing_of_a_file_that_is_of_another_kind) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "secret", "root:x:hidden\n\t- [hidden\n");
+  for (const char* link : {"link.yaml", "link.csv"}) std::filesystem::create_symlink("secret", folder / link);
+  const std::string no_file =
+      "link.yaml: error: is no file for mien: it has none of the keys mien, head, clip, expressions; "
+      "expected a "
+      "file that begins with 'mien: 1'";
+  for (const auto& [text, told] : std::vector<std::pair<std::string, std::string>>{
+           {"clip: {include: [link.yaml]}", no_file},
+           {"head: {mix: {link.yaml: 1}}", no_file},
+           {"actors: {a: {head: link.yaml}}", no_file},
+           {"clip: {tracks: [{csv: link.csv}]}",
+            "link.csv: error: is no table: none of the words of its first line is a column; expected time, "
+            "frame or "
+            "a move such as lips.upper"}}) {
+    write_file(folder / "main.yaml", "mien: 1\n" + text + "\n");
+    EXPECT_EQ(find_mistakes(folder / "main.yaml"), told) << text;
+  }
+  write_file(folder / "empty.yaml", "# nothing\n");
+  write_file(folder / "empty.csv", "");
+  write_file(folder / "main.yaml", "mien: 1\nclip: {include: [empty.yaml], tracks: [{csv: empty.csv}]}\n");
+  EXPECT_EQ(find_mistakes(folder / "main.yaml"),
+            "empty.csv:1:1: error: the file is empty; expected a line of names such as time,lips.upper and a "
+            "line for each time\n"
+            "empty.yaml:1:1: error: the file is empty; expected a file that begins with 'mien: 1'");
 }
 
 }  // namespace

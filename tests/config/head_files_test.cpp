@@ -103,5 +103,39 @@ TEST(sculpt, strokes_lose_their_side) {
   EXPECT_EQ(head.sculpt[1].radius_mm, 20);
 }
 
+TEST(head_files, different_scans_are_few) {
+  const auto folder = make_test_folder();
+  std::string mix, twice;
+  for (int i = 0; i < 5; ++i) {
+    write_file(folder / fmt::format("s{}.ply", i), "");
+    write_file(folder / fmt::format("s{}.yaml", i), "");
+    write_head(folder / fmt::format("m{}.yml", i), fmt::format("{{scan: s{}.ply}}", i));
+    write_head(folder / fmt::format("n{}.yml", i), "{scan: s0.ply}");
+    mix += fmt::format("m{}.yml: 1, ", i);
+    twice += fmt::format("n{}.yml: 1, ", i);
+  }
+  write_head(folder / "main.yml", "{mix: {" + mix + "}}");
+  EXPECT_EQ(find_mistakes(folder / "main.yml"),
+            "m4.yml:2:14: error: more than 4 different scans; expected fewer\n"
+            "  head: {scan: s4.ply}\n"
+            "               ^");
+  write_head(folder / "main.yml", "{mix: {" + twice + "}}");
+  EXPECT_EQ(find_mistakes(folder / "main.yml"), "") << "one scan is wrapped once";
+}
+
+TEST(head_files, keys_of_a_head_and_strokes_are_few) {
+  std::string keys = "mien: 1\nclip:\n  head:\n", strokes = "mien: 1\nhead:\n  sculpt:\n";
+  for (int i = 0; i < 31; ++i) keys += fmt::format("    - {{at: {}s, age: child}}\n", i);
+  for (int i = 0; i < 201; ++i) strokes += "    - {at: chin, move: [0, -1mm, 0]}\n";
+  EXPECT_EQ(find_text_mistakes(keys),
+            "test.yaml:34:7: error: more than 30 keys of 'clip.head'; expected fewer\n"
+            "      - {at: 30s, age: child}\n"
+            "        ^");
+  EXPECT_EQ(find_text_mistakes(strokes),
+            "test.yaml:204:7: error: more than 200 strokes of 'sculpt'; expected fewer\n"
+            "      - {at: chin, move: [0, -1mm, 0]}\n"
+            "        ^");
+}
+
 }  // namespace
 }  // namespace mien

@@ -93,7 +93,7 @@ TEST(own_half, another_head_comes_back_as_it_was) {
   spec.age = {{"child", 1.0}};
   spec.features = {{"nose_length", 1.0}};
   const HeadForm child = build_form(stock(), spec);
-  const HeadForm back = build_own_half(stock(), write_half(compute_half_places(stock(), child.points)));
+  const HeadForm back = build_own_half(stock(), write_half(compute_half_places(stock(), child.points))).form;
   EXPECT_NEAR(back.eye.radius_mm, child.eye.radius_mm, 0.02 * child.eye.radius_mm);
   EXPECT_LT(glm::distance(back.eye.centre, child.eye.centre), 0.3);
   const auto wanted = compute_half_places(stock(), child.points),

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
 
 #include "core/crossings.hpp"
 #include "core/data.hpp"
@@ -17,6 +18,7 @@
 #include "head/nearest.hpp"
 #include "head/own_half.hpp"
 #include "head/surface.hpp"
+#include "head/wrap.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -85,6 +87,19 @@ std::string find_fault(const std::string& landmarks, const std::string& mesh = "
       text += format_diagnostic(diagnostic) + "\n";
     }
     return text;
+  }
+  return "";
+}
+
+// The same of what is told when it is wrapped.
+std::string find_wrap_fault(const std::string& landmarks) {
+  if (std::string fault = find_fault(landmarks); !fault.empty()) return fault;
+  try {
+    wrap_scan(stock(), load_scan_files(stock(), find_file("fault.obj"), false));
+  } catch (const InputError& e) {
+    Diagnostic diagnostic = e.diagnostics.at(0);
+    diagnostic.place.file = fs::path(diagnostic.place.file).filename();
+    return format_diagnostic(diagnostic) + "\n";
   }
   return "";
 }
@@ -232,6 +247,82 @@ TEST(scan, tells_what_is_wrong_with_its_landmarks) {
             "fault.yaml:1:1: error: the file has no 'landmarks'; expected names and places\n");
   EXPECT_EQ(find_fault("mien: 1\nlandmarks: {}\n").substr(0, 50),
             "fault.yaml:1:1: error: unknown key 'mien'; known: ");
+}
+
+// Mistakes that only the heads' shape shows have their place in the file all the same.
+TEST(scan, tells_where_a_landmark_is_wrong) {
+  std::string text = build_landmarks(build_sitter(), {"_l", "_r"});
+  const auto find_line_of = [&](const std::string& name) {
+    const auto at = text.begin() + static_cast<std::ptrdiff_t>(text.find("  " + name + ":"));
+    return std::count(text.begin(), at, '\n') + 1;
+  };
+  const std::string unit_told = text + "unit: mm\n";
+  EXPECT_EQ(
+      find_wrap_fault(unit_told),
+      fmt::format("fault.yaml:{}:7: error: with this unit the head is 0.000968 times as large as an adult's; "
+                  "expected 0.4 to 2.5, or no unit at all\n  unit: mm\n        ^\n",
+                  std::ranges::count(text, '\n') + 1));
+  const std::size_t inner = text.find("en_l"), outer = text.find("ex_l");
+  text.replace(outer, 4, "en_l");
+  text.replace(inner, 4, "ex_l");
+  const std::string fault = find_wrap_fault(text);
+  EXPECT_TRUE(fault.starts_with(fmt::format("fault.yaml:{}:9: error: landmarks '", find_line_of("en_l"))))
+      << fault;
+  EXPECT_NE(fault.find("look exchanged: they lie "), std::string::npos) << fault;
+}
+
+TEST(scan, tells_a_file_of_landmarks_that_is_none) {
+  EXPECT_EQ(find_fault(""),
+            "fault.yaml:1:1: error: the file is empty; expected landmarks: {prn: [x, y, z], ...}\n");
+  EXPECT_EQ(find_fault("root:x:hidden\n- [hidden\n"),
+            "fault.yaml: error: is no file of landmarks: it has none of the keys landmarks, unit; expected "
+            "landmarks: {prn: [x, y, z], ...}\n");
+}
+
+// A point a kilometre off made one box of the whole head: a minute of looking.
+TEST(scan, points_astray_are_left_out_and_told) {
+  const NeutralHead sitter = build_sitter();
+  const std::string obj = build_obj(sitter, -1e9);
+  write_file(find_file("stray.yaml"), build_landmarks(sitter, {"_l", "_r"}));
+  write_file(find_file("stray.obj"), obj);
+  const Scan plain = load_scan_files(stock(), find_file("stray.obj"), false);
+  EXPECT_TRUE(plain.warnings.empty());
+  const std::size_t count = plain.mesh.positions.size();
+  write_file(find_file("stray.obj"), obj + fmt::format("v 1000 0 0\nv 0 2000 0\nf 1 2 {}\n", count + 1));
+  const Scan stray = load_scan_files(stock(), find_file("stray.obj"), false);
+  EXPECT_TRUE(stray.mesh.positions == plain.mesh.positions);
+  EXPECT_EQ(stray.mesh.corners, plain.mesh.corners);
+  ASSERT_EQ(stray.warnings.size(), 1u);
+  EXPECT_TRUE(stray.warnings[0].is_warning);
+  EXPECT_EQ(stray.warnings[0].message.substr(0, 68),
+            fmt::format("2 of {} points are astray, up to 2000 from the middle of the others,", count + 2)
+                .substr(0, 68));
+  EXPECT_EQ(wrap_scan(stock(), stray).form.points, wrap_scan(stock(), plain).form.points);
+}
+
+TEST(scan, refuses_what_has_no_surface) {
+  const std::string landmarks = build_landmarks(build_sitter(), {"_l", "_r"});
+  std::string points;
+  for (int i = 0; i < 300; ++i) points += "v 0 0 0\n";
+  EXPECT_EQ(find_fault(landmarks, points),
+            "fault.obj: error: has 1 different points and no faces; expected a surface, or a cloud of 100 "
+            "points at "
+            "least\n");
+  EXPECT_EQ(find_fault(landmarks, points + "f 1 2 3\nf 4 5 6\n"),
+            "fault.obj: error: none of its 2 faces has an area; expected a surface\n");
+}
+
+// What a scan was made into stays with the stock: a head that grows is sixty heads and one scan.
+TEST(scan, is_wrapped_once) {
+  HeadSpec spec;
+  spec.scan = FileReference{find_data_folder() / "configs/scans/model.ply", {}};
+  const HeadForm plain = build_form(stock(), spec);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(build_form(stock(), spec).points, plain.points);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(2));
+  const std::vector<StartNote> notes = list_start_notes(stock(), spec);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_TRUE(notes[0].warnings.empty()) << format_diagnostic(notes[0].warnings.front());
 }
 
 }  // namespace

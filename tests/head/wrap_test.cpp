@@ -206,13 +206,32 @@ struct Outcome {
   double ear = 0;    // and of one on the ear, which keeps its own form
   double seconds = 0;
   HeadForm form;
+  WrapWorth worth;
+  std::string warnings;
 };
+
+std::string describe_worth(const WrapWorth& worth) {
+  return fmt::format(
+      "covered {:.2f}, {:.2f} mm off, {:.3f} far off, {:.3f} agreeing, {:.3f} stray, {} folded, "
+      "landmarks {:.1f} mm off",
+      worth.covered, worth.rms_mm, worth.off, worth.agreeing, worth.stray_points, worth.folded,
+      worth.mark_mm);
+}
+
+std::string join_warnings(const Wrap& wrap) {
+  std::string text;
+  for (const Diagnostic& warning : wrap.warnings) text += warning.message + "\n";
+  return text;
+}
 
 Outcome wrap(const NeutralHead& head, const ScanMaking& making) {
   const Scan scan = build_scan(head, making);
   const auto begin = std::chrono::steady_clock::now();
   Outcome outcome;
-  outcome.form = wrap_head(stock(), scan);
+  const Wrap result = wrap_scan(stock(), scan);
+  outcome.form = result.form;
+  outcome.worth = result.worth;
+  outcome.warnings = join_warnings(result);
   outcome.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   // Both in one frame: the same points stand for the same places.
   const NeutralHead wrapped = build_bare_head(stock(), outcome.form.points);
@@ -285,9 +304,11 @@ TEST(wrap, comes_back_with_the_shape_that_was_scanned) {
     EXPECT_LT(outcome.ear, 3) << sitter.name;  // an ear keeps its own form: its notch is where that has it
     EXPECT_NEAR(outcome.form.eye.radius_mm / head.eye.radius_mm, 1, is_off ? 0.06 : 0.03) << sitter.name;
     EXPECT_EQ(std::abs(outcome.form.eye.centre.y), 0) << sitter.name;
+    EXPECT_EQ(outcome.warnings, "") << sitter.name;
     RecordProperty(sitter.name,
-                   fmt::format("mean {:.3f} max {:.2f} back {:.3f} {:.2f} in {:.1f} s", outcome.out.mean,
-                               outcome.out.max, outcome.back.mean, outcome.back.max, outcome.seconds));
+                   fmt::format("mean {:.3f} max {:.2f} back {:.3f} {:.2f} in {:.1f} s; {}", outcome.out.mean,
+                               outcome.out.max, outcome.back.mean, outcome.back.max, outcome.seconds,
+                               describe_worth(outcome.worth)));
   }
 }
 
@@ -325,8 +346,8 @@ TEST(wrap, ears_take_place_size_and_angle_of_the_scans_and_keep_their_own_form) 
   const std::vector<glm::dvec3> theirs = pick(head.skin.positions, ear),
                                 own = pick(adult.skin.positions, ear);
   const Scan scan = build_scan(head, {});
-  EXPECT_TRUE(list_kept_parts(stock(), scan).empty());
-  const NeutralHead wrapped = build_bare_head(stock(), wrap_head(stock(), scan).points);
+  EXPECT_TRUE(wrap_scan(stock(), scan).kept.empty());
+  const NeutralHead wrapped = build_bare_head(stock(), wrap_scan(stock(), scan).form.points);
   std::vector<glm::dvec3> from, to;
   for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
     if (is_unseen(v)) continue;
@@ -344,8 +365,8 @@ TEST(wrap, keeps_our_own_ears_where_a_scan_has_none_and_says_so) {
   making.has_ears = false;
   const NeutralHead head = build_neutral_head(shipped().heads, list_sitters()[1].spec);
   const Scan scan = build_scan(head, making);
-  EXPECT_EQ(list_kept_parts(stock(), scan), std::vector<std::string>{"ears"});
-  const NeutralHead wrapped = build_bare_head(stock(), wrap_head(stock(), scan).points);
+  EXPECT_EQ(wrap_scan(stock(), scan).kept, std::vector<std::string>{"ears"});
+  const NeutralHead wrapped = build_bare_head(stock(), wrap_scan(stock(), scan).form.points);
   const NeutralHead adult = build_bare_head(stock(), stock().adult.points);
   const auto own = pick(adult.skin.positions, list_ear()), ours = pick(wrapped.skin.positions, list_ear());
   EXPECT_LT(find_mean_miss(fit_similarity(own, ours), own, ours), 1);
@@ -362,7 +383,7 @@ TEST(wrap, nostrils_keep_their_form) {
   for (const Sitter& sitter : list_sitters()) {
     const NeutralHead head = build_neutral_head(shipped().heads, sitter.spec);
     const NeutralHead wrapped =
-        build_bare_head(stock(), wrap_head(stock(), build_scan(head, sitter.making)).points);
+        build_bare_head(stock(), wrap_scan(stock(), build_scan(head, sitter.making)).form.points);
     const auto ours = pick(wrapped.skin.positions, rim);
     EXPECT_LT(find_mean_miss(fit_similarity(own, ours), own, ours), 1) << sitter.name;
   }
@@ -371,17 +392,17 @@ TEST(wrap, nostrils_keep_their_form) {
 TEST(wrap, is_the_same_every_time_and_its_own_mirror_image) {
   const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
   const Scan scan = build_scan(head, {1, 1000, false, -140, 3});
-  const HeadForm once = wrap_head(stock(), scan), again = wrap_head(stock(), scan);
+  const HeadForm once = wrap_scan(stock(), scan).form, again = wrap_scan(stock(), scan).form;
   EXPECT_TRUE(once.points == again.points);
   for (std::size_t i = 0; i < once.points.size(); ++i)
     ASSERT_TRUE(once.points[stock().adult.mirror[i]] == once.points[i] * glm::dvec3(-1, 1, 1) ||
                 stock().adult.mirror[i] == i);
 }
 
-// What wrap_head says of the scan; empty if it wraps it.
+// What wrap_scan says of the scan; empty if it wraps it.
 std::string find_fault(const Scan& scan) {
   try {
-    wrap_head(stock(), scan);
+    wrap_scan(stock(), scan);
   } catch (const InputError& e) {
     return e.diagnostics.at(0).message;
   }
@@ -391,17 +412,17 @@ std::string find_fault(const Scan& scan) {
 TEST(wrap, a_face_alone_or_wound_inward_will_do) {
   const NeutralHead head = build_neutral_head(shipped().heads, list_sitters()[1].spec);
   Scan scan = build_scan(head, {});
-  const HeadForm whole = wrap_head(stock(), scan);
+  const HeadForm whole = wrap_scan(stock(), scan).form;
   for (std::size_t i = 0; i + 2 < scan.mesh.corners.size(); i += 3)
     std::swap(scan.mesh.corners[i], scan.mesh.corners[i + 2]);
-  const HeadForm inward = wrap_head(stock(), scan);
+  const HeadForm inward = wrap_scan(stock(), scan).form;
   for (std::size_t i = 0; i < whole.points.size(); ++i)
     ASSERT_LT(glm::distance(inward.points[i], whole.points[i]), 0.05);
 
   ScanMaking face;
   face.neck_mm = -125;
   face.least_z_mm = -15;
-  const HeadForm alone = wrap_head(stock(), build_scan(head, face));
+  const HeadForm alone = wrap_scan(stock(), build_scan(head, face)).form;
   const NeutralHead wrapped = build_bare_head(stock(), alone.points);
   std::vector<glm::dvec3> ours, theirs;  // of the face
   for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
@@ -437,7 +458,7 @@ TEST(wrap, refuses_landmarks_that_are_no_heads) {
     for (auto& entry : mark.place) entry.first = stock().adult.mirror[entry.first];
   EXPECT_EQ(find_fault(scan), "the landmarks' sides are swapped; expected _l on the character's own left");
   scan = good;
-  std::swap(scan.marks.front().at, scan.marks.back().at);
+  scan.marks.front().at += 0.3 * (scan.marks.front().at - scan.marks.back().at) + glm::dvec3(0, 90, 0);
   EXPECT_TRUE(find_fault(scan).ends_with("on a head of our size; expected 30 at most")) << find_fault(scan);
   scan = good;
   for (ScanMark& mark : scan.marks) mark.at = glm::dvec3(1, 2, 3);
@@ -452,6 +473,98 @@ TEST(wrap, refuses_landmarks_that_are_no_heads) {
   EXPECT_EQ(find_fault(scan),
             "with this unit the head is 1e+03 times as large as an adult's; expected 0.4 to 2.5, or no unit "
             "at all");
+  scan.unit_mm = 0;
+  for (glm::dvec3& p : scan.mesh.positions) p *= 150;
+  for (ScanMark& mark : scan.marks) mark.at *= 150;
+  EXPECT_EQ(find_fault(scan),
+            "in mm, cm, in and m alike the head is no head's size, at best 150 times an adult's; expected "
+            "0.4 to 2.5");
+}
+
+TEST(wrap, says_that_a_unit_would_tell_how_large_a_head_is) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  for (glm::dvec3& p : scan.mesh.positions) p *= 1.5;
+  for (ScanMark& mark : scan.marks) mark.at *= 1.5;
+  scan.mesh.file = "face.ply";
+  EXPECT_EQ(
+      join_warnings(wrap_scan(stock(), scan)),
+      "the head is 1.5 times as large as an adult's in the unit that fits best: say the scan's unit, such as "
+      "unit: mm\n");
+  scan.unit_mm = 1;
+  EXPECT_EQ(join_warnings(wrap_scan(stock(), scan)), "") << "who says so knows";
+}
+
+// Inner and outer corners of the eyes lie some 29 mm apart: less than a landmark may miss.
+TEST(wrap, tells_landmarks_that_are_exchanged) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  const Scan good = build_scan(head, {1});
+  const auto find = [&](const char* name, int which) {
+    for (std::size_t i = 0; i < good.marks.size(); ++i)
+      if (good.marks[i].name == name && which-- == 0) return i;
+    throw std::runtime_error(name);
+  };
+  for (const auto& [a, b] : {std::pair{find("en", 0), find("ex", 0)},
+                             {find("en", 1), find("ex", 1)},
+                             {find("en", 0), find("en", 1)},
+                             {find("ch", 0), find("ch", 1)},
+                             {find("prn", 0), find("sn", 0)},
+                             {find("n", 0), find("prn", 0)}}) {
+    Scan scan = good;
+    std::swap(scan.marks[a].at, scan.marks[b].at);
+    EXPECT_EQ(
+        find_fault(scan).find(fmt::format("landmarks '{}' and '{}' look exchanged: they lie ",
+                                          scan.marks[std::min(a, b)].name, scan.marks[std::max(a, b)].name)),
+        0u)
+        << find_fault(scan);
+  }
+  Scan scan = good;
+  for (const int which : {0, 1})
+    std::swap(scan.marks[find("en", which)].at, scan.marks[find("ex", which)].at);
+  EXPECT_EQ(find_fault(scan).substr(0, 40), "landmarks 'en' and 'ex' look exchanged: ") << find_fault(scan);
+}
+
+// Its points are a face's, its triangles join any three of them.
+TEST(wrap, refuses_triangles_that_make_no_surface) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  std::mt19937 random(3);
+  for (std::uint32_t& corner : scan.mesh.corners)
+    corner = static_cast<std::uint32_t>(random() % scan.mesh.positions.size());
+  EXPECT_TRUE(find_fault(scan).ends_with("expected 20 times at most: they make no surface"))
+      << find_fault(scan);
+}
+
+TEST(wrap, says_how_much_of_the_face_a_scan_shows) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  ScanMaking making;
+  making.neck_mm = -35;  // the nose and what lies above it
+  const Wrap upper = wrap_scan(stock(), build_scan(head, making));
+  EXPECT_LT(upper.worth.covered, 0.7) << describe_worth(upper.worth);
+  EXPECT_EQ(upper.warnings.front().message,
+            fmt::format(
+                "only {:.0f} of 100 places of the face lie near the scan: the others are made up; scan more "
+                "of the face, or see whether its landmarks are right",
+                100 * upper.worth.covered));
+  making.neck_mm = 25;  // the forehead alone
+  EXPECT_EQ(find_fault(build_scan(head, making)).substr(0, 5), "only ");
+}
+
+TEST(wrap, warns_of_a_landmark_that_lies_elsewhere) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  const auto mark = std::ranges::find(scan.marks, "gn", &ScanMark::name);
+  mark->at += 0.2 * (scan.marks.front().at - mark->at);  // up from the chin, 20 mm
+  mark->said = {{"face.yaml", 7, 3}, "  gn: [0, 0, 0]"};
+  const Wrap wrapped = wrap_scan(stock(), scan);
+  ASSERT_FALSE(wrapped.warnings.empty()) << describe_worth(wrapped.worth);
+  EXPECT_EQ(
+      format_diagnostic(wrapped.warnings.back()),
+      fmt::format(
+          "face.yaml:7:3: warning: landmark 'gn' lies {:.1f} mm from where the wrapped head has it: the "
+          "scan or the landmarks around it say otherwise\n    gn: [0, 0, 0]\n    ^",
+          wrapped.worth.mark_mm));
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <bit>
+#include <chrono>
 #include <random>
 
 #include "core/error.hpp"
@@ -111,6 +112,17 @@ TEST(obj, tells_what_is_wrong_and_in_which_line) {
             "a.obj: error: has no faces; expected a surface of triangles or quads");
 }
 
+// Of a file of another kind, whatever link leads to it, nothing is shown.
+TEST(geometry, shows_nothing_of_a_file_that_is_no_mesh) {
+  const std::string secret = "root:x:hidden\nv hidden\n";
+  EXPECT_EQ(find_fault("a.obj", secret),
+            "a.obj:1: error: no word of an OBJ file; expected v, f or another one");
+  EXPECT_EQ(find_fault("a.ply", secret),
+            "a.ply:1: error: the file does not begin with the word 'ply'; expected a PLY file");
+  EXPECT_EQ(find_fault("a.stl", secret),
+            "a.stl: error: ends at byte 23, within its head; expected an STL of 84 bytes at least");
+}
+
 TEST(geometry, opens_only_what_it_can_read) {
   EXPECT_EQ(find_fault("empty.obj", " \n"), "empty.obj: error: is empty; expected a mesh");
   EXPECT_EQ(find_fault("a.blend", "x"),
@@ -171,7 +183,8 @@ TEST(ply, is_read_as_text_and_binary) {
 
 TEST(ply, tells_what_is_wrong_and_where) {
   const std::string whole = build_binary_ply(), head = build_ply_head("ascii");
-  EXPECT_EQ(find_fault("a.ply", "x\n"), "a.ply:1: error: begins with 'x'; expected the word 'ply'");
+  EXPECT_EQ(find_fault("a.ply", "x\n"),
+            "a.ply:1: error: the file does not begin with the word 'ply'; expected a PLY file");
   EXPECT_EQ(
       find_fault("a.ply", "ply\nformat text 1.0\n"),
       "a.ply:2: error: unknown format 'text'; expected ascii, binary_little_endian or binary_big_endian");
@@ -190,8 +203,31 @@ TEST(ply, tells_what_is_wrong_and_where) {
             "a.ply:16: error: face 0 names vertex 4; expected numbers from 0 to 3");
   EXPECT_EQ(find_fault("a.ply", head + "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n2 0 1\n"),
             "a.ply:16: error: face 0 is a list of 2; expected 3 points or more");
+  EXPECT_EQ(find_fault("a.ply", head + "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n-1\n"),
+            "a.ply:16: error: face 0 has a list of -1; expected 0 to 10000");
+  EXPECT_EQ(
+      find_fault("a.ply",
+                 "ply\nformat ascii 1.0\nelement vertex 1\nproperty list float float x\nproperty float y\n"
+                 "property float z\nend_header\n1e300 1\n"),
+      "a.ply:8: error: vertex 0 has a list of 1e+300; expected 0 to 10000");
+  EXPECT_EQ(
+      find_fault("a.ply", "ply\nformat ascii 1.0\nelement vertex 2000000\nproperty float x\nend_header\n"),
+      "a.ply:5: error: element vertex has no property 'y'; expected x, y and z");
   EXPECT_EQ(find_fault("a.ply", head + "0 0 0 1\n"),
             "a.ply:12: error: the file ends within vertex 2 of 4; expected all of them");
+}
+
+// Twenty kilobytes of them took minutes.
+TEST(ply, elements_without_properties_cost_nothing) {
+  std::string bytes = build_ply_head("ascii");
+  std::string empty;
+  for (int i = 0; i < 1000; ++i) empty += "element e" + std::to_string(i) + " 8000000\n";
+  bytes.insert(bytes.find("end_header"), empty);
+  const auto begin = std::chrono::steady_clock::now();
+  const Polygons mesh =
+      load_polygons(write_mesh("empty.ply", bytes + "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n4 0 1 2 3\n"));
+  EXPECT_EQ(mesh.face_count(), 1u);
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
 }
 
 // Bytes cut off, changed or made up: told or read, and never more than that.
