@@ -55,6 +55,17 @@ TEST(commands, tell_mistakes_as_json_lines) {
     EXPECT_TRUE(object.at("message").is_string());
   }
   EXPECT_EQ(count, 2);
+
+  // What JSON would take for its own stands escaped, and what it was is read back.
+  write_file(folder / "a \"b\" \\c.yaml", "mien: 1\n'ha\"e\\d': {}\ntitle: \"a\\tb\"\n");
+  const ProgramRun odd = run_shell(folder, "mien check 'a \"b\" \\c.yaml' --json");
+  EXPECT_EQ(odd.status, 2);
+  ASSERT_EQ(std::ranges::count(odd.err, '\n'), 2) << odd.err;
+  const auto object = nlohmann::json::parse(odd.err.substr(0, odd.err.find('\n')));
+  EXPECT_EQ(object.at("file"), "a \"b\" \\c.yaml");
+  EXPECT_EQ(object.at("line"), 2);
+  EXPECT_EQ(object.at("column"), 1);
+  EXPECT_TRUE(object.at("message").get<std::string>().starts_with("unknown key 'ha\"e\\d'; ")) << odd.err;
 }
 
 TEST(commands, write_nothing_if_the_file_is_wrong) {

@@ -82,6 +82,16 @@ TEST(picture, has_no_key_unless_it_is_whole) {
   EXPECT_EQ(read_picture_size(path).width_px, 8);
 }
 
+TEST(picture, has_no_key_unless_its_pixels_decode) {
+  // As above: every chunk is whole, yet rows are missing.
+  constexpr std::size_t kHeaderEnd = 8 + 25;
+  const std::string mixed =
+      build_picture(8, 60).substr(0, kHeaderEnd) + build_picture(8, 6).substr(kHeaderEnd);
+  const Scratch scratch;
+  write_file(scratch.path / "a.png", mark_picture(mixed, "k"));
+  EXPECT_EQ(read_picture_key(scratch.path / "a.png"), "");
+}
+
 TEST(picture, is_pasted_into_a_page_that_reads_back) {
   Pixels page{{5, 4}, std::vector<std::uint8_t>(60, 200)};
   Pixels part{{2, 2}, {}};

@@ -224,6 +224,24 @@ TEST(asymmetry, is_seen_by_itself_and_stays_on_its_side) {
     }
 }
 
+TEST(asymmetry, makes_the_side_weaker_that_it_says_and_the_right_one_more_often) {
+  constexpr int kSeeds = 2000;
+  int on_the_right = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const Asymmetry asymmetry = build_asymmetry({0.2, static_cast<std::uint64_t>(seed)}, {0});
+    Pose even;
+    for (const Side side : {Side::left, Side::right}) even.values[*find_move(Area::corner, side, "up")] = 0.8;
+    const Pose leaning = sample_leaning(asymmetry, 0, [&](double, const auto&) { return even; });
+    const auto corner = std::ranges::find(asymmetry.areas, "corner", &AreaLean::area);
+    ASSERT_NE(corner, asymmetry.areas.end());
+    const Side strong = corner->weak == Side::left ? Side::right : Side::left;
+    EXPECT_DOUBLE_EQ(value_of(leaning, "corner", corner->weak, "up"), 0.8 * (1 - corner->weakness));
+    EXPECT_EQ(value_of(leaning, "corner", strong, "up"), 0.8);
+    if (corner->weak == Side::right) ++on_the_right;
+  }
+  EXPECT_NEAR(static_cast<double>(on_the_right) / kSeeds, 0.59, 0.04);
+}
+
 TEST(asymmetry, leaves_a_shut_lid_shut) {
   ClipSpec clip;
   clip.keys = {build_key(0, -1)};
