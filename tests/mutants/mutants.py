@@ -18,6 +18,7 @@ All faults are built into one program, which asks the environment variable MIEN_
 import argparse
 import concurrent.futures
 import dataclasses
+import fnmatch
 import hashlib
 import json
 import os
@@ -184,7 +185,7 @@ def build(checkout, folder, jobs):
     log = folder / "mutants.log"
     configure = ["cmake", "-S", checkout, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DMIEN_BENCH=OFF",
                  "-DMIEN_WERROR=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w"]
-    make = ["nice", "-n", "5", "cmake", "--build", folder, "-j", str(jobs), "--target", "mien", "mien_tests"]
+    make = ["nice", "-n", "5", "cmake", "--build", folder, "-j", str(jobs), "--target", "mien", "mien_tests", "--", "-k"]
     with open(log, "w") as out:
         for command in (configure, make):
             if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT).returncode != 0:
@@ -209,12 +210,12 @@ class Ended:
     seconds: float
 
 
-def run_tests(program, tests, number, limit_s):
-    """Runs some tests with one fault shown; 0 is none."""
+def run_tests(program, tests, number, limit_s, more=None):
+    """Runs some tests with one fault shown; 0 is none. What it comes to, and what was printed."""
     began = time.monotonic()
     with tempfile.TemporaryDirectory(prefix="mien-mutant-") as scratch:
-        environment = dict(os.environ, MIEN_MUTANT=str(number), TEST_TMPDIR=scratch + "/", TMPDIR=scratch)
-        command = [program, f"--gtest_filter={tests}", "--gtest_fail_fast", "--gtest_brief=1"]
+        environment = dict(os.environ, MIEN_MUTANT=str(number), TEST_TMPDIR=scratch + "/", TMPDIR=scratch, **(more or {}))
+        command = [program, f"--gtest_filter={tests}", "--gtest_fail_fast"]
 
         def bound():
             resource.setrlimit(resource.RLIMIT_AS, (12 << 30, 12 << 30))  # one that eats memory is caught, too
@@ -236,11 +237,39 @@ def run_tests(program, tests, number, limit_s):
             text = log.read()
     seconds = time.monotonic() - began
     if status == 0:
-        return Ended(" 0 tests" in text and "[  PASSED  ] 0" in text, "no such test", seconds)
+        return Ended(False, "", seconds), text
     failed = re.search(r"\[  FAILED  \] (\w+\.\w+)", text)
-    if failed:
-        return Ended(True, failed[1], seconds)
-    return Ended(True, "it hung" if status is None else f"it ended with {status}", seconds)
+    by = failed[1] if failed else "it hung" if status is None else f"it ended with {status}"
+    return Ended(True, by, seconds), text
+
+
+def matches(filters, name):
+    return any(fnmatch.fnmatchcase(name, pattern) for pattern in filters.split(":"))
+
+
+def measure_sound(program, filters, jobs):
+    """The seconds of each test that any of the filters names, without a fault; ends if one fails."""
+    names, suite = [], ""
+    for line in subprocess.run([program, "--gtest_list_tests"], capture_output=True, text=True).stdout.split("\n"):
+        if re.fullmatch(r"\w+\.", line):
+            suite = line
+        elif line.startswith("  "):
+            names.append(suite + line.strip())
+    unknown = [one for one in filters if not any(matches(one, name) for name in names)]
+    if unknown:
+        sys.exit("mutants: no test is called " + ", ".join(unknown))
+    wanted = ":".join(name for name in names if any(matches(one, name) for one in filters))
+
+    def run(shard):
+        return run_tests(program, wanted, 0, 3600, {"GTEST_TOTAL_SHARDS": str(jobs), "GTEST_SHARD_INDEX": str(shard)})
+
+    seconds = {}
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        for ended, text in pool.map(run, range(jobs)):
+            if ended.is_caught:
+                sys.exit(f"mutants: without any fault this fails: {ended.by}\n{text[-3000:]}")
+            seconds.update((name, int(ms) / 1000) for name, ms in re.findall(r" (\w+\.\w+) \((\d+) ms\)", text))
+    return seconds
 
 
 class Results:
@@ -319,21 +348,19 @@ def main():
     chosen = [mutant for mutant in mutants if mutant.id.startswith(asked.only)]
     results = Results(folder / "results.json", program)
 
+    # What fails without a fault says nothing of one. And how long each takes bounds the hung.
+    filters = sorted({m.tests for m in chosen if not results.find(m, not asked.narrow)})
+    sound = measure_sound(program, filters, asked.jobs) if filters else {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
-        # None of the faults: what fails then says nothing. And how long each takes bounds the hung.
-        tests = sorted({m.tests for m in chosen if not results.find(m, not asked.narrow)})
-        sound = dict(zip(tests, pool.map(lambda t: run_tests(program, t, 0, 900), tests)))
-        for name, ended in sound.items():
-            if ended.is_caught:
-                sys.exit(f"mutants: '{name}' fails without any fault: {ended.by}")
 
         def judge(mutant):
             known = results.find(mutant, not asked.narrow)
             if known:
                 return known
-            ended = run_tests(program, mutant.tests, mutant.number, 20 + 5 * sound[mutant.tests].seconds)
+            usual_s = sum(seconds for name, seconds in sound.items() if matches(mutant.tests, name))
+            ended, _ = run_tests(program, mutant.tests, mutant.number, 60 + 5 * usual_s)
             if not ended.is_caught and not asked.narrow:
-                ended = run_tests(program, wide, mutant.number, 1800)
+                ended, _ = run_tests(program, wide, mutant.number, 3600)
             results.keep(mutant, not asked.narrow, ended)
             return ended
 
