@@ -1,19 +1,20 @@
 #!/usr/bin/env python3
-"""Puts small faults into a copy of src/, one at a time, and tells which of them the tests let pass.
+"""Puts small faults into a copy of sources of src/, one at a time, and tells which of them the tests let pass.
 
 The faults stand in tests/mutants/ROOM.txt, one a paragraph:
 
     cue_comes_linearly cues.* timeline/cues.cpp
     A cue comes and goes at an even pace.
-    - ease(Easing::in_out, compute_led_fraction(
-    + ease(Easing::linear, compute_led_fraction(
+    - Easing::in_out
+    + Easing::linear
 
 Its name, the tests that should catch it (as GoogleTest has them), its file below src/; why it would be wrong; what
 stands there and what stands there instead. What stands there is found exactly once in the file: a piece of one line,
 either a whole expression, or whole statements up to their ";" (with nothing behind "+": they are left out). "+" may be
 as many. A line "! REASON" says why no test can notice it.
 
-All faults are built into one program, which asks the environment variable MIEN_MUTANT for the one to show.
+All faults are built into one program, which asks the environment variable MIEN_MUTANT for the one to show: their
+sources are compiled anew, all else is linked from build/, which must be there (./run mutants sees to it).
 """
 import argparse
 import concurrent.futures
@@ -25,7 +26,7 @@ import os
 import pathlib
 import re
 import resource
-import shutil
+import shlex
 import signal
 import subprocess
 import sys
@@ -37,9 +38,7 @@ import zlib
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LEAST = 120  # faults; fewer say little of this many sources
 LEAST_CAUGHT = 0.95
-SWITCH = """// Written by tests/mutants/mutants.py.
-#pragma once
-#include <cstdlib>
+SWITCH = """#include <cstdlib>
 namespace {
 inline bool is_mutant(unsigned number) {
   static const unsigned chosen = [] {
@@ -49,6 +48,7 @@ inline bool is_mutant(unsigned number) {
   return chosen == number;
 }
 }  // namespace
+#line 1
 """
 
 
@@ -144,54 +144,98 @@ def write_switched(mutant):
     return f"(is_mutant({mutant.number}u) ? ({mutant.new}) : ({mutant.old}))"
 
 
-def write_if_new(path, text):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    if not path.is_file() or path.read_bytes() != text.encode():
-        path.write_text(text)
+def write_switched_source(mutants, text):
+    """A source with all its faults in it, each shown if it is asked for."""
+    for mutant in sorted(mutants, key=lambda mutant: -text.find(mutant.old)):  # from the back
+        before, after = text.split(mutant.old)
+        text = before + write_switched(mutant) + after
+    return SWITCH + text
 
 
-def make_checkout(mutants, checkout):
-    """The project as links, but for src/, which is a copy with all faults in it."""
-    checkout.mkdir(parents=True, exist_ok=True)
-    for entry in ROOT.iterdir():
-        link = checkout / entry.name
-        if entry.name in ("src", "out", ".git") or entry.name.startswith("build") or link.is_symlink():
-            continue
-        link.symlink_to(entry)
-    wanted = set()
-    for path in (ROOT / "src").rglob("*"):
-        if not path.is_file():
-            continue
-        name = path.relative_to(ROOT / "src")
-        wanted.add(checkout / "src" / name)
-        text = path.read_text()
-        mine = [mutant for mutant in mutants if mutant.file == name.as_posix()]
-        for mutant in sorted(mine, key=lambda mutant: -text.find(mutant.old)):  # from the back
-            before, after = text.split(mutant.old)
-            text = before + write_switched(mutant) + after
-        if mine:
-            text = '#include "mutant_switch.hpp"\n#line 1\n' + text
-        write_if_new(checkout / "src" / name, text)
-    write_if_new(checkout / "src/mutant_switch.hpp", SWITCH)
-    wanted.add(checkout / "src/mutant_switch.hpp")
-    for path in (checkout / "src").rglob("*"):
-        if path.is_file() and path not in wanted:
-            path.unlink()
+def list_words(command):
+    """A command of the build, in a hurry: the faults' sources are built more often than their own speed matters."""
+    words = [word for word in shlex.split(command["command"]) if word != "-Werror" and not word.endswith("ccache")]
+    return [words[0], "-w", *("-O1" if word == "-O3" else word for word in words[1:])]
 
 
-def build(checkout, folder, jobs):
-    """Without optimising much; the log stays beside it."""
-    folder.mkdir(parents=True, exist_ok=True)
-    log = folder / "mutants.log"
-    configure = ["cmake", "-S", checkout, "-B", folder, "-DCMAKE_BUILD_TYPE=Release", "-DMIEN_BENCH=OFF",
-                 "-DMIEN_WERROR=OFF", "-DCMAKE_CXX_FLAGS_RELEASE=-O1 -w"]
-    make = ["nice", "-n", "5", "cmake", "--build", folder, "-j", str(jobs), "--target", "mien", "mien_tests", "--", "-k"]
-    with open(log, "w") as out:
-        for command in (configure, make):
-            if subprocess.run(command, stdout=out, stderr=subprocess.STDOUT).returncode != 0:
-                text = log.read_text()
-                errors = re.findall(r".*(?:error:|Error).*(?:\n.*){0,3}", text)
-                sys.exit("\n".join(errors[:8] or [text[-2000:]]) + f"\nmutants: the build failed (all of it: {log})")
+def compile_header(command, folder):
+    """The headers that most sources use, compiled once; where the sources find them, None if the build has none."""
+    words = list_words(command)
+    if "-include" not in words:
+        return None
+    at = words.index("-include")
+    header = folder / "common.hpp"
+    text = pathlib.Path(words[at + 1]).read_text()
+    if header.is_file() and header.read_text() == text and pathlib.Path(f"{header}.gch").is_file():
+        return header
+    header.write_text(text)
+    del words[at:at + 2]
+    words = words[:words.index("-o")] + ["-x", "c++-header", "-o", f"{header}.gch", str(header)]
+    subprocess.run(words, cwd=command["directory"], check=True)
+    return header
+
+
+def compile_source(command, source, target, state, header):
+    """Compiles `source` as the build does another one, unless it has done so in the same `state`; what went wrong."""
+    words = list_words(command)
+    words[words.index("-o") + 1] = str(target)
+    words[words.index("-c") + 1] = str(source)
+    if header is not None and "-include" in words:
+        words[words.index("-include") + 1] = str(header)
+    made = target.with_suffix(".made")
+    state = hashlib.sha256("\0".join([*words, source.read_text(), state]).encode()).hexdigest()
+    if target.is_file() and made.is_file() and made.read_text() == state:
+        return ""
+    target.parent.mkdir(parents=True, exist_ok=True)
+    done = subprocess.run(words, cwd=command["directory"], capture_output=True, text=True)
+    if done.returncode == 0:
+        made.write_text(state)
+        return ""
+    return done.stderr[:3000]
+
+
+def link(name, places, objects, folder):
+    """A program of build/ with other objects: `places` are old ones and what stands there instead."""
+    words = shlex.split((ROOT / f"build/CMakeFiles/{name}.dir/link.txt").read_text())
+    words = [str(places.get(word, word)) for word in words]
+    words[words.index("-o") + 1] = str(folder / name)
+    library = words.index("libmien_core.a")  # which is asked only for what the objects before it lack
+    words[library:library] = map(str, objects)
+    subprocess.run(words, cwd=ROOT / "build", check=True)
+
+
+def build(mutants, folder, jobs):
+    """folder/mien and folder/mien_tests, with all faults in them."""
+    try:
+        commands = json.loads((ROOT / "build/compile_commands.json").read_text())
+    except FileNotFoundError:
+        sys.exit("mutants: there is no build; ./run mutants makes it")
+    commands = {command["file"]: command for command in commands if command["file"].startswith(str(ROOT) + "/")}
+    state = hashlib.sha256()  # of all that a source may include
+    for header in sorted([*(ROOT / "src").rglob("*.hpp"), *(ROOT / "src").rglob("*.inl")]):
+        state.update(header.read_bytes())
+    folder.mkdir(exist_ok=True)
+    header = compile_header(commands[str(ROOT / "src/core/text.cpp")], folder)
+    works, objects = [], {}
+    for file in sorted({mutant.file for mutant in mutants}):
+        original, source = ROOT / "src" / file, folder / "src" / file
+        source.parent.mkdir(parents=True, exist_ok=True)
+        source.write_text(write_switched_source([m for m in mutants if m.file == file], original.read_text()))
+        objects[file] = folder / "objects" / (file + ".o")
+        works.append((commands[str(original)], source, objects[file], state.hexdigest(), header))
+    # The tests run the program with the faults.
+    places = dict(commands[str(ROOT / "tests/places.cpp")])
+    places["command"] = places["command"].replace(f"{ROOT}/build/mien", f"{folder}/mien")
+    objects["places"] = folder / "objects/places.o"
+    works.append((places, ROOT / "tests/places.cpp", objects["places"], "", None))
+    with concurrent.futures.ThreadPoolExecutor(jobs) as pool:
+        errors = [error for error in pool.map(lambda work: compile_source(*work), works) if error]
+    if errors:
+        sys.exit("\n".join(errors) + "\nmutants: the build failed")
+    inner = [path for file, path in objects.items() if file not in ("main.cpp", "places")]
+    main_object = "CMakeFiles/mien.dir/src/main.cpp.o"
+    link("mien", {main_object: objects.get("main.cpp", main_object)}, inner, folder)
+    link("mien_tests", {"CMakeFiles/mien_tests.dir/tests/places.cpp.o": objects["places"]}, inner, folder)
 
 
 def list_left_out():
@@ -273,28 +317,26 @@ def measure_sound(program, filters, jobs):
 
 
 class Results:
-    """What came out, kept for the next time; a fault or a program that changed is tried again."""
+    """What came out, fault by fault: so that a run can go on where it was interrupted."""
 
-    def __init__(self, path, program):
+    def __init__(self, path, goes_on):
         self.path, self.lock = path, threading.Lock()
-        digest = hashlib.sha256()
-        for file in (program, program.parent / "mien"):
-            digest.update(file.read_bytes())
-        self.program = digest.hexdigest()
-        self.known = json.loads(path.read_text()) if path.is_file() else {}
+        self.known = json.loads(path.read_text()) if goes_on and path.is_file() else {}
 
-    def key(self, mutant, wide):
-        text = "\0".join([self.program, mutant.tests, mutant.file, mutant.old, mutant.new, str(wide)])
+    @staticmethod
+    def key(mutant):
+        text = "\0".join([mutant.tests, mutant.file, mutant.old, mutant.new, (ROOT / "src" / mutant.file).read_text()])
         return hashlib.sha256(text.encode()).hexdigest()
 
-    def find(self, mutant, wide):
+    def find(self, mutant):
         kept = self.known.get(mutant.id)
-        return Ended(*kept["ended"]) if kept and kept["key"] == self.key(mutant, wide) else None
+        return Ended(*kept["ended"]) if kept and kept["key"] == self.key(mutant) else None
 
-    def keep(self, mutant, wide, ended):
-        with self.lock:
-            self.known[mutant.id] = {"key": self.key(mutant, wide), "ended": dataclasses.astuple(ended)}
-            self.path.write_text(json.dumps(self.known, indent=1))
+    def keep(self, mutant, ended):
+        if ended.is_caught:
+            with self.lock:
+                self.known[mutant.id] = {"key": self.key(mutant), "ended": dataclasses.astuple(ended)}
+                self.path.write_text(json.dumps(self.known, indent=1))
 
 
 def write_report(mutants, ended, described):
@@ -323,10 +365,11 @@ def main():
     parser = argparse.ArgumentParser(description="Puts small faults into a copy of src/ and runs the tests.")
     parser.add_argument("--check", action="store_true", help="only say what is wrong with the lists")
     parser.add_argument("--lists", type=pathlib.Path, default=pathlib.Path(__file__).parent, help="where they are")
-    parser.add_argument("--only", default="", metavar="ID", help="those whose ROOM.NAME begins so")
+    parser.add_argument("--only", default="", metavar="ID", help="those whose ROOM.NAME begins so, or so with commas between")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build-only", action="store_true")
     parser.add_argument("--narrow", action="store_true", help="survivors are not tried on all tests that do not render")
+    parser.add_argument("--go-on", action="store_true", help="what was caught the last time is not tried again")
     asked = parser.parse_args()
 
     mutants, faults = load_mutants(asked.lists)
@@ -338,30 +381,29 @@ def main():
     if asked.check:
         return
     folder = ROOT / "build-mutants"
-    print(f"mutants: building {len(mutants)} faults in {folder.name}/; the first time takes a while", flush=True)
-    make_checkout(mutants, folder / "checkout")
-    build(folder / "checkout", folder / "build", asked.jobs)
+    chosen = [mutant for mutant in mutants if mutant.id.startswith(tuple(asked.only.split(",")))]
+    print(f"mutants: building {len(chosen)} faults in {folder.name}/", flush=True)
+    build(chosen, folder, asked.jobs)
     if asked.build_only:
         return
-    program = folder / "build/mien_tests"
+    program = folder / "mien_tests"
     wide = "*-" + ":".join(list_left_out())
-    chosen = [mutant for mutant in mutants if mutant.id.startswith(asked.only)]
-    results = Results(folder / "results.json", program)
+    results = Results(folder / "results.json", asked.go_on)
 
     # What fails without a fault says nothing of one. And how long each takes bounds the hung.
-    filters = sorted({m.tests for m in chosen if not results.find(m, not asked.narrow)})
+    filters = sorted({m.tests for m in chosen if not results.find(m)})
     sound = measure_sound(program, filters, asked.jobs) if filters else {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
 
         def judge(mutant):
-            known = results.find(mutant, not asked.narrow)
+            known = results.find(mutant)
             if known:
                 return known
             usual_s = sum(seconds for name, seconds in sound.items() if matches(mutant.tests, name))
             ended, _ = run_tests(program, mutant.tests, mutant.number, 60 + 5 * usual_s)
             if not ended.is_caught and not asked.narrow:
                 ended, _ = run_tests(program, wide, mutant.number, 3600)
-            results.keep(mutant, not asked.narrow, ended)
+            results.keep(mutant, ended)
             return ended
 
         ended = {}
