@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "scene/povray_stage.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -101,6 +102,17 @@ TEST(povray, turns_the_words_of_an_overlay_to_the_camera) {
   EXPECT_EQ(text,
             "union {\nstage_line(<1,2,-3>, <4,5,-6>, 0.5)\nstage_ink(srgb <1,0,0.5>) }\n"
             "stage_words(\"smile \\\"0.8\\\"\", <10,20,-30>, 8, 0.5, -30, srgb <0,0.25,1>)\n");
+}
+
+// A light set's Turn goes to the picture's left, an author's angle to the character's.
+TEST(povray, turns_lights_to_the_side_that_was_asked_for) {
+  std::string text;
+  append_povray_lights(text, {});
+  EXPECT_EQ(text, "");
+  append_povray_lights(text, {{"moon", 0.5, 20}, {"candle", 0.25, -30}});
+  EXPECT_EQ(
+      text,
+      "#macro frame_lights(Turn)\n  light_moon(Turn + -20, 0.5)\n  light_candle(Turn + 30, 0.25)\n#end\n");
 }
 
 TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {

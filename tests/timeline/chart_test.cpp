@@ -126,6 +126,7 @@ TEST(exposure, labels_the_last_frame_and_no_moment_after_it) {
   clip.draw = 2;  // frame 5 holds the drawing of frame 4
   EXPECT_EQ(list_labels(4.0 / 24), "[first]---[last]-");
   EXPECT_EQ(list_labels(5.0 / 24), "[first]-----");
+  EXPECT_EQ(list_labels(1.0 / 24), "[first]-[last]---") << "the drawing of frame 1 is that of frame 0";
 }
 
 TEST(exposure, gives_a_drawing_that_comes_back_its_number_again) {
