@@ -59,6 +59,33 @@ TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
   EXPECT_EQ(scenes[0], scenes[1]);
 }
 
+// What a kept frame is told by.
+TEST(scenes, have_another_key_where_another_picture_is_asked_for) {
+  const auto list_keys = [](const std::string& head, const std::string& face, const std::string& render) {
+    const auto folder = make_test_folder();
+    Options options;
+    options.file = folder / "one.yaml";
+    options.output = folder / "out";
+    write_file(options.file, "mien: 1\nhead: {" + head + "}\nclip: {keys: [{at: 0s, express: " + face +
+                                 "}]}\nrender: {" + render + "}\n");
+    const Clip clip = plan_clip(options, *shipped().stock.language);
+    std::vector<std::string> keys;
+    for (const WrittenScene& scene :
+         write_scenes(clip, build_cast(clip, shipped().heads), shipped(), 1, [](int) {}))
+      keys.push_back(scene.key);
+    return keys;
+  };
+  const std::string look = "look: {skin: \"#d0a080\"}", size = "size: 48x60, quality: draft";
+  const std::vector<std::string> first = list_keys(look, "smile", size);
+  ASSERT_EQ(first.size(), 1u);
+  EXPECT_EQ(list_keys(look, "smile", size), first);
+  EXPECT_NE(list_keys(look, "smile", "size: 96x120, quality: draft"), first) << "of the same shape";
+  EXPECT_NE(list_keys(look, "smile", "size: 48x60, quality: good"), first);
+  EXPECT_NE(list_keys(look, "smile", size + ", background: dark"), first);
+  EXPECT_NE(list_keys(look, "anger", size), first);
+  EXPECT_NE(list_keys("look: {skin: \"#d0a081\"}", "smile", size), first);
+}
+
 TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
   const auto folder = make_test_folder();
   const Clip clip = plan_two(folder);

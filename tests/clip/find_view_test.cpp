@@ -83,6 +83,17 @@ TEST(compute_view, frames_an_adults_face_by_its_height_alone) {
   EXPECT_EQ(view.look_at.z, 0);
 }
 
+TEST(compute_resting_place, has_the_side_that_its_name_says) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  const glm::dvec3 left = compute_resting_place(head, "mouth_corner_l"),
+                   right = compute_resting_place(head, "mouth_corner_r"),
+                   middle = compute_resting_place(head, "nose_tip");
+  EXPECT_GT(left.x, 15) << "the character's left is +x";
+  EXPECT_EQ(right, left * glm::dvec3(-1, 1, 1));
+  EXPECT_EQ(middle.x, 0);
+  EXPECT_GT(middle.z, left.z + 10);
+}
+
 TEST(compute_view, does_not_jump_while_the_camera_moves) {
   const Figure figure = build_head("infant");
   CameraView before = find_view_at(figure, -180);

@@ -46,6 +46,11 @@ TEST(arguments, name_a_command_and_its_file) {
   EXPECT_EQ(request.options.jobs, 0);
 }
 
+TEST(arguments, ask_for_an_stl_unless_they_say_no) {
+  EXPECT_TRUE(read({"bust", "a.yaml"}).options.has_stl);
+  EXPECT_FALSE(read({"bust", "a.yaml", "--no-stl"}).options.has_stl);
+}
+
 TEST(arguments, set_every_option) {
   const Options options = read({"render", "a.yaml", "-o", "there", "--frames", "10-20", "--size", "240x300",
                                 "--quality", "draft", "--jobs", "3", "--quiet", "--json"})

@@ -88,6 +88,10 @@ TEST(completions, are_read_by_their_shells) {
   EXPECT_GE(read, 1);
 }
 
+TEST(completions, of_zsh_hold_no_bare_colon) {
+  EXPECT_THAT(build_zsh_completion(kWords), HasSubstr("[an expression instead of the clip'\\''s\\: smile"));
+}
+
 TEST(completions, of_bash_know_the_place) {
   EXPECT_THAT(complete_in_bash({"mien", "re"}), ElementsAre("render"));
   EXPECT_THAT(complete_in_bash({"mien", "s"}), ElementsAre("schema", "sheet", "still"));

@@ -136,6 +136,9 @@ TEST(holes, takes_a_mesh_into_its_pieces) {
   EXPECT_DOUBLE_EQ(compute_volume_mm3(pieces[1]), 2);
   EXPECT_EQ(pieces[1].positions.front(), glm::vec3(4, 0, 0));
   EXPECT_TRUE(split_pieces(Mesh{}).empty());
+  const std::vector<Mesh> alone = split_pieces({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}, {{0, 1, 2}}});
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_EQ(alone[0].positions.size(), 3U);
 }
 
 }  // namespace

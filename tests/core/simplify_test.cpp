@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "core/holes.hpp"
 #include "core/refine.hpp"
 #include "solids.hpp"
 
@@ -18,6 +19,25 @@ TEST(simplify, stays_closed_and_near_where_it_was) {
   EXPECT_LT(after.triangles.size(), before.triangles.size() * 2 / 3);
   EXPECT_NEAR(compute_volume_mm3(after), compute_volume_mm3(before), 0.005 * compute_volume_mm3(before));
   for (const glm::vec3& p : after.positions) EXPECT_NEAR(glm::length(p - glm::vec3(1, 2, 3)), 10, 0.1);
+}
+
+TEST(simplify, leaves_facets_within_its_tolerance_and_rims_where_they_were) {
+  const glm::vec3 centre(1, 2, 3);
+  Mesh mesh = build_ball(centre, 10, 40);
+  std::erase_if(mesh.triangles, [&](const Triangle& t) {
+    return std::any_of(t.begin(), t.end(), [&](std::uint32_t v) { return mesh.positions[v].y > 8; });
+  });
+  const std::vector<Loop> rims = find_boundary_loops(mesh.triangles);
+  ASSERT_EQ(rims.size(), 1u);
+  Mesh after = mesh;
+  simplify_mesh(after, 0.02);
+  EXPECT_LT(after.triangles.size(), mesh.triangles.size() * 2 / 3);
+  for (const std::uint32_t v : rims[0])
+    EXPECT_NE(std::ranges::find(after.positions, mesh.positions[v]), after.positions.end()) << v;
+  for (const auto& [a, b, c] : after.triangles) {
+    const glm::vec3 middle = (after.positions[a] + after.positions[b] + after.positions[c]) / 3.0f;
+    EXPECT_NEAR(glm::distance(middle, centre), 10, 0.15);
+  }
 }
 
 TEST(simplify, gives_the_same_mesh_each_time) {

@@ -1,10 +1,14 @@
 #include "core/text.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <array>
 #include <charconv>
+#include <chrono>
 #include <cmath>
+#include <csignal>
+#include <fstream>
 #include <limits>
 #include <random>
 
@@ -111,8 +115,51 @@ TEST(text, writes_a_file_whole_or_not_at_all) {
   } catch (const RunError& e) {
     EXPECT_STREQ(e.what(), "cannot write /dev/full/x: Not a directory");
   }
-  for (const auto& entry : std::filesystem::directory_iterator(folder / "a"))
-    EXPECT_EQ(entry.path().filename(), "b.txt");
+  const auto expect_alone = [&] {
+    for (const auto& entry : std::filesystem::directory_iterator(folder / "a"))
+      EXPECT_EQ(entry.path().filename(), "b.txt");
+  };
+  expect_alone();
+
+  // Never in place: who has the old file open reads it to its end.
+  std::ifstream reader(folder / "a/b.txt");
+  write_file(folder / "a/b.txt", "good-bye");
+  std::string old;
+  reader >> old;
+  EXPECT_EQ(old, "hello");
+  EXPECT_EQ(read_file(folder / "a/b.txt"), "good-bye");
+  expect_alone();
+
+  // A disk that takes only a part of it: the old file stays, and nothing beside it.
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit narrow{1000, before.rlim_max};
+  const auto on_full = std::signal(SIGXFSZ, SIG_IGN);
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &narrow), 0);
+  std::string message;
+  try {
+    write_file(folder / "a/b.txt", std::string(2000, 'x'));
+  } catch (const RunError& e) {
+    message = e.what();
+  }
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  std::signal(SIGXFSZ, on_full);
+  EXPECT_EQ(message, "cannot write " + (folder / "a/b.txt").string() + ": File too large");
+  EXPECT_EQ(read_file(folder / "a/b.txt"), "good-bye");
+  expect_alone();
+}
+
+TEST(text, leaves_a_file_alone_that_holds_the_same_already) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "mien_text_same";
+  std::filesystem::remove_all(folder);
+  write_file(folder / "a.txt", "hello");
+  const auto long_ago = std::filesystem::last_write_time(folder / "a.txt") - std::chrono::hours(1);
+  std::filesystem::last_write_time(folder / "a.txt", long_ago);
+  write_file(folder / "a.txt", "hello");
+  EXPECT_EQ(std::filesystem::last_write_time(folder / "a.txt"), long_ago);
+  write_file(folder / "a.txt", "jello");
+  EXPECT_EQ(read_file(folder / "a.txt"), "jello");
+  EXPECT_NE(std::filesystem::last_write_time(folder / "a.txt"), long_ago);
 }
 
 }  // namespace

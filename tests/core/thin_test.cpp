@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
 #include <set>
 
 #include "solids.hpp"
@@ -61,6 +63,37 @@ TEST(thin_posed, takes_most_where_no_pose_bends) {
     for (const std::uint32_t v : t)
       if (v < 40 * 24) (v < 20 * 24 ? straight : bent).insert(v);
   EXPECT_LT(2 * straight.size(), bent.size());
+}
+
+// A flat net: nothing costs anything, and what is sound in one pose may fold over in the other.
+TEST(thin_posed, turns_nothing_over_in_any_pose) {
+  constexpr int kSide = 24;
+  std::vector<std::vector<glm::vec3>> poses(2);
+  std::vector<Triangle> triangles;
+  std::mt19937 random(4);
+  std::uniform_real_distribution<float> shift(-0.3f, 0.3f);
+  for (int y = 0; y <= kSide; ++y)
+    for (int x = 0; x <= kSide; ++x) {
+      const bool is_inner = x > 0 && y > 0 && x < kSide && y < kSide;
+      poses[0].emplace_back(x, y, 0);
+      const glm::vec2 moved = is_inner ? glm::vec2(shift(random), shift(random)) : glm::vec2(0);
+      poses[1].emplace_back(float(x) + moved.x, float(y) + moved.y, 0);
+    }
+  const auto at = [](int x, int y) { return std::uint32_t(y * (kSide + 1) + x); };
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      triangles.push_back({at(x, y), at(x + 1, y), at(x + 1, y + 1)});
+      triangles.push_back({at(x, y), at(x + 1, y + 1), at(x, y + 1)});
+    }
+  const auto count_turned = [&](const std::vector<Triangle>& mesh, const std::vector<glm::vec3>& pose) {
+    return std::ranges::count_if(mesh, [&](const Triangle& t) {
+      return glm::cross(pose[t[1]] - pose[t[0]], pose[t[2]] - pose[t[0]]).z <= 0;
+    });
+  };
+  for (const auto& pose : poses) ASSERT_EQ(count_turned(triangles, pose), 0);
+  const auto thin = thin_posed(poses, triangles, std::vector<bool>(poses[0].size()), 200);
+  EXPECT_LT(thin.size(), triangles.size() / 2);
+  for (const auto& pose : poses) EXPECT_EQ(count_turned(thin, pose), 0);
 }
 
 TEST(thin_posed, leaves_locked_vertices_and_open_edges) {

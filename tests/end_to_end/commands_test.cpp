@@ -1,6 +1,7 @@
 // What the commands say and how they end, as told by product and help.
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -55,6 +56,17 @@ TEST(commands, tell_mistakes_as_json_lines) {
     EXPECT_TRUE(object.at("message").is_string());
   }
   EXPECT_EQ(count, 2);
+
+  // What JSON would take for its own stands escaped, and what it was is read back.
+  write_file(folder / "a \"b\" \\c.yaml", "mien: 1\n'ha\"e\\d': {}\ntitle: \"a\\tb\"\n");
+  const ProgramRun odd = run_shell(folder, "mien check 'a \"b\" \\c.yaml' --json");
+  EXPECT_EQ(odd.status, 2);
+  ASSERT_EQ(std::ranges::count(odd.err, '\n'), 2) << odd.err;
+  const auto object = nlohmann::json::parse(odd.err.substr(0, odd.err.find('\n')));
+  EXPECT_EQ(object.at("file"), "a \"b\" \\c.yaml");
+  EXPECT_EQ(object.at("line"), 2);
+  EXPECT_EQ(object.at("column"), 1);
+  EXPECT_TRUE(object.at("message").get<std::string>().starts_with("unknown key 'ha\"e\\d'; ")) << odd.err;
 }
 
 TEST(commands, write_nothing_if_the_file_is_wrong) {
@@ -109,6 +121,10 @@ TEST(commands, list_every_kind_in_words_and_in_json) {
     for (std::string line; std::getline(lines, line);)
       EXPECT_TRUE(nlohmann::json::accept(line)) << kind << line;
   }
+  const std::string hair = run_shell(folder, "mien list hair").out;
+  EXPECT_TRUE(hair.starts_with("none ")) << hair;
+  EXPECT_NE(hair.find("\ncrop "), hair.npos) << hair;
+  EXPECT_NE(hair.find("\nbeard: stubble "), hair.npos) << hair;
   const ProgramRun run = run_shell(folder, "mien list agse");
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.err.find("did you mean 'ages'?"), std::string::npos) << run.err;
@@ -208,11 +224,19 @@ TEST(commands, explain_a_moment_in_words_and_in_numbers) {
   EXPECT_NE(run.out.find(" mm          asked +1.6   "), run.out.npos) << run.out;
   EXPECT_NE(run.out.find(" mm at brow_mid_l: "), run.out.npos) << run.out;
   EXPECT_NE(run.out.find("\na.yaml:5:26: note: brow.left.up asked for 1.6 ("), run.out.npos) << run.out;
+  EXPECT_EQ(run_shell(folder, "mien explain a.yaml --at 24f --area brow.left").out, run.out);
   EXPECT_NE(
       run_shell(folder, "mien explain a.yaml --at 0.25s").out.find("  75 % neutral (key at 0s)\n   25 % "),
       std::string::npos);
   EXPECT_EQ(run_shell(folder, "mien explain a.yaml --express neutral").out,
             "a.yaml: mien/neutral\n\nnothing moves: every area is at rest\n");
+  // Outward is outward on either side.
+  std::string left = run_shell(folder, "mien explain a.yaml --express smile --area corner.left").out;
+  EXPECT_NE(left.find(" out"), left.npos) << left;
+  for (const auto& [from, to] : {std::pair{"corner.left ", "corner.right"}, std::pair{"_l:", "_r:"}})
+    for (std::size_t at = 0; (at = left.find(from, at)) != left.npos;)
+      left.replace(at, std::strlen(from), to);
+  EXPECT_EQ(run_shell(folder, "mien explain a.yaml --express smile --area corner.right").out, left);
   run = run_shell(folder, "mien explain a.yaml --express anger --json");
   std::istringstream lines(run.out);
   int moves = 0;

@@ -2,7 +2,10 @@
 // pixels.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
+
 #include "end_to_end/program.hpp"
+#include "render/picture.hpp"
 
 namespace mien {
 namespace {
@@ -35,6 +38,42 @@ TEST(render, writes_scenes_frames_clip_and_poster) {
     EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
   for (const std::string& file : files)
     EXPECT_EQ(file.find("tmp"), std::string::npos) << file << " was left behind";
+  const auto folder = find_rendered() / "out/tiny";
+  EXPECT_EQ(read_file(folder / "poster.png"), read_file(folder / "frames/f0003.png")) << "the smile";
+  const auto manifest = nlohmann::json::parse(read_file(folder / "manifest.json"));
+  EXPECT_EQ(manifest.at("frames"), 3);
+  EXPECT_EQ(manifest.at("width"), 48);
+  EXPECT_EQ(manifest.at("height"), 60);
+  ASSERT_EQ(manifest.at("drawings").size(), 3u);
+  for (int i = 0; i < 3; ++i) {
+    const auto& drawing = manifest.at("drawings")[static_cast<std::size_t>(i)];
+    EXPECT_EQ(drawing.at("frame"), i + 1);
+    EXPECT_EQ(drawing.at("picture"), "frames/f000" + std::to_string(i + 1) + ".png");
+    EXPECT_EQ(drawing.at("key"), read_picture_key(folder / drawing.at("picture").get<std::string>()));
+  }
+}
+
+TEST(render, a_part_has_a_name_of_its_own_and_held_frames_have_their_drawing) {
+  const auto folder = make_folder("render_part");
+  std::string clip = kTinyClip;
+  clip.replace(clip.find("fps: 24"), 7, "fps: 24\n  draw: twos\n  length: 0.1667s");
+  write_file(folder / "tiny.yaml", clip);
+  ASSERT_EQ(run_shell(folder, "mien render tiny.yaml --frames 2-4 --quiet").status, 0);
+  const auto files = list_files(folder / "out/tiny");
+  const auto has = [&](const char* file) { return std::ranges::find(files, file) != files.end(); };
+  EXPECT_TRUE(has("tiny_2-4.mp4"));
+  EXPECT_FALSE(has("tiny.mp4"));
+  EXPECT_FALSE(has("frames/f0001.png"));
+  const auto frames = folder / "out/tiny/frames";
+  EXPECT_EQ(read_file(frames / "f0004.png"), read_file(frames / "f0003.png"));
+  EXPECT_NE(read_file(frames / "f0004.png"), read_file(frames / "f0002.png"));
+
+  // A clip that became shorter has no frames behind its end.
+  write_file(folder / "tiny.yaml", kTinyClip);
+  ASSERT_EQ(run_shell(folder, "mien frames tiny.yaml --quiet").status, 0);
+  EXPECT_FALSE(std::filesystem::exists(frames / "f0004.png"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "out/tiny/scenes/f0004.pov"));
+  EXPECT_TRUE(std::filesystem::exists(frames / "f0003.png"));
 }
 
 TEST(render, gives_the_clip_the_count_size_and_rate_of_the_file) {

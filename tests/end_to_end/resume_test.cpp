@@ -5,6 +5,7 @@
 
 #include "end_to_end/program.hpp"
 #include "places.hpp"
+#include "render/picture.hpp"
 
 namespace mien {
 namespace {
@@ -43,6 +44,17 @@ TEST(resume, renders_only_what_is_missing_damaged_or_changed) {
   const Times other = read_times(frames);
   EXPECT_EQ(other.at("f0001.png"), mended.at("f0001.png")) << "the first frame is neutral as before";
   EXPECT_NE(other.at("f0003.png"), mended.at("f0003.png"));
+
+  // Of the same shape: the scenes stay what they are.
+  changed.replace(changed.find("48x60"), 5, "96x120");
+  write_file(folder / "tiny.yaml", changed);
+  const std::string scene = read_file(folder / "out/tiny/scenes/f0001.pov");
+  ASSERT_EQ(run_shell(folder, "mien render tiny.yaml").status, 0);
+  EXPECT_EQ(read_file(folder / "out/tiny/scenes/f0001.pov"), scene);
+  for (const std::string& frame : list_files(frames)) {
+    EXPECT_EQ(read_picture_size(frames / frame).width_px, 96) << frame;
+    EXPECT_EQ(read_picture_size(frames / frame).height_px, 120) << frame;
+  }
 }
 
 TEST(resume, goes_on_after_ctrl_c_with_nothing_left_behind) {

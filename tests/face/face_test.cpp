@@ -226,6 +226,39 @@ TEST(face, values_move_the_skin_without_pops) {
   }
 }
 
+// One corrective at a time: what two moves do together grows past their limits as each of them does.
+TEST(face, correctives_grow_no_faster_than_their_drivers_past_the_limits) {
+  const NeutralHead& head = adult().head;
+  const auto reach_mm = [&](const Face& face, const DrivenField& driven, double value) {
+    Pose pose;
+    for (const SignedMove& driver : driven.drivers) pose.values[driver.move] = driver.sign * value;
+    const double size = 1e-3;  // so little that no contact has a say
+    Face alone = face;
+    alone.fields = {driven};
+    alone.jaw.open_rad = 0;
+    alone.jaw.forward = glm::dvec3(0);
+    for (glm::dvec3& move : alone.fields[0].field) move *= size;
+    for (glm::dvec3& move : alone.fields[0].mirror_field) move *= size;
+    Face none = alone;
+    none.fields.clear();
+    std::vector<glm::dvec3> with, without;
+    pose_cage(head, alone, pose, with);
+    pose_cage(head, none, pose, without);
+    double most = 0;
+    for (std::size_t i = 0; i < with.size(); ++i) most = std::max(most, glm::distance(with[i], without[i]));
+    return most / size;
+  };
+  int count = 0;
+  for (const DrivenField& driven : adult().face.fields) {
+    if (driven.drivers.size() < 2) continue;
+    const double whole = reach_mm(adult().face, driven, 1);
+    if (whole < 0.3) continue;
+    ++count;
+    EXPECT_LE(reach_mm(adult().face, driven, 2), 2.02 * whole) << kMoves[driven.drivers[0].move].area;
+  }
+  EXPECT_GT(count, 2);
+}
+
 TEST(face, gaze_and_jaw_turn_the_way_the_words_say) {
   Pose pose;
   set(pose, "eye", Side::left, "side", 1);
@@ -233,6 +266,15 @@ TEST(face, gaze_and_jaw_turn_the_way_the_words_say) {
   const glm::dvec3 look = compute_gaze(adult().face, pose, Side::left) * glm::dvec3(0, 0, 1);
   EXPECT_GT(look.x, 0.4);  // toward the character's left
   EXPECT_GT(look.y, 0.1);
+  const Face& face = adult().face;
+  ASSERT_NE(face.eye_up_rad, face.eye_down_rad);
+  for (const Side side : {Side::left, Side::right})
+    for (const double up : {1.0, -1.0}) {
+      Pose looking;
+      set(looking, "eye", side, "up", up);
+      const glm::dvec3 to = compute_gaze(face, looking, side) * glm::dvec3(0, 0, 1);
+      EXPECT_NEAR(std::asin(to.y), up > 0 ? face.eye_up_rad : -face.eye_down_rad, 1e-9);
+    }
   set(pose, "chin", Side::none, "down", 1);
   const glm::dvec4 chin = compute_jaw(adult().face, pose) * glm::dvec4(0, -110, 90, 1);
   EXPECT_LT(chin.y, -130);

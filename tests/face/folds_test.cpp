@@ -10,6 +10,7 @@
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "face/fold_tracks.hpp"
 #include "frames/figure.hpp"
 #include "head/cage.hpp"
 #include "poses.hpp"
@@ -78,6 +79,64 @@ TEST(fine_skin, is_the_same_for_every_age) {
   const Figure infant = build("infant");
   EXPECT_EQ(infant.folds.skin.parents, adult().folds.skin.parents);
   EXPECT_EQ(infant.folds.skin.triangles, adult().folds.skin.triangles);
+}
+
+// A line along y at x = -20, seen from before: its left is the character's right, -x.
+struct StraightFold {
+  FoldSet set;
+  FoldUnevenness even;
+  std::vector<Track> tracks;
+
+  StraightFold() {
+    set.depth_mm = 2;
+    set.width_mm = 1;
+    set.spread = 3;
+    set.rolls = {0.5, 0};
+    set.uneven = 0;
+    Track& track = tracks.emplace_back();
+    track.set = &set;
+    track.uneven = &even;
+    for (int i = 0; i <= 20; ++i) {
+      track.points.emplace_back(-20, i, 0);
+      track.normals.emplace_back(0, 0, 1);
+      track.depths.push_back(1);
+    }
+    track.reach_mm = 8;
+    track.box = {{-30, -10, -10}, {-10, 30, 10}};
+  }
+  StraightFold(const StraightFold&) = delete;
+};
+
+TEST(folds, are_a_groove_with_a_roll_on_the_side_that_the_table_says) {
+  const StraightFold fold;
+  const auto height_mm = [&](double x) { return compute_heights_mm(fold.tracks, fold.set, {x, 10, 0})[0]; };
+  EXPECT_NEAR(height_mm(-20), -2, 1e-3);
+  EXPECT_GT(height_mm(-23), 0.5);
+  EXPECT_LT(height_mm(-17), 0.01);
+  EXPECT_EQ(height_mm(-11), 0) << "out of reach";
+}
+
+TEST(fine_skin, is_fine_in_a_groove_coarser_in_its_rolls_and_as_it_was_beside_them) {
+  const StraightFold fold;
+  const EdgeLimit limit = limit_edges(fold.tracks, 0.5);
+  EXPECT_DOUBLE_EQ(limit({-20, 10, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(limit({-21.5f, 10, 0}), 0.5);
+  EXPECT_DOUBLE_EQ(limit({-23, 10, 0}), 1.7 * 0.5);
+  EXPECT_GT(limit({-25, 10, 0}), 1e6);
+}
+
+TEST(folds, of_two_moves_come_with_both_of_them) {
+  FoldField field;
+  field.drives = {{1, {{"brow", "up", 1}, {"lips", "upper", 1}}}};
+  Pose brow, lips, both;
+  brow.values[*find_move(Area::brow, Side::left, "up")] = 1;
+  lips.values[*find_move(Area::lips, Side::none, "upper")] = 1;
+  both.values = brow.values;
+  both.values[*find_move(Area::lips, Side::none, "upper")] = 1;
+  EXPECT_EQ(compute_fold_amount(field, brow, Side::left), 0);
+  EXPECT_EQ(compute_fold_amount(field, lips, Side::left), 0);
+  EXPECT_EQ(compute_fold_amount(field, both, Side::left), 1);
+  EXPECT_EQ(compute_fold_amount(field, both, Side::right), 0);
 }
 
 TEST(folds, the_neutral_pose_is_smooth_to_the_last_bit) {

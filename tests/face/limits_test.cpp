@@ -57,6 +57,22 @@ TEST(limits, are_the_way_that_their_point_goes_on_every_head) {
   }
 }
 
+TEST(limits, of_an_eye_are_the_way_that_its_pupil_goes) {
+  const Figure figure = build("adult", "average");
+  int count = 0;
+  for (const Limit& limit : measure(figure)) {
+    const MoveInfo& info = kMoves[limit.name->move];
+    if (info.area != "eye") continue;
+    ++count;
+    Pose pose;
+    pose.values[limit.name->move] = limit.name->sign;
+    const glm::dvec3 ahead(0, 0, figure.head.eye.radius_mm);
+    const glm::dvec3 looking = compute_gaze(figure.face, pose, info.side) * ahead;
+    EXPECT_NEAR(limit.mm, glm::distance(looking, ahead), 1e-6) << limit.name->name;
+  }
+  EXPECT_EQ(count, 8);
+}
+
 TEST(limits, tell_how_far_the_skin_goes) {
   const Figure figure = build("adult", "average");
   DeformBuffers buffers;

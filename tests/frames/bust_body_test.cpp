@@ -134,6 +134,12 @@ TEST(bust_body, eyes_are_carved_where_they_look) {
   };
   EXPECT_GT(find_deepest(1).x, find_deepest(0).x + 0.5f);
   EXPECT_LT(find_deepest(-1).x, find_deepest(0).x - 0.5f);
+  Pose apart;
+  apart.values[*find_move(Area::eye, Side::left, "side")] = 0.5;
+  apart.values[*find_move(Area::eye, Side::right, "side")] = -0.5;
+  const auto eyes = compute_carved_eyes(body, adult(), apart);
+  EXPECT_GT(eyes[0].gaze.x, 0.1f);
+  EXPECT_LT(eyes[1].gaze.x, -0.1f);
 }
 
 TEST(bust_body, an_open_mouth_shows_teeth) {

@@ -8,6 +8,7 @@
 #include "config/config_fixture.hpp"
 #include "core/data.hpp"
 #include "shipped.hpp"
+#include "timeline/head_turn.hpp"
 
 namespace mien {
 namespace {
@@ -126,6 +127,48 @@ TEST(figure, rigid_parts_go_with_the_turned_skin) {
       EXPECT_NEAR(glm::distance(margin, centre), glm::distance(rest, glm::vec3(adult().head.eye.centre)),
                   0.01);
     }
+  }
+}
+
+TEST(figure, every_part_of_a_resting_face_turns_with_the_head) {
+  const TurnKey turn = turned(25, -10, 8);
+  const Drawing drawing = draw(Pose{}, turn);
+  const glm::dmat4 whole = compute_turn(adult().face.turn_pivot, turn, 1);
+  const auto find_middle = [](const std::vector<glm::vec3>& points) {
+    glm::dvec3 sum(0);
+    for (const glm::vec3& p : points) sum += glm::dvec3(p) / static_cast<double>(points.size());
+    return sum;
+  };
+  int strands = 0, rigid = 0;
+  for (std::size_t i = 1; i < drawing.parts.size(); ++i) {
+    const Part& part = adult().model.parts[i];
+    const glm::dvec3 rest = find_middle(part.rest.positions), there(whole * glm::dvec4(rest, 1));
+    const bool is_rigid = part.is_rigid;
+    const glm::dvec3 now = is_rigid
+                               ? glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(glm::vec3(rest), 1))
+                               : find_middle(drawing.parts[i].positions);
+    EXPECT_LT(glm::distance(now, there), is_rigid ? 0.001 : 0.5) << part.name;
+    ++(is_rigid ? rigid : strands);
+  }
+  EXPECT_GT(rigid, 6);
+  EXPECT_GT(strands, 1);
+}
+
+TEST(figure, of_half_its_limits_does_half_of_what_it_is_asked) {
+  Figure half = adult();
+  half.limits.plus.fill(0.5);
+  half.limits.minus.fill(0.5);
+  Pose whole;
+  for (std::size_t i = 0; i < kMoveCount; ++i) whole.values[i] = i % 3 == 0 ? 0.5 : 0.25;
+  Pose asked = whole;
+  for (double& value : asked.values) value *= 2;
+  DeformBuffers buffers;
+  Drawing limited;
+  deform_figure(half, asked, TurnKey{}, buffers, limited);
+  const Drawing wanted = draw(whole, TurnKey{});
+  for (std::size_t i = 0; i < wanted.parts.size(); ++i) {
+    EXPECT_EQ(limited.parts[i].positions, wanted.parts[i].positions) << adult().model.parts[i].name;
+    EXPECT_EQ(limited.parts[i].world_from_rest, wanted.parts[i].world_from_rest);
   }
 }
 

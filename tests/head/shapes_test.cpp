@@ -6,6 +6,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "head/cage.hpp"
 #include "places.hpp"
 #include "shipped.hpp"
 
@@ -40,6 +41,28 @@ TEST(shapes, moved_guide_lines_are_measured_where_they_were_moved) {
     if (spec.guides.contains(name)) {
       EXPECT_NEAR((y - chin) / height, spec.guides.at(name), 0.002) << name;
     }
+}
+
+// At half its strength, on the adult: no feature pulls against another, and none yields.
+TEST(shapes, features_move_their_points_by_what_the_table_says) {
+  const HeadStock& stock = shipped().heads;
+  const HeadShapes& shapes = shipped().stock.head->shapes.heads;
+  std::size_t count = 0;
+  for (const auto& [name, feature] : shapes.features) {
+    HeadSpec spec;
+    spec.features = {{name, 0.5}};
+    HeadForm form{stock.adult.points, Eye{}};
+    shape_head(shapes, spec, stock.adult, form);
+    for (const auto& [point, move] : feature.handles) {
+      if (point[0] == 'E' || point[0] == 'M') continue;  // lids go with the ball, and lips touch anew
+      const std::uint32_t i = find_point(stock.adult, point);
+      EXPECT_LT(glm::distance(form.points[i] - stock.adult.points[i], 0.5 * move),
+                0.02 * glm::length(move) + 1e-3)
+          << name << " " << point;
+      ++count;
+    }
+  }
+  EXPECT_GT(count, 100u);
 }
 
 TEST(shapes, character_is_a_feature_too) {

@@ -59,6 +59,41 @@ TEST(house, scripts_are_clean) {
   EXPECT_EQ(std::system(command.c_str()), 0);
 }
 
+// What `./run mutants` says of its lists, with nothing built; empty: all is well.
+std::string find_mutant_faults(const std::string& options) {
+  const std::filesystem::path said = std::filesystem::path(testing::TempDir()) / "mien_mutants.txt";
+  const std::string command = fmt::format("'{}/tests/mutants/mutants.py' --check {} >'{}' 2>&1",
+                                          source_folder(), options, said.string());
+  const int status = std::system(command.c_str());
+  return status == 0 ? "" : read_file(said);
+}
+
+TEST(house, every_mutant_has_its_place_and_every_room_a_mutant) {
+  if (std::system("command -v python3 >/dev/null") != 0) GTEST_SKIP() << "python3 is not installed";
+  EXPECT_EQ(find_mutant_faults(""), "");
+}
+
+TEST(house, a_mutant_without_a_place_is_found) {
+  if (std::system("command -v python3 >/dev/null") != 0) GTEST_SKIP() << "python3 is not installed";
+  const std::filesystem::path lists = std::filesystem::path(testing::TempDir()) / "mien_mutant_lists";
+  std::filesystem::remove_all(lists);
+  write_file(lists / "core.txt",
+             "gone mesh.* core/mesh.cpp\nNo such words.\n- no_such_words\n+ words\n\n"
+             "often mesh.* core/mesh.cpp\nNot one place.\n- std::\n+ ::\n\n"
+             "same mesh.* core/mesh.cpp\nNo change.\n- return six_volumes / 6;\n+ return six_volumes / 6;\n\n"
+             "half mesh.* core/mesh.cpp\nNo whole.\n- return six_volumes\n+ return 6\n\n"
+             "elsewhere mesh.* head/eyes.cpp\nAnother room.\n- return parts;\n+ return {};\n\n"
+             "short mesh.* core/mesh.cpp\n- return {};\n");
+  const std::string said = find_mutant_faults("--lists '" + lists.string() + "'");
+  for (const char* fault :
+       {"core.gone: core/mesh.cpp has 'no_such_words' 0 times", "core.often: core/mesh.cpp has 'std::' ",
+        "core.same changes nothing", "core.half: 'return six_volumes' is neither",
+        "core.elsewhere: head/eyes.cpp is of another room",
+        "core.txt: 'short mesh.* core/mesh.cpp': expected", "no fault in the room head",
+        "there are 5 faults, fewer than 120"})
+    EXPECT_NE(said.find(fault), said.npos) << fault << " is not in\n" << said;
+}
+
 // A checkout with one commit after the first, and the sources that `./run tidy --changed` would read of it.
 std::string list_changed(const std::string& change) {
   const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "mien_changed";

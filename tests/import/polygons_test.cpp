@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <bit>
 #include <chrono>
 #include <random>
@@ -144,6 +146,7 @@ TEST(stl, makes_equal_corners_one_point) {
   const Polygons binary = load_polygons(write_mesh("two.stl", build_binary_stl(2, 2, 1)));
   EXPECT_EQ(binary.positions.size(), 4u);  // two triangles on one edge
   EXPECT_EQ(binary.face_count(), 2u);
+  EXPECT_EQ(binary.corners, (std::vector<std::uint32_t>{0, 1, 2, 0, 1, 3}));
   const Polygons text = load_polygons(
       write_mesh("text.stl",
                  "solid a\n facet normal 0 0 1\n  outer loop\n   vertex 0 0 0\n   vertex 1 0 0\n"
@@ -179,6 +182,64 @@ TEST(ply, is_read_as_text_and_binary) {
     EXPECT_EQ(mesh.positions[2], glm::dvec3(1, 1, 0));
     EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2, 3}));
   }
+}
+
+template <typename Number>
+void append_turned(std::string& bytes, Number number) {
+  auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+  std::reverse(raw.begin(), raw.end());
+  bytes.append(raw.data(), raw.size());
+}
+
+TEST(ply, is_read_with_numbers_of_any_kind_in_either_order_of_bytes) {
+  const auto build = [](const std::string& format, const auto& append) {
+    std::string bytes = "ply\nformat " + format +
+                        " 1.0\nelement vertex 3\nproperty char x\nproperty double y\nproperty short z\n"
+                        "property ushort more\nelement face 1\nproperty list uchar uint vertex_index\n"
+                        "property int side\nend_header\n";
+    for (const int i : {0, 1, 2}) {
+      append(bytes, static_cast<std::int8_t>(-7 * i));
+      append(bytes, 0.1 * i * i);
+      append(bytes, static_cast<std::int16_t>(-300 * i));
+      append(bytes, std::uint16_t{65535});
+    }
+    append(bytes, std::uint8_t{3});
+    for (const std::uint32_t v : {0u, 1u, 2u}) append(bytes, v);
+    append(bytes, std::int32_t{-1});
+    return bytes;
+  };
+  for (const std::string& bytes :
+       {build("binary_little_endian", [](std::string&to, auto number) { append_bytes(to, number); }),
+        build("binary_big_endian", [](std::string&to, auto number) { append_turned(to, number); })}) {
+    const Polygons mesh = load_polygons(write_mesh("kinds.ply", bytes));
+    EXPECT_EQ(mesh.positions,
+              (std::vector<glm::dvec3>{{0, 0, 0}, {-7, 0.1, -300}, {-14, 0.1 * 2 * 2, -600}}));
+    EXPECT_EQ(mesh.corners, (std::vector<std::uint32_t>{0, 1, 2}));
+  }
+}
+
+TEST(geometry, is_read_with_the_line_ends_of_windows) {
+  const auto turn = [](const std::string& text) {
+    std::string turned;
+    for (const char c : text) turned += c == '\n' ? std::string("\r\n") : std::string(1, c);
+    return turned;
+  };
+  EXPECT_EQ(load_polygons(write_mesh("windows.obj", turn(kTriangle))).positions.size(), 3u);
+  EXPECT_EQ(load_polygons(write_mesh("windows.ply", turn(build_ply_head("ascii") +
+                                                         "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n4 0 1 2 3\n")))
+                .corners.size(),
+            4u);
+}
+
+TEST(geometry, a_cloud_has_a_normal_a_point_or_none) {
+  const std::string points = "v 0 0 0\nv 1 0 0\nv 0 1 0\n", normal = "vn 0 0 1\n";
+  const auto count_normals = [](const std::string& text) {
+    return load_polygons(write_mesh("cloud.obj", text), Faces::optional).normals.size();
+  };
+  EXPECT_EQ(count_normals(points + normal + normal + normal), 3u);
+  EXPECT_EQ(count_normals(points + normal + normal), 0u);
+  EXPECT_EQ(count_normals(normal + normal + normal + points + "f 1 2 3\n"), 0u)
+      << "of a surface the faces tell";
 }
 
 TEST(ply, tells_what_is_wrong_and_where) {

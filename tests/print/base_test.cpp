@@ -70,6 +70,10 @@ TEST(base, stands_as_broad_as_asked) {
 
 TEST(base, is_wider_than_any_foot) {
   Mesh mesh = build_ball_on_neck(30, 20, 8, 6);
+  const std::vector<glm::vec3> foot = list_points(mesh, find_boundary_loops(mesh.triangles).front());
+  for (const auto& ring : list_base_rings({BaseShape::round, 8, 2}, foot))
+    for (std::size_t i = 0; i < foot.size(); ++i)
+      EXPECT_GE(glm::length(glm::vec2(ring[i])), 0.999f * glm::length(glm::vec2(foot[i]))) << i;
   append_base(mesh, find_boundary_loops(mesh.triangles).front(), {BaseShape::round, 8, 2});
   expect_solid(mesh, "wide foot");
 }
@@ -103,6 +107,11 @@ TEST(base, says_what_cannot_be) {
   broad.magnet_diameter_mm = 40;
   broad.magnet_depth_mm = 2;
   EXPECT_EQ(complaint(broad), "the magnet's pocket of 40 x 2 mm does not fit the base");
+  // A foot that runs back on itself, and one of two points.
+  for (const std::vector<glm::vec3>& foot :
+       {std::vector<glm::vec3>{{5, 0, 8}, {0, 5, 8}, {4, 3, 8}, {-5, 0, 8}, {0, -5, 8}},
+        std::vector<glm::vec3>{{5, 0, 8}, {-5, 1, 8}}})
+    EXPECT_THROW(list_base_rings({BaseShape::round, 8}, foot), RunError);
 }
 
 // All numbers after "ECHO:" in OpenSCAD's output for `source`.

@@ -49,6 +49,17 @@ TEST(opening, a_rib_is_told_with_its_thickness_and_a_ball_is_not) {
   EXPECT_NEAR(details[0].area_mm2, 2 * 20 + 0.6 * 18, 0.01);
 }
 
+TEST(opening, the_finest_is_told_first) {
+  Mesh mesh = build_box({-0.3f, -2, 0}, {0.3f, 2, 5});
+  append_mesh(mesh, build_box({9.8f, -2, 0}, {10.2f, 2, 5}));
+  append_mesh(mesh, build_box({19.75f, -2, 0}, {20.25f, 2, 5}));
+  const std::vector<FineDetail> details = list_fine_details(mesh, build_solid_tree(mesh), 0.8, 0.3);
+  ASSERT_EQ(details.size(), 3u);
+  EXPECT_NEAR(details[0].finest_mm, 0.4, 0.04);
+  EXPECT_NEAR(details[1].finest_mm, 0.5, 0.04);
+  EXPECT_NEAR(details[2].finest_mm, 0.6, 0.04);
+}
+
 TEST(opening, specks_are_left_out) {
   Mesh mesh = build_box({-10, -5, 0}, {10, 5, 20});
   append_mesh(mesh, build_box({-0.1f, -0.1f, 19}, {0.1f, 0.1f, 20.8f}));

@@ -136,6 +136,17 @@ TEST(report, faults_are_told_in_words) {
   EXPECT_THAT(report.warnings, Contains("Nothing of it lies on the bed."));
 }
 
+TEST(report, what_stands_on_too_little_may_topple) {
+  PrintReport report = measure_print(build_block({-10, -5, 0}, {10, 5, 30}));
+  EXPECT_TRUE(report.warnings.empty());
+  report.bed_mm2 = 7;  // of a print 20 mm broad and 10 mm deep
+  update_warnings(report);
+  EXPECT_THAT(report.warnings, Contains("It stands on 7 mm2 only and may topple."));
+  report.bed_mm2 = 9;
+  update_warnings(report);
+  EXPECT_TRUE(report.warnings.empty());
+}
+
 TEST(report, a_surface_through_itself_is_told) {
   Mesh mesh = build_block({-10, -5, 0}, {10, 5, 30});
   append_mesh(mesh, build_block({9, -3, 4}, {14, 3, 8}));

@@ -13,6 +13,8 @@ TEST(picture, says_what_is_wrong_with_a_picture) {
   const std::string png = build_picture(8, 6);
   EXPECT_EQ(find_picture_fault(png, {8, 6}), "");
   EXPECT_EQ(find_picture_fault(png, {6, 8}), "is 8x6 pixels, not 6x8");
+  EXPECT_EQ(find_picture_fault(png, {8, 5}), "is 8x6 pixels, not 8x5");
+  EXPECT_EQ(find_picture_fault(png, {9, 6}), "is 8x6 pixels, not 9x6");
   EXPECT_EQ(find_picture_fault(build_picture(8, 6, {10, 10, 10}, {10, 10, 10}), {8, 6}), "is all one colour");
   EXPECT_EQ(find_picture_fault(build_picture(8, 6, {10, 10, 10}, {10, 10, 11}), {8, 6}), "");
   EXPECT_EQ(find_picture_fault("", {8, 6}), "does not decode: the file is empty");
@@ -82,6 +84,16 @@ TEST(picture, has_no_key_unless_it_is_whole) {
   EXPECT_EQ(read_picture_size(path).width_px, 8);
 }
 
+TEST(picture, has_no_key_unless_its_pixels_decode) {
+  // As above: every chunk is whole, yet rows are missing.
+  constexpr std::size_t kHeaderEnd = 8 + 25;
+  const std::string mixed =
+      build_picture(8, 60).substr(0, kHeaderEnd) + build_picture(8, 6).substr(kHeaderEnd);
+  const Scratch scratch;
+  write_file(scratch.path / "a.png", mark_picture(mixed, "k"));
+  EXPECT_EQ(read_picture_key(scratch.path / "a.png"), "");
+}
+
 TEST(picture, is_pasted_into_a_page_that_reads_back) {
   Pixels page{{5, 4}, std::vector<std::uint8_t>(60, 200)};
   Pixels part{{2, 2}, {}};
@@ -102,6 +114,8 @@ TEST(picture, is_pasted_into_a_page_that_reads_back) {
   EXPECT_EQ(find_message<RunError>([&] { paste_pixels(page, part, 4, 0); }),
             "internal: a picture lies outside its page");
   EXPECT_THROW(paste_pixels(page, part, 0, -1), RunError);
+  EXPECT_THROW(paste_pixels(page, part, -1, 0), RunError);
+  EXPECT_THROW(paste_pixels(page, part, 0, 3), RunError);
 }
 
 }  // namespace

@@ -75,13 +75,15 @@ TEST(video, shows_the_colours_of_the_pictures) {
 }
 
 TEST(video, pads_odd_sides_with_the_border_itself) {
-  Reel reel(1, 33, 25);
-  write_video(reel.pictures, 24, reel.clip);
-  EXPECT_THAT(reel.probe(), HasSubstr("width=34\nheight=26\n"));
-  const std::string rgb = reel.decode();
-  ASSERT_EQ(rgb.size(), 34u * 26 * 3);
-  for (std::size_t i = 0; i < rgb.size(); ++i)
-    EXPECT_NEAR(static_cast<unsigned char>(rgb[i]), static_cast<unsigned char>(rgb[i % 3]), 2) << i;
+  for (const auto& [width, height] : {std::pair{33, 25}, {34, 25}, {33, 26}}) {
+    Reel reel(1, width, height);
+    write_video(reel.pictures, 24, reel.clip);
+    EXPECT_THAT(reel.probe(), HasSubstr("width=34\nheight=26\n"));
+    const std::string rgb = reel.decode();
+    ASSERT_EQ(rgb.size(), 34u * 26 * 3);
+    for (std::size_t i = 0; i < rgb.size(); ++i)
+      EXPECT_NEAR(static_cast<unsigned char>(rgb[i]), static_cast<unsigned char>(rgb[i % 3]), 2) << i;
+  }
 }
 
 TEST(video, is_the_same_bytes_whatever_the_cores) {
@@ -103,9 +105,12 @@ TEST(video, refuses_pictures_that_ffmpeg_would_pass_over) {
   EXPECT_EQ(reel.find_error(), reel.pictures[1].string() + " is not a whole PNG picture: the file is empty");
   std::filesystem::remove(reel.pictures[1]);
   EXPECT_EQ(reel.find_error(), "cannot read " + reel.pictures[1].string() + ": No such file or directory");
-  write_file(reel.pictures[1], build_picture(16, 16));
-  EXPECT_EQ(reel.find_error(), reel.pictures[1].string() + " is 16x16 pixels, but " +
-                                   reel.pictures[0].string() + " is 32x24; a clip needs one size");
+  for (const auto& [width, height] : {std::pair{16, 16}, {32, 26}, {30, 24}}) {
+    write_file(reel.pictures[1], build_picture(width, height));
+    EXPECT_EQ(reel.find_error(),
+              fmt::format("{} is {}x{} pixels, but {} is 32x24; a clip needs one size",
+                          reel.pictures[1].string(), width, height, reel.pictures[0].string()));
+  }
   reel.pictures.clear();
   EXPECT_EQ(reel.find_error(), "a clip needs one picture at least");
   EXPECT_FALSE(std::filesystem::exists(reel.clip));

@@ -12,6 +12,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "scene/povray_stage.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -74,12 +75,44 @@ std::string find_error(const Model& model, const RenderSpec& render = {}) {
 }
 
 TEST(povray, negates_z_of_positions_and_normals_once) {
-  const Model model{{build_square("card", false)}};
+  // Each corner has a place and a normal that no other has.
+  Model model{{build_square("card", false), build_square("eye", true)}};
+  for (Part& part : model.parts) {
+    part.rest.positions[3].z = 12;
+    part.rest.normals = {{0, 0, 1}, {0.6f, 0, 0.8f}, {0, -1, 0}, {0, 0.8f, -0.6f}};
+  }
+  const std::vector<double> places{4, -40, -40, -10, 40, -40, -10, 40, 40, -10, -40, 40, -12};
+  const std::vector<double> normals{4, 0, 0, -1, 0.6, 0, -0.8, 0, -1, 0, 0, 0.8, 0.6};
   const std::string frame = format_frame(model, draw_at_rest(model));
-  EXPECT_EQ(read_numbers(frame, "vertex_vectors {", '}'),
-            (std::vector<double>{4, -40, -40, -10, 40, -40, -10, 40, 40, -10, -40, 40, -10}));
-  EXPECT_EQ(read_numbers(frame, "normal_vectors {", '}'),
-            (std::vector<double>{4, 0, 0, -1, 0, 0, -1, 0, 0, -1, 0, 0, -1}));
+  EXPECT_EQ(read_numbers(frame, "vertex_vectors {", '}'), places);
+  EXPECT_EQ(read_numbers(frame, "normal_vectors {", '}'), normals);
+  const std::string parts = build_povray_parts(model, shipped_stock().templates);
+  EXPECT_EQ(read_numbers(parts, "vertex_vectors {", '}'), places);
+  EXPECT_EQ(read_numbers(parts, "normal_vectors {", '}'), normals);
+}
+
+TEST(povray, turns_the_words_of_an_overlay_to_the_camera) {
+  Overlay overlay;
+  overlay.lines.push_back({{{{{1, 2, 3}, {4, 5, 6}}}}, {}, 0.5, {1, 0, 0.5f}});
+  overlay.words.push_back({"smile \"0.8\"", {10, 20, 30}, 8, {0, 0.25f, 1}, 0.5});
+  CameraView view;
+  view.angle_deg = 30;  // shows more of the character's left, +x: words then face +x too
+  std::string text;
+  append_povray_overlay(text, overlay, view);
+  EXPECT_EQ(text,
+            "union {\nstage_line(<1,2,-3>, <4,5,-6>, 0.5)\nstage_ink(srgb <1,0,0.5>) }\n"
+            "stage_words(\"smile \\\"0.8\\\"\", <10,20,-30>, 8, 0.5, -30, srgb <0,0.25,1>)\n");
+}
+
+// A light set's Turn goes to the picture's left, an author's angle to the character's.
+TEST(povray, turns_lights_to_the_side_that_was_asked_for) {
+  std::string text;
+  append_povray_lights(text, {});
+  EXPECT_EQ(text, "");
+  append_povray_lights(text, {{"moon", 0.5, 20}, {"candle", 0.25, -30}});
+  EXPECT_EQ(
+      text,
+      "#macro frame_lights(Turn)\n  light_moon(Turn + -20, 0.5)\n  light_candle(Turn + 30, 0.25)\n#end\n");
 }
 
 TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {

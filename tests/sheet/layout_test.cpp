@@ -60,12 +60,19 @@ TEST(sheet_layout, breaks_a_block_into_rows_and_leaves_places_empty) {
   SheetPlan plan = build_plan(1, 5, 1);
   plan.blocks[0].columns = 3;
   plan.blocks[0].skipped = 1;
+  for (SheetCell& cell : plan.blocks[0].cells) cell.caption = "Caption";
   const SheetLayout layout = build_sheet_layout(plan, "", {200, 250});
   ASSERT_EQ(layout.places.size(), 5u);
   EXPECT_EQ(layout.places[0].left_px, layout.places[3].left_px);
   EXPECT_EQ(layout.places[0].top_px, layout.places[1].top_px);
   EXPECT_LT(layout.places[2].left_px, layout.places[0].left_px);
   EXPECT_GT(layout.places[2].top_px, layout.places[0].top_px + 250);
+  const auto& words = layout.plate.words;
+  for (std::size_t i = words.size() - 5; i < words.size() - 3; ++i) {
+    ASSERT_EQ(words[i].words, "Caption");
+    EXPECT_LT(words[i].y_px, layout.places[2].top_px) << "the next row lies below it";
+  }
+  EXPECT_LT(layout.places[4].top_px + 250, layout.plate.height_px);
 }
 
 // Words of a table stand in their columns, strokes in their fields, and the page is long enough for both.

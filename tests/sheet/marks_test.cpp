@@ -81,6 +81,14 @@ TEST(sheet_marks, a_box_holds_the_places_in_all_poses) {
   EXPECT_GT(drawn.overlay.words[3].at.x, high.x);
 }
 
+TEST(sheet_marks, a_box_from_the_side_has_its_words_on_their_sides) {
+  const DrawnMarks drawn =
+      draw({MarkShape::box, {"a", "b"}, {Pose{}, whole()}, false, {"up", "down", "in", "out"}}, 90);
+  ASSERT_EQ(drawn.overlay.words.size(), 4u);
+  // From the character's left the picture's right is behind.
+  EXPECT_LT(drawn.overlay.words[3].at.z, drawn.overlay.words[2].at.z);
+}
+
 TEST(sheet_marks, a_level_crosses_the_picture) {
   const DrawnMarks drawn = draw({MarkShape::level, {"a"}, {whole()}, false, {"match level"}});
   const auto& [from, to] = drawn.overlay.lines.at(0).segments.at(0);

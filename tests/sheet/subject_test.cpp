@@ -46,6 +46,7 @@ TEST(sheet_subject, is_a_library_by_its_name) {
   EXPECT_EQ(subject.spec.library, "tezuka");
   EXPECT_EQ(subject.spec.name, "tezuka");
   EXPECT_EQ(subject.spec.title, "The faces of tezuka");
+  EXPECT_EQ(subject.spec.head.hair, "crop") << "a bald head looks startled";
   EXPECT_EQ(subject.spec.head.age, (Mix{{"adult", 1.0}}));
 }
 

@@ -59,6 +59,9 @@ TEST(advice, warns_of_holds_too_short_to_read) {
                               build_key(1 + 4 / 24.0, "gasp", 1, 3), build_key(2, "rest", 0, 4)});
   EXPECT_EQ(advise(clip),
             "a.yaml:3:7: warning: 'gasp' is held for 4 frames; a hold is read from 6 on (until 1.25s)\n");
+  clip.keys[2].at_s = 1 + 5 / 24.0;
+  EXPECT_EQ(advise(clip),
+            "a.yaml:3:7: warning: 'gasp' is held for 5 frames; a hold is read from 6 on (until 1.25s)\n");
   clip.keys[2].at_s = 1.25;
   EXPECT_EQ(advise(clip), "");
 }

@@ -38,6 +38,25 @@ TEST(blinks, keep_their_rate_over_a_long_clip) {
   }
 }
 
+TEST(blinks, are_shut_on_the_drawing_nearest_to_their_time) {
+  ClipSpec clip = build_clip(1, 2, 0, 1);  // drawings at the frames 0, 2, 4
+  for (const auto& [asked, shut] : {std::pair{0.9, 0.0}, std::pair{1.6, 2.0}, std::pair{2.9, 2.0}}) {
+    clip.blinks_s = {asked / 24};
+    EXPECT_EQ(list_times(clip), std::vector<double>{shut / 24}) << asked;
+  }
+}
+
+TEST(blinks, of_their_own_leave_an_open_eye_between_them_on_the_coarsest_drawings) {
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    ClipSpec clip = build_clip(60, 3, 150, seed);
+    clip.fps = 12;
+    const auto blinks_s = list_times(clip);
+    ASSERT_GT(blinks_s.size(), 50u);
+    for (std::size_t i = 1; i < blinks_s.size(); ++i)
+      EXPECT_GE(blinks_s[i] - blinks_s[i - 1], kBlinkGap_s - 1e-9) << seed << " at " << blinks_s[i];
+  }
+}
+
 TEST(blinks, are_as_uneven_as_a_persons) {
   const auto blinks_s = list_times(build_clip(3600, 1, 15, 3));
   std::vector<double> intervals_s;

@@ -106,6 +106,29 @@ TEST(exposure, numbers_drawings_and_tells_what_changed) {
             "6,0.208333,3,held,,\n");
 }
 
+TEST(exposure, labels_the_last_frame_and_no_moment_after_it) {
+  ClipSpec clip;
+  clip.length_s = 0.25;  // frames 0 to 5, the last one at 5/24 s
+  const auto list_labels = [&](double at_s) {
+    clip.keys = {build_key(0, "first", 0, 0), build_key(at_s, "last", 1, 0)};
+    std::string labels;
+    for (const ExposureLine& line : build_exposure(build_performance(clip)))
+      labels += line.key.empty() ? "-" : "[" + line.key + "]";
+    return labels;
+  };
+  EXPECT_EQ(compute_key_frame(clip, 4.5 / 24), 5);
+  EXPECT_EQ(compute_key_frame(clip, 5.0 / 24), 5);
+  EXPECT_EQ(compute_key_frame(clip, 0.25), 5);
+  EXPECT_EQ(list_labels(4.0 / 24), "[first]---[last]-");
+  EXPECT_EQ(list_labels(4.5 / 24), "[first]----[last]");
+  EXPECT_EQ(list_labels(5.0 / 24), "[first]----[last]");
+  EXPECT_EQ(list_labels(0.25), "[first]-----");
+  clip.draw = 2;  // frame 5 holds the drawing of frame 4
+  EXPECT_EQ(list_labels(4.0 / 24), "[first]---[last]-");
+  EXPECT_EQ(list_labels(5.0 / 24), "[first]-----");
+  EXPECT_EQ(list_labels(1.0 / 24), "[first]-[last]---") << "the drawing of frame 1 is that of frame 0";
+}
+
 TEST(exposure, gives_a_drawing_that_comes_back_its_number_again) {
   ClipSpec clip = build_clip();
   clip.keys = {build_key(0, "a", 0, 0), build_key(0.25, "b", 1, 0), build_key(0.5, "a", 0, 0)};

@@ -44,11 +44,36 @@ struct Stage {
 TEST(cues, come_stay_and_go) {
   const Stage stage({build_cue({1, 1.4, 2.4, 3.2}, kCorner, 0.8)});
   EXPECT_EQ(stage.at(1), 0);
+  EXPECT_NEAR(stage.at(1.1), 0.8 * 0.15625, 1e-9);  // a quarter of the time is 5/32 of the way
   EXPECT_DOUBLE_EQ(stage.at(1.2), 0.4);
+  EXPECT_NEAR(stage.at(1.3), 0.8 * 0.84375, 1e-9);
   EXPECT_EQ(stage.at(1.4), 0.8);
   EXPECT_EQ(stage.at(2.4), 0.8);
+  EXPECT_NEAR(stage.at(2.6), 0.8 * 0.84375, 1e-9);
   EXPECT_DOUBLE_EQ(stage.at(2.8), 0.4);
+  EXPECT_NEAR(stage.at(3), 0.8 * 0.15625, 1e-9);
   EXPECT_EQ(stage.at(3.2), 0);
+}
+
+TEST(cues, reach_further_as_they_come_and_go) {
+  for (const Rule rule : {Rule::over, Rule::add, Rule::max, Rule::share}) {
+    ClipSpec clip;
+    clip.cues = {build_cue({1, 1.4, 2.4, 3.2}, kCorner, 0.8, rule)};
+    clip.cues[0].what.reach = 2;
+    const CueStack stack = build_cue_stack(clip);
+    const auto find_reach = [&](double time_s, std::size_t move) {
+      FaceState face;
+      face.reach.fill(1);
+      apply_cues(stack, compute_ticks(time_s), face);
+      return face.reach[move];
+    };
+    EXPECT_EQ(find_reach(1, kCorner), 1);
+    EXPECT_NEAR(find_reach(1.1, kCorner), 1.15625, 1e-9);
+    EXPECT_DOUBLE_EQ(find_reach(1.2, kCorner), 1.5);
+    EXPECT_EQ(find_reach(2, kCorner), 2);
+    EXPECT_NEAR(find_reach(3, kCorner), 1.15625, 1e-9);
+    EXPECT_EQ(find_reach(2, kBrow), 1) << "it does not own the brow";
+  }
 }
 
 TEST(cues, leave_alone_what_they_do_not_own) {

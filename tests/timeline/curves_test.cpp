@@ -126,6 +126,15 @@ TEST(curves, smooth_never_passes_its_keys_and_has_no_corner) {
   }
 }
 
+TEST(curves, smooth_ends_with_the_slopes_of_a_parabola) {
+  using Slopes = std::vector<double>;
+  // t^2 at 1, 2, 4 has the slopes 2 t.
+  EXPECT_EQ(compute_smooth_slopes(std::array{1.0, 2.0, 4.0}, std::array{1.0, 4.0, 16.0}), (Slopes{2, 4, 8}));
+  // Never against the way, and never more than twice as steep.
+  EXPECT_EQ(compute_smooth_slopes(std::array{0.0, 1.0, 2.0}, std::array{0.0, 1.0, 10.0}), (Slopes{0, 2, 13}));
+  EXPECT_EQ(compute_smooth_slopes(std::array{0.0, 1.0, 2.0}, std::array{0.0, 1.0, -4.0}), (Slopes{2, 0, -8}));
+}
+
 TEST(curves, a_key_with_an_ease_ends_the_curve) {
   std::vector<TrackKey> keys{{0, {}, Between::spline, {0}},
                              {1, {}, Between::spline, {1}},

@@ -38,6 +38,23 @@ TEST(drawings, a_clip_at_rest_is_one_drawing) {
   for (const int first : compute_drawings(build_performance(clip))) EXPECT_EQ(first, 0);
 }
 
+TEST(drawings, other_light_is_another_drawing) {
+  ClipSpec clip = make_clip(1);
+  clip.keys[1].pose = Pose{};
+  clip.light.resize(2);
+  clip.light[1] = {0.5, Easing::linear, "studio", 0.5, 0};
+  const std::vector<int> first = compute_drawings(build_performance(clip));
+  EXPECT_EQ(first[11], 11);
+  EXPECT_EQ(first[12], 12);
+  EXPECT_EQ(first[23], 12) << "the light stays as it was";
+}
+
+TEST(drawings, of_equal_keys_the_poster_shows_the_first) {
+  ClipSpec clip = make_clip(1);
+  clip.keys[2].pose.values[1] = -1;
+  EXPECT_EQ(find_poster_frame(clip), 12);
+}
+
 TEST(drawings, the_poster_shows_the_strongest_key) { EXPECT_EQ(find_poster_frame(make_clip(2)), 12); }
 
 }  // namespace

@@ -224,6 +224,48 @@ TEST(asymmetry, is_seen_by_itself_and_stays_on_its_side) {
     }
 }
 
+TEST(asymmetry, makes_the_side_weaker_that_it_says_and_the_right_one_more_often) {
+  constexpr int kSeeds = 2000;
+  int on_the_right = 0;
+  for (int seed = 1; seed <= kSeeds; ++seed) {
+    const Asymmetry asymmetry = build_asymmetry({0.2, static_cast<std::uint64_t>(seed)}, {0});
+    Pose even;
+    for (const Side side : {Side::left, Side::right}) even.values[*find_move(Area::corner, side, "up")] = 0.8;
+    const Pose leaning = sample_leaning(asymmetry, 0, [&](double, const auto&) { return even; });
+    const auto corner = std::ranges::find(asymmetry.areas, "corner", &AreaLean::area);
+    ASSERT_NE(corner, asymmetry.areas.end());
+    const Side strong = corner->weak == Side::left ? Side::right : Side::left;
+    EXPECT_DOUBLE_EQ(value_of(leaning, "corner", corner->weak, "up"), 0.8 * (1 - corner->weakness));
+    EXPECT_EQ(value_of(leaning, "corner", strong, "up"), 0.8);
+    if (corner->weak == Side::right) ++on_the_right;
+  }
+  EXPECT_NEAR(static_cast<double>(on_the_right) / kSeeds, 0.59, 0.04);
+}
+
+// On a way that is gone at an even pace from 0 to 1.
+TEST(asymmetry, lets_the_late_side_wait_and_the_early_one_arrive) {
+  const Asymmetry asymmetry = build_asymmetry({0.2, 3}, {0, 1});
+  const auto sample = [](double time_s, const auto&) {
+    Pose pose;
+    for (const Side side : {Side::left, Side::right})
+      pose.values[*find_move(Area::brow, side, "up")] = time_s;
+    return pose;
+  };
+  const auto brow = std::ranges::find(asymmetry.areas, "brow", &AreaLean::area);
+  ASSERT_NE(brow, asymmetry.areas.end());
+  ASSERT_GT(brow->delay_s, 0);
+  const auto gone = [&](double time_s, Side side) {
+    const double weakness = side == brow->weak ? brow->weakness : 0;
+    return value_of(sample_leaning(asymmetry, time_s, sample), "brow", side, "up") / (1 - weakness);
+  };
+  const Side early = brow->late == Side::left ? Side::right : Side::left;
+  EXPECT_EQ(gone(brow->delay_s / 2, brow->late), 0);
+  EXPECT_GT(gone(brow->delay_s / 2, early), brow->delay_s / 2);
+  EXPECT_LT(gone(0.5, brow->late), 0.5);
+  EXPECT_GT(gone(0.5, early), 0.5);
+  EXPECT_DOUBLE_EQ(gone(1 - brow->delay_s / 2, early), 1);
+}
+
 TEST(asymmetry, leaves_a_shut_lid_shut) {
   ClipSpec clip;
   clip.keys = {build_key(0, -1)};

@@ -45,6 +45,22 @@ ClipSpec build_random_clip(std::uint64_t seed) {
   return clip;
 }
 
+TEST(performance, holds_each_move_at_its_limit_times_its_reach_or_where_it_is_stopped) {
+  std::size_t stopped = 0, lifted = 0;
+  for (std::size_t move = 0; move < kMoveCount; ++move)
+    for (const int sign : {-1, 1}) {
+      const double end = sign < 0 ? kMoves[move].low : kMoves[move].high;
+      const bool is_stopped = !find_stop(move, sign).empty();
+      if (end == 0) continue;
+      EXPECT_EQ(hold_value(move, 5.0 * sign, 1.5), is_stopped ? end : 1.5 * end) << move;
+      EXPECT_EQ(hold_value(move, end, 1), end);
+      EXPECT_EQ(hold_value(move, end / 2, 1), end / 2);
+      ++(is_stopped ? stopped : lifted);
+    }
+  EXPECT_GT(stopped, 0u);
+  EXPECT_GT(lifted, stopped);
+}
+
 TEST(performance, shows_a_key_exactly_at_its_time) {
   for (std::uint64_t seed = 0; seed < 200; ++seed) {
     const Performance performance = build_performance(build_random_clip(seed));
