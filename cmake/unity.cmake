@@ -4,7 +4,7 @@
 set(MIEN_TOGETHER 6)
 set(MIEN_ALONE command_line/help config/formula config/load_clip_laws config/load_clip_scripts config/load_fold_data
                config/load_idle head/beard head/eyes head/hair_chart head/hair_growth head/hair_locks head/scan_ear
-               head/skin_spots head/teeth head/wrap_finish import/read_ply print/thickness scene/openscad_check
+               head/skin_spots head/teeth head/wrap_finish import/read_ply print/thicken print/thickness scene/openscad_check
                scene/openscad_numbers scene/povray_stage)
 
 # mien_compile_together(SOURCE...): sets the group that each is of.

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "config/config_fixture.hpp"
+#include "fuzz_rounds.hpp"
 
 namespace mien {
 namespace {
@@ -44,31 +45,54 @@ std::string damage(std::string text, std::mt19937& random) {
   return text;
 }
 
+// 1 if the file is good; of what is wrong every mistake has a place.
+int try_file(const std::filesystem::path& file, const std::string& text) {
+  try {
+    const Spec spec = load_spec(file, *find_language());
+    EXPECT_GE(count_frames(spec.clip), 1);
+    return 1;
+  } catch (const InputError& error) {
+    EXPECT_FALSE(error.diagnostics.empty());
+    for (const Diagnostic& diagnostic : error.diagnostics) {
+      EXPECT_GE(diagnostic.place.line, 1) << text;
+      EXPECT_GE(diagnostic.place.column, 1) << text;
+      EXPECT_FALSE(diagnostic.message.empty());
+    }
+  } catch (const std::exception& error) {
+    ADD_FAILURE() << error.what() << "\n" << text;
+  }
+  return 0;
+}
+
 TEST(fuzz, gives_a_spec_or_mistakes_with_a_place) {
   const std::vector<std::string> texts = load_good_texts();
   const auto file = make_test_folder() / "fuzz.yaml";
-  std::mt19937 random(1990);
+  std::mt19937 random(find_fuzz_seed(1990));
   int good = 0;
-  for (int round = 0; round < 2000; ++round) {
+  const int rounds = count_fuzz_rounds(2000);
+  for (int round = 0; round < rounds; ++round) {
     const std::string text = damage(texts[static_cast<std::size_t>(round) % texts.size()], random);
     write_file(file, text);
-    try {
-      const Spec spec = load_spec(file, *find_language());
-      EXPECT_GE(count_frames(spec.clip), 1);
-      ++good;
-    } catch (const InputError& error) {
-      EXPECT_FALSE(error.diagnostics.empty());
-      for (const Diagnostic& diagnostic : error.diagnostics) {
-        EXPECT_GE(diagnostic.place.line, 1) << text;
-        EXPECT_GE(diagnostic.place.column, 1) << text;
-        EXPECT_FALSE(diagnostic.message.empty());
-      }
-    } catch (const std::exception& error) {
-      FAIL() << error.what() << "\n" << text;
-    }
+    good += try_file(file, text);
   }
-  EXPECT_GT(good, 100);
-  EXPECT_LT(good, 1900);
+  EXPECT_GT(good, rounds / 20);
+  EXPECT_LT(good, rounds - rounds / 20);
+}
+
+TEST(fuzz, tables_give_a_spec_or_mistakes_with_a_place) {
+  const auto folder = make_test_folder();
+  const std::string whole = read_file(kData / "configs/talk.csv");
+  write_file(folder / "fuzz_table.yaml", "mien: 1\nclip: {tracks: [{csv: fuzz_table.csv}]}\n");
+  std::mt19937 random(find_fuzz_seed(7));
+  int good = 0;
+  const int rounds = count_fuzz_rounds(400);
+  for (int round = 0; round < rounds; ++round) {
+    const std::string text = damage(whole, random);
+    write_file(folder / "fuzz_table.csv", text);
+    good += try_file(folder / "fuzz_table.yaml", text);
+  }
+  EXPECT_GT(good, rounds / 20);
+  EXPECT_LT(good, rounds - rounds / 20);
 }
 
 }  // namespace
