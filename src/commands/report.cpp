@@ -60,11 +60,11 @@ std::vector<HeadSpec> list_heads(const Clip& clip) {
 
 void report_warning(const Options& options, const Diagnostic& warning) {
   if (!options.is_json) return fmt::print("{}\n", format_diagnostic(warning));
-  fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "warning"},
-                                                          {"file", warning.place.file},
-                                                          {"line", warning.place.line},
-                                                          {"column", warning.place.column},
-                                                          {"message", warning.message}}));
+  nlohmann::ordered_json object{{"kind", "warning"}, {"file", warning.place.file}};
+  if (warning.place.line > 0) object["line"] = warning.place.line;
+  if (warning.place.column > 0) object["column"] = warning.place.column;
+  object["message"] = warning.message;
+  fmt::print("{}\n", format_object(object));
 }
 
 std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {

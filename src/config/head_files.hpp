@@ -14,7 +14,7 @@ namespace mien {
 
 inline constexpr int kMaxMixDepth = 4;     // heads that mix heads that mix heads: no author needs more
 inline constexpr int kMaxMixedHeads = 24;  // of one file, all depths together; each costs a tenth of a second
-inline constexpr int kMaxScans = 4;        // of one file, different ones; each takes two seconds to wrap
+inline constexpr int kMaxScans = 3;        // of one file, different ones; each takes two seconds to wrap
 inline constexpr int kMaxHeadKeys = 30;    // of one file; each is a head to build, a third of a second
 inline constexpr int kMaxStrokes = 200;    // of one file; each moves a whole head, a millisecond
 

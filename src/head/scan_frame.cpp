@@ -51,6 +51,27 @@ void check_pairs(const Scan& scan, const std::vector<glm::dvec3>& ours,
               glm::distance(theirs[first], ours[second]), glm::distance(theirs[second], ours[first])));
 }
 
+// The tip of a nose stands before the line from its root to its base: on adults some 15 mm, on infants, at
+// our size, half of it.
+void check_nose(const Scan& scan, const std::vector<glm::dvec3>& placed) {
+  constexpr double kLeast_mm = 4.5;
+  const auto find = [&](const char* name) {
+    return static_cast<std::size_t>(std::ranges::find(scan.marks, name, &ScanMark::name) -
+                                    scan.marks.begin());
+  };
+  const std::size_t root = find("n"), tip = find("prn"), base = find("sn");
+  if (std::max({root, tip, base}) >= placed.size()) return;
+  const glm::dvec3 line = placed[base] - placed[root], way = placed[tip] - placed[root];
+  const double share = glm::dot(way, line) / glm::dot(line, line);
+  const double before_mm = (way - share * line).z;
+  if (before_mm < kLeast_mm)
+    fail_at(scan, scan.marks[tip].said,
+            fmt::format(
+                "landmark 'prn', the tip of the nose, stands {:.1f} mm before the line from 'n' to 'sn' on "
+                "a head of our size; expected {} at least",
+                std::round(10 * before_mm) / 10 + 0.0, kLeast_mm));
+}
+
 }  // namespace
 
 // Brings the marks' places together; complains if they are not a head's.
@@ -76,6 +97,7 @@ Similarity align_marks(const HeadStock& stock, const Scan& scan) {
   for (const glm::dvec3& p : theirs) placed.push_back(apply_similarity(similarity, p));
   if (misses[worst] <= kMostMiss_mm) {
     check_pairs(scan, ours, placed);
+    check_nose(scan, placed);
     return similarity;
   }
   // A mirrored head fits better if the sides were taken for each other.

@@ -1,9 +1,11 @@
 // Heads from files of the user's own, as a person would make them.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "end_to_end/program.hpp"
+#include "import/polygons.hpp"
 
 namespace mien {
 namespace {
@@ -39,6 +41,39 @@ TEST(own_head, a_half_goes_out_and_comes_back_as_it_was) {
   const std::string before = find_keys(folder, "mine");
   write_file(folder / "parts/half.obj", move_point(read_file(folder / "parts/half.obj"), 100));
   EXPECT_NE(find_keys(folder, "mine"), before) << "another half is another picture";
+}
+
+// A scan with one point far off: what it is worth is said by every command that makes a head of it.
+TEST(own_head, a_scan_that_is_to_be_doubted_is_warned_of) {
+  const auto folder = make_folder("own_head_doubted");
+  const std::filesystem::path model = std::filesystem::path(source_folder()) / "configs/scans/model.ply";
+  const Polygons mesh = load_polygons(model);
+  std::string obj;
+  for (const glm::dvec3& p : mesh.positions) obj += fmt::format("v {} {} {}\n", p.x, p.y, p.z);
+  for (std::size_t f = 0; f < mesh.face_count(); ++f) {
+    obj += "f";
+    for (std::uint32_t i = mesh.first[f]; i < mesh.first[f + 1]; ++i)
+      obj += fmt::format(" {}", mesh.corners[i] + 1);
+    obj += "\n";
+  }
+  write_file(folder / "face.obj", obj + "v 5000 0 0\n");
+  write_file(folder / "face.yaml", read_file(std::filesystem::path(model).replace_extension(".yaml")));
+  write_file(folder / "mine.yml", "mien: 1\nhead: {scan: face.obj}\n");
+  const std::string told =
+      "1 of 3898 points is astray, up to 5000 from the middle of the others, which lie within ";
+  for (const char* command : {"check", "mesh -o a.obj", "mesh --half -o b.obj"}) {
+    const ProgramRun run = run_shell(folder, fmt::format("mien {} mine.yml", command));
+    EXPECT_EQ(run.status, 0) << run.err;
+    EXPECT_NE(run.out.find("face.obj: warning: " + told), std::string::npos) << command << "\n" << run.out;
+  }
+  const ProgramRun json = run_shell(folder, "mien mesh mine.yml --half --json -o b.obj | head -n 1");
+  const auto object = nlohmann::json::parse(json.out);
+  EXPECT_EQ(object.at("kind"), "warning");
+  EXPECT_EQ(object.at("file"), "face.obj");
+  EXPECT_FALSE(object.contains("line")) << "the file as a whole";
+  EXPECT_EQ(object.at("message").get<std::string>().substr(0, told.size()), told);
+  const ProgramRun quiet = run_shell(folder, "mien mesh mine.yml --half --quiet -o b.obj");
+  EXPECT_EQ(quiet.out, "");
 }
 
 TEST(own_head, check_tells_broken_files_and_nothing_is_written) {

@@ -524,6 +524,18 @@ TEST(wrap, tells_landmarks_that_are_exchanged) {
   EXPECT_EQ(find_fault(scan).substr(0, 40), "landmarks 'en' and 'ex' look exchanged: ") << find_fault(scan);
 }
 
+// All landmarks of a ball lie where a head's would, more or less.
+TEST(wrap, refuses_a_face_without_a_nose) {
+  const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
+  Scan scan = build_scan(head, {});
+  const auto find = [&](const char* name) { return std::ranges::find(scan.marks, name, &ScanMark::name); };
+  find("prn")->at = 0.5 * (find("n")->at + find("sn")->at);
+  EXPECT_EQ(
+      find_fault(scan),
+      "landmark 'prn', the tip of the nose, stands 0.0 mm before the line from 'n' to 'sn' on a head of our "
+      "size; expected 4.5 at least");
+}
+
 // Its points are a face's, its triangles join any three of them.
 TEST(wrap, refuses_triangles_that_make_no_surface) {
   const NeutralHead head = build_neutral_head(shipped().heads, HeadSpec{});
