@@ -390,7 +390,8 @@ def main():
         return write_report(mutants, results, described)
     chosen = [mutant for mutant in mutants if mutant.id.startswith(tuple(asked.only.split(",")))]
     print(f"mutants: building {len(chosen)} faults in {folder.name}/", flush=True)
-    build(chosen, folder, asked.jobs)
+    files = {mutant.file for mutant in chosen}
+    build([mutant for mutant in mutants if mutant.file in files], folder, asked.jobs)
     if asked.build_only:
         return
     program = folder / "mien_tests"
