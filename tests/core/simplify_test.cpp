@@ -40,6 +40,13 @@ TEST(simplify, leaves_facets_within_its_tolerance_and_rims_where_they_were) {
   }
 }
 
+TEST(simplify, of_a_micrometre_leaves_a_ball_as_it_was) {
+  const Mesh before = build_ball({0, 0, 0}, 10, 40);
+  Mesh after = before;
+  simplify_mesh(after, 0.001);
+  EXPECT_GT(after.triangles.size(), before.triangles.size() * 95 / 100);
+}
+
 TEST(simplify, gives_the_same_mesh_each_time) {
   Mesh one = build_ball({0, 0, 0}, 5, 20), two = one;
   simplify_mesh(one, 0.1);
