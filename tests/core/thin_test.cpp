@@ -91,7 +91,7 @@ TEST(thin_posed, turns_nothing_over_in_any_pose) {
     });
   };
   for (const auto& pose : poses) ASSERT_EQ(count_turned(triangles, pose), 0);
-  const auto thin = thin_posed(poses, triangles, std::vector<bool>(poses[0].size()), 200);
+  const auto thin = thin_posed(poses, triangles, std::vector<bool>(poses[0].size()), 120);
   EXPECT_LT(thin.size(), triangles.size() / 2);
   for (const auto& pose : poses) EXPECT_EQ(count_turned(thin, pose), 0);
 }

@@ -317,11 +317,11 @@ def measure_sound(program, filters, jobs):
 
 
 class Results:
-    """What came out, fault by fault: so that a run can go on where it was interrupted."""
+    """What came out the last time, fault by fault, as long as neither the fault nor its source is another one."""
 
-    def __init__(self, path, goes_on):
+    def __init__(self, path):
         self.path, self.lock = path, threading.Lock()
-        self.known = json.loads(path.read_text()) if goes_on and path.is_file() else {}
+        self.known = json.loads(path.read_text()) if path.is_file() else {}
 
     @staticmethod
     def key(mutant):
@@ -333,23 +333,23 @@ class Results:
         return Ended(*kept["ended"]) if kept and kept["key"] == self.key(mutant) else None
 
     def keep(self, mutant, ended):
-        if ended.is_caught:
-            with self.lock:
-                self.known[mutant.id] = {"key": self.key(mutant), "ended": dataclasses.astuple(ended)}
-                self.path.write_text(json.dumps(self.known, indent=1))
+        with self.lock:
+            self.known[mutant.id] = {"key": self.key(mutant), "ended": dataclasses.astuple(ended)}
+            self.path.write_text(json.dumps(self.known, indent=1))
 
 
-def write_report(mutants, ended, described):
-    """Between the two marks of docs/soundness.md."""
-    rooms = {}
-    for mutant in mutants:
-        caught, count = rooms.get(mutant.room, (0, 0))
-        rooms[mutant.room] = (caught + ended[mutant.id].is_caught, count + 1)
-    total = sum(caught for caught, _ in rooms.values())
-    text = f"Of {described}: {total} of {len(mutants)} faults are caught, {100 * total / len(mutants):.1f} %.\n\n"
-    text += "| room | faults | caught |\n|---|---|---|\n"
-    text += "".join(f"| {room} | {count} | {caught} |\n" for room, (caught, count) in sorted(rooms.items()))
-    alive = [mutant for mutant in mutants if not ended[mutant.id].is_caught]
+def write_report(mutants, results, described):
+    """What is known of all faults, between the two marks of docs/soundness.md."""
+    ended = {mutant.id: results.find(mutant) for mutant in mutants}
+    tried = [mutant for mutant in mutants if ended[mutant.id]]
+    caught = [mutant for mutant in tried if ended[mutant.id].is_caught]
+    text = f"Of {described}: {len(caught)} of {len(tried)} faults are caught, {100 * len(caught) / len(tried):.1f} %"
+    text += f"; {len(mutants) - len(tried)} more were not tried" if len(tried) < len(mutants) else ""
+    text += ".\n\n| room | faults | tried | caught |\n|---|---|---|---|\n"
+    for room in sorted({mutant.room for mutant in mutants}):
+        counts = [sum(mutant.room == room for mutant in some) for some in (mutants, tried, caught)]
+        text += f"| {room} | {counts[0]} | {counts[1]} | {counts[2]} |\n"
+    alive = [mutant for mutant in tried if not ended[mutant.id].is_caught]
     if alive:
         text += "\nNot caught:\n\n"
     for mutant in alive:
@@ -359,6 +359,7 @@ def write_report(mutants, ended, described):
     page = path.read_text()
     before, rest = page.split(begin)
     path.write_text(before + begin + text + end + rest.split(end)[1])
+    print("docs/soundness.md has the result.")
 
 
 def main():
@@ -368,6 +369,7 @@ def main():
     parser.add_argument("--only", default="", metavar="ID", help="those whose ROOM.NAME begins so, or so with commas between")
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     parser.add_argument("--build-only", action="store_true")
+    parser.add_argument("--report", action="store_true", help="only write what is known into docs/soundness.md")
     parser.add_argument("--narrow", action="store_true", help="survivors are not tried on all tests that do not render")
     parser.add_argument("--go-on", action="store_true", help="what was caught the last time is not tried again")
     asked = parser.parse_args()
@@ -381,22 +383,31 @@ def main():
     if asked.check:
         return
     folder = ROOT / "build-mutants"
+    results = Results(folder / "results.json")
+    git = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True)
+    described = git.stdout.strip() or "a copy without history"
+    if asked.report:
+        return write_report(mutants, results, described)
     chosen = [mutant for mutant in mutants if mutant.id.startswith(tuple(asked.only.split(",")))]
     print(f"mutants: building {len(chosen)} faults in {folder.name}/", flush=True)
-    build(chosen, folder, asked.jobs)
+    files = {mutant.file for mutant in chosen}
+    build([mutant for mutant in mutants if mutant.file in files], folder, asked.jobs)
     if asked.build_only:
         return
     program = folder / "mien_tests"
     wide = "*-" + ":".join(list_left_out())
-    results = Results(folder / "results.json", asked.go_on)
+
+    def find_known(mutant):
+        known = results.find(mutant) if asked.go_on else None
+        return known if known and known.is_caught else None
 
     # What fails without a fault says nothing of one. And how long each takes bounds the hung.
-    filters = sorted({m.tests for m in chosen if not results.find(m)})
+    filters = sorted({m.tests for m in chosen if not find_known(m)})
     sound = measure_sound(program, filters, asked.jobs) if filters else {}
     with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
 
         def judge(mutant):
-            known = results.find(mutant)
+            known = find_known(mutant)
             if known:
                 return known
             usual_s = sum(seconds for name, seconds in sound.items() if matches(mutant.tests, name))
@@ -417,9 +428,7 @@ def main():
     if unexplained:
         print("without a reason: " + ", ".join(unexplained))
     if len(chosen) == len(mutants):
-        git = subprocess.run(["git", "-C", ROOT, "describe", "--always", "--dirty"], capture_output=True, text=True)
-        write_report(mutants, ended, git.stdout.strip() or "a copy without history")
-        print("docs/soundness.md has the result.")
+        write_report(mutants, results, described)
     sys.exit(0 if caught >= LEAST_CAUGHT * len(chosen) and not unexplained else 1)
 
 

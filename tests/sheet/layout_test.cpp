@@ -73,6 +73,13 @@ TEST(sheet_layout, breaks_a_block_into_rows_and_leaves_places_empty) {
     EXPECT_LT(words[i].y_px, layout.places[2].top_px) << "the next row lies below it";
   }
   EXPECT_LT(layout.places[4].top_px + 250, layout.plate.height_px);
+
+  // A row that is not full is a row, too.
+  SheetPlan four = build_plan(1, 4, 1);
+  four.blocks[0].columns = 3;
+  const SheetLayout rows = build_sheet_layout(four, "", {200, 250});
+  EXPECT_GT(rows.places[3].top_px, rows.places[0].top_px + 250);
+  EXPECT_LT(rows.places[3].top_px + 250, rows.plate.height_px);
 }
 
 // Words of a table stand in their columns, strokes in their fields, and the page is long enough for both.
