@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "timeline/layers.hpp"
 #include "timeline/performance.hpp"
 
 namespace mien {
@@ -60,7 +61,8 @@ TEST(cues, reach_further_as_they_come_and_go) {
     ClipSpec clip;
     clip.cues = {build_cue({1, 1.4, 2.4, 3.2}, kCorner, 0.8, rule)};
     clip.cues[0].what.reach = 2;
-    const CueStack stack = build_cue_stack(clip);
+    LayerStore store;
+    const CueStack stack = build_cue_stack(clip, store);
     const auto find_reach = [&](double time_s, std::size_t move) {
       FaceState face;
       face.reach.fill(1);
