@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <sstream>
 
 #include "clip/scenes.hpp"
 #include "config/config_fixture.hpp"
@@ -84,6 +85,12 @@ TEST(scenes, have_another_key_where_another_picture_is_asked_for) {
   EXPECT_NE(list_keys(look, "smile", size + ", background: dark"), first);
   EXPECT_NE(list_keys(look, "anger", size), first);
   EXPECT_NE(list_keys("look: {skin: \"#d0a081\"}", "smile", size), first);
+  // Of a head that changes, what the frames' own text does not say.
+  const auto growing = [&](const std::string& skin) {
+    return list_keys(
+        look, "smile}], length: 0.1s, head: [{at: 0s}, {at: 0.1s, look: {skin: \"" + skin + "\"}", size);
+  };
+  EXPECT_NE(growing("#808080").back(), growing("#808090").back());
 }
 
 TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
@@ -102,6 +109,16 @@ TEST(actors, parts_do_not_collide_and_stand_in_their_places) {
   for (const char* word : {"#include \"h0001.inc\"", "surface_of_skin_of_ann()", "surface_of_skin_of_bob()",
                            "part_eye_left_of_ann", "part_eye_left_of_bob"})
     EXPECT_NE(frame.find(word), std::string::npos) << word;
+
+  // Each eye is moved by a matrix, whose tenth number is the shift along x.
+  const auto find_x_mm = [&](const std::string& part) {
+    std::istringstream in(frame.substr(frame.find("matrix <", frame.find(part)) + 8));
+    std::string number;
+    for (int i = 0; i < 10; ++i) std::getline(in, number, ',');
+    return std::stod(number);
+  };
+  EXPECT_LT(find_x_mm("part_eye_left_of_ann"), -60);
+  EXPECT_GT(find_x_mm("part_eye_left_of_bob"), 60);
 
   ASSERT_EQ(cast.figures.size(), 2u);
   ASSERT_NE(cast.figures[1], nullptr);
