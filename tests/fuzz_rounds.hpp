@@ -1,4 +1,5 @@
-// How often tests throw dice: as often as they say themselves, or as MIEN_FUZZ_ROUNDS says, with MIEN_FUZZ_SEED.
+// How often tests throw dice: as often as they say themselves, or as MIEN_FUZZ_ROUNDS says, with
+// MIEN_FUZZ_SEED.
 #pragma once
 
 #include <cstdlib>

@@ -88,7 +88,7 @@ std::optional<SourceText> load_named_source(const fs::path& file, const NamedKin
   if (!error && size == 0) return fail({file.string(), 1, 1}, kind.empty);
   if (!text.empty() && !is_sixteen) {
     if (!has_words(text)) return fail({file.string(), 1, 1}, kind.empty);
-    if (!kind.is_right(text)) return fail({file.string(), 0, 0}, kind.wrong);
+    if (!kind.is_right(text)) return fail({file.string(), 1, 1}, kind.wrong);
   }
   return load_source(file, findings);
 }

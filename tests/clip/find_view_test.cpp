@@ -24,22 +24,23 @@ CameraView find_view_at(const Figure& figure, double angle_deg, double height_de
   return compute_view(figure, camera, RenderSpec{});
 }
 
-// How far from the middle to the edge of the picture (1) the head's skin reaches, aside.
-double find_widest(const Figure& figure, const CameraView& view) {
+// How far from the middle to the edge of the picture (1) the head's skin reaches, to the left and to the
+// right.
+glm::dvec2 find_reach(const Figure& figure, const CameraView& view) {
   const double angle = view.angle_deg * kRadiansPerDegree;
   const glm::dvec3 right(std::cos(angle), 0, -std::sin(angle)), toward(std::sin(angle), 0, std::cos(angle));
   const RenderSpec render;
   const double width =
       std::max(view.frame_width_mm, view.frame_height_mm * render.width_px / render.height_px);
   const double distance = compute_camera_distance_mm(view);
-  double widest = 0;
+  glm::dvec2 reach(0);
   for (const glm::vec3& vertex : figure.head.skin.positions) {
     const glm::dvec3 p = glm::dvec3(vertex) - glm::dvec3(view.look_at);
     const bool is_head = vertex.y > figure.head.skin.positions[figure.head.cage.index.at("m12_D1")].y;
-    const double x = glm::dot(p, right) * distance / (distance - glm::dot(p, toward));
-    if (is_head) widest = std::max(widest, std::abs(x) / (width / 2));
+    const double x = glm::dot(p, right) * distance / (distance - glm::dot(p, toward)) / (width / 2);
+    if (is_head) reach = {std::max(reach.x, -x), std::max(reach.y, x)};
   }
-  return widest;
+  return reach;
 }
 
 TEST(compute_view, takes_in_all_of_the_hair_above) {
@@ -65,8 +66,11 @@ TEST(compute_view, takes_in_all_of_the_hair_above) {
 TEST(compute_view, holds_every_head_from_every_side) {
   for (const char* age : {"infant", "child", "adult"}) {
     const Figure figure = build_head(age);
-    for (double angle = -180; angle <= 180; angle += 15)
-      EXPECT_LT(find_widest(figure, find_view_at(figure, angle)), 0.97) << age << " at " << angle;
+    for (double angle = -180; angle <= 180; angle += 15) {
+      const glm::dvec2 reach = find_reach(figure, find_view_at(figure, angle));
+      EXPECT_LT(std::max(reach.x, reach.y), 0.97) << age << " at " << angle;
+      EXPECT_NEAR(reach.x, reach.y, 0.01) << "it stands in the middle: " << age << " at " << angle;
+    }
   }
 }
 

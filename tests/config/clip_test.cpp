@@ -367,7 +367,7 @@ TEST(clip, shows_nothing_of_a_file_that_is_of_another_kind) {
   write_file(folder / "secret", "root:x:hidden\n\t- [hidden\n");
   for (const char* link : {"link.yaml", "link.csv"}) std::filesystem::create_symlink("secret", folder / link);
   const std::string no_file =
-      "link.yaml: error: is no file for mien: it has none of the keys mien, head, clip, expressions; "
+      "link.yaml:1:1: error: is no file for mien: it has none of the keys mien, head, clip, expressions; "
       "expected a "
       "file that begins with 'mien: 1'";
   for (const auto& [text, told] : std::vector<std::pair<std::string, std::string>>{
@@ -375,7 +375,8 @@ TEST(clip, shows_nothing_of_a_file_that_is_of_another_kind) {
            {"head: {mix: {link.yaml: 1}}", no_file},
            {"actors: {a: {head: link.yaml}}", no_file},
            {"clip: {tracks: [{csv: link.csv}]}",
-            "link.csv: error: is no table: none of the words of its first line is a column; expected time, "
+            "link.csv:1:1: error: is no table: none of the words of its first line is a column; expected "
+            "time, "
             "frame or "
             "a move such as lips.upper"}}) {
     write_file(folder / "main.yaml", "mien: 1\n" + text + "\n");

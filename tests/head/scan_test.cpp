@@ -274,9 +274,10 @@ TEST(scan, tells_where_a_landmark_is_wrong) {
 TEST(scan, tells_a_file_of_landmarks_that_is_none) {
   EXPECT_EQ(find_fault(""),
             "fault.yaml:1:1: error: the file is empty; expected landmarks: {prn: [x, y, z], ...}\n");
-  EXPECT_EQ(find_fault("root:x:hidden\n- [hidden\n"),
-            "fault.yaml: error: is no file of landmarks: it has none of the keys landmarks, unit; expected "
-            "landmarks: {prn: [x, y, z], ...}\n");
+  EXPECT_EQ(
+      find_fault("root:x:hidden\n- [hidden\n"),
+      "fault.yaml:1:1: error: is no file of landmarks: it has none of the keys landmarks, unit; expected "
+      "landmarks: {prn: [x, y, z], ...}\n");
 }
 
 // A point a kilometre off made one box of the whole head: a minute of looking.
