@@ -17,9 +17,11 @@ std::vector<std::string> load_good_texts() {
   return texts;
 }
 
-// Replaces, inserts, removes or repeats at a few places; letters of YAML's grammar are the likeliest.
-std::string damage(std::string text, std::mt19937& random) {
-  const std::string letters = "{}[]:,-#&*!|>'\"%@`?~ \n\t0.\\\xC3\x80s";
+const std::string kYamlLetters = "{}[]:,-#&*!|>'\"%@`?~ \n\t0.\\\xC3\x80s",
+                  kTableLetters = "00123456789.,-e \n";
+
+// Replaces, inserts, removes or repeats at a few places; letters of the file's grammar are the likeliest.
+std::string damage(std::string text, const std::string& letters, std::mt19937& random) {
   const auto pick = [&](std::size_t below) {
     return std::uniform_int_distribution<std::size_t>(0, below - 1)(random);
   };
@@ -71,7 +73,8 @@ TEST(fuzz, gives_a_spec_or_mistakes_with_a_place) {
   int good = 0;
   const int rounds = count_fuzz_rounds(2000);
   for (int round = 0; round < rounds; ++round) {
-    const std::string text = damage(texts[static_cast<std::size_t>(round) % texts.size()], random);
+    const std::string text =
+        damage(texts[static_cast<std::size_t>(round) % texts.size()], kYamlLetters, random);
     write_file(file, text);
     good += try_file(file, text);
   }
@@ -87,11 +90,11 @@ TEST(fuzz, tables_give_a_spec_or_mistakes_with_a_place) {
   int good = 0;
   const int rounds = count_fuzz_rounds(400);
   for (int round = 0; round < rounds; ++round) {
-    const std::string text = damage(whole, random);
+    const std::string text = damage(whole, kTableLetters, random);
     write_file(folder / "fuzz_table.csv", text);
     good += try_file(folder / "fuzz_table.yaml", text);
   }
-  EXPECT_GT(good, rounds / 20);
+  EXPECT_GT(good, rounds / 100) << "a table bears little";
   EXPECT_LT(good, rounds - rounds / 20);
 }
 
