@@ -1,5 +1,5 @@
-# Sources of a room compiled together, some at a time: each alone reads the same headers again, so that all of them take two
-# thirds of the time this way. Names of an unnamed namespace meet there. A file whose names are those of a neighbour is told by the compiler
+# Sources of a room compiled together, some at a time: each alone reads the same headers again, so that all of them are
+# sooner done this way. Names of an unnamed namespace meet there. A file whose names are those of a neighbour is told by the compiler
 # ("redefinition of"), and goes on the list.
 set(MIEN_TOGETHER 6)
 set(MIEN_ALONE command_line/help config/formula config/load_clip_laws config/load_clip_scripts config/load_fold_data
