@@ -60,6 +60,7 @@ DataWords load_data_words(const std::filesystem::path& data_folder) {
     words["features"].push_back({feature.name, feature.meaning});
   words["looks"] = list_looks(language->words.look_words);
   words["hair_colours"] = list_looks(language->words.hair_colour_words);
+  words["designs"] = list_looks(language->words.designs);
   words["hair"] = list_meanings(kHairs, hair.cuts);
   words["beards"] = list_meanings(kBeards, hair.beards.beards);
   for (const std::string& place : list_places(language->words)) words["places"].push_back({place, {}});

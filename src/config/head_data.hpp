@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "config/area_data.hpp"
+#include "config/design_data.hpp"
 #include "config/fold_data.hpp"
 #include "config/hair_data.hpp"
 #include "config/half_head.hpp"
@@ -18,6 +19,7 @@ namespace mien {
 struct HeadData {
   HalfHead half;
   ShapeData shapes;
+  std::vector<Design> designs;
   PartNumbers parts;
   HairData hair;
   LandmarkData landmarks;

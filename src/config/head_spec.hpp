@@ -58,6 +58,7 @@ struct HeadSpec {
   std::string hair = "none";          // a cut of templates/head/hair.yaml; none: a bald head
   Mix age{{"adult", 1.0}};
   Mix skull{{"average", 1.0}};
+  Mix design{{"real", 1.0}};                   // of templates/head/designs
   double character = 0;                        // -1 female .. 0 neither .. 1 male
   std::map<std::string, double> guides;        // guide line -> fraction of head height above the chin
   std::map<std::string, double> guide_shares;  // of the way there from the head's own line; none: all of it

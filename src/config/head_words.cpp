@@ -1,6 +1,7 @@
 #include "config/head_words.hpp"
 
 #include "config/data_table.hpp"
+#include "config/design_data.hpp"
 
 namespace mien {
 
@@ -100,6 +101,11 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
     if (const YamlValue* greying = root.require("greying")) load_greying(*greying, words.greying);
     for (const YamlEntry& dial : root.list("dials"))
       load_text(dial.value, "a few words", words.dial_words.emplace_back(LookWord{dial.key, "", ""}).meaning);
+  }
+  words.designs = {{kReal, "", "as it is"}};
+  for (const Design& design : load_designs(data_folder / "templates/head/designs", findings)) {
+    words.designs.push_back({design.name, "", design.meaning});
+    if (design.style == kStyles[1]) words.inked.push_back(design.name);
   }
   words.people =
       load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);

@@ -35,8 +35,10 @@ struct HeadWords {
       hair_colours;  // what `look.hair` may name, with brows to go with it
   Greying greying;   // with age
   std::vector<LookWord> look_words, hair_colour_words, dial_words;  // in the file's order
-  Names sided;    // places that stand on both sides, without _l or _r; pupils are none, they are no skin
-  People people;  // whom `random` draws from
+  Names sided;  // places that stand on both sides, without _l or _r; pupils are none, they are no skin
+  std::vector<LookWord> designs;  // what `design` may name, `real` first
+  Names inked;                    // those of them that are drawn in ink where a file says nothing of it
+  People people;                  // whom `random` draws from
 };
 
 // From templates/head/features.yaml, landmarks.yaml, looks.yaml and people.yaml of the data folder; what does

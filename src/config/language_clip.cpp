@@ -165,7 +165,7 @@ void fill_head_key(Sections& all) {
   head.name = "head_key";
   head.help = "One key of a head that changes; what it leaves out stays as it was.";
   head.expected = "a key such as {at: 1s, age: child}";
-  head.keys = copy_keys(all.head, {"age", "skull", "character", "guides", "features", "look"});
+  head.keys = copy_keys(all.head, {"age", "skull", "character", "design", "guides", "features", "look"});
   for (Key& key : head.keys) key.otherwise.clear();
   head.keys.insert(head.keys.begin(), build_at(all.wait));
   head.keys.push_back(build_ease());

@@ -35,21 +35,32 @@ void fill_actors(Sections& all) {
   actor.keys[2].forms[0].excluded = kSharedClipKeys;
 }
 
+constexpr double kThinnestLine = 0.3, kThickestLine = 3;
+
 void fill_render(Section& render) {
   const RenderSpec plain;
   render.name = "render";
   render.help = "The pictures.";
   render.expected = "a mapping such as {size: 480x600}";
-  render.keys = {
-      {"size",
-       {as_size(kMinSide_px, kMaxSide_px)},
-       "Width and height in pixels.",
-       fmt::format("{}x{}", plain.width_px, plain.height_px)},
-      {"quality",
-       {as_word("quality", kQualityWords)},
-       "How long a frame may take.",
-       std::string(kQualityWords[static_cast<std::size_t>(plain.quality)].name)},
-      {"background", {as_word("background", kBackgroundWords)}, "What lies behind.", plain.background}};
+  render.keys = {{"size",
+                  {as_size(kMinSide_px, kMaxSide_px)},
+                  "Width and height in pixels.",
+                  fmt::format("{}x{}", plain.width_px, plain.height_px)},
+                 {"quality",
+                  {as_word("quality", kQualityWords)},
+                  "How long a frame may take.",
+                  std::string(kQualityWords[static_cast<std::size_t>(plain.quality)].name)},
+                 {"background",
+                  {as_word("background", kBackgroundWords)},
+                  "What lies behind; `sun` behind ink.",
+                  plain.background},
+                 {"style",
+                  {as_word("style", kStyleWords)},
+                  "How the picture is drawn. Without it drawn heads are in ink, others in the studio."},
+                 {"line",
+                  {as_number(kThinnestLine, kThickestLine, "times as thick")},
+                  "How thick ink's lines are.",
+                  say(plain.line)}};
 }
 
 std::vector<Key> build_print_keys() {

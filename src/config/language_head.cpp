@@ -128,6 +128,10 @@ void fill_head_sections(Sections& all) {
   Form features = as_map("", {as_number(-1, 1)});
   features.noun = "feature";
   features.data = "features";
+  Forms designs = as_mix("", {});
+  designs[0].noun = "design";
+  designs[0].data = "designs";
+  designs.insert(designs.begin(), as_data_word("design", "designs"));
   Section& head = all.head;
   head.name = "head";
   head.help = "Whose face it is.";
@@ -140,6 +144,8 @@ void fill_head_sections(Sections& all) {
        {as_word("character", kCharacterWords), as_number(-1, 1)},
        "female (-1), male (1), or anything between.",
        say(HeadSpec{}.character)},
+      {"design", designs, "How it is drawn: a design, or weights of several.",
+       HeadSpec{}.design.begin()->first},
       {"guides", {as_section(all.guides)}, all.guides.help},
       {"features", {features}, "Features of the face: 0 is the head's own. `mien list features` names them."},
       {"look", {as_section(all.look)}, "Colours, a beard, and spots."},
@@ -165,8 +171,8 @@ void fill_head_sections(Sections& all) {
        "A seed: one of a crowd. Skull, character, features, look and hair are drawn as people differ; what "
        "stands "
        "beside it holds instead."}};
-  head.keys[8].forms[0].pattern = build_file_pattern(kYamlEndings);
-  head.keys[10].forms[0].data = "hair";
+  head.keys[9].forms[0].pattern = build_file_pattern(kYamlEndings);
+  head.keys[11].forms[0].data = "hair";
   head.rules = {{KeyRule::Kind::apart, {"mesh", "scan", "mix"}}, {KeyRule::Kind::apart, {"scan", "mix"}}};
 }
 

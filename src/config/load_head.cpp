@@ -11,16 +11,18 @@ namespace mien {
 
 namespace {
 
-// `adult`, or `{child: 0.4, adult: 0.6}`.
-void load_mix(const YamlValue& value, Mix& into) {
+// `adult`, or `{child: 0.4, adult: 0.6}`, of the language's own words or of `names`.
+void load_mix(const YamlValue& value, Mix& into, const Names& names = {}) {
   std::string name;
   if (find_node(value).kind != NodeKind::mapping) {
-    if (load_name(value, name)) into = {{name, 1.0}};
+    const bool is_read = names.empty() ? load_name(value, name)
+                                       : load_name(value, find_form(value, FormKind::word).noun, names, name);
+    if (is_read) into = {{name, 1.0}};
     return;
   }
   const Form& form = find_form(value, FormKind::map);
   const std::string& kind = form.noun;
-  const YamlMapping entries = load_mapping(value, list_names(form.words), "", kind);
+  const YamlMapping entries = load_mapping(value, names.empty() ? list_names(form.words) : names, "", kind);
   if (find_node(value).children.empty())
     add_mistake(value, fmt::format("{} names no {}; expected one at least", describe_subject(value), kind));
   Mix mix;
@@ -210,6 +212,11 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
 void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& head) {
   if (const YamlValue* age = find_value(entries, "age")) load_mix(*age, head.age);
   if (const YamlValue* skull = find_value(entries, "skull")) load_mix(*skull, head.skull);
+  if (const YamlValue* design = find_value(entries, "design")) {
+    Names names;
+    for (const LookWord& word : words.designs) names.push_back(word.name);
+    load_mix(*design, head.design, names);
+  }
   if (const YamlValue* character = find_value(entries, "character"))
     load_character(*character, head.character);
   if (const YamlValue* guides = find_value(entries, "guides")) load_guides(*guides, head.guides);

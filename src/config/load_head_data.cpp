@@ -9,6 +9,7 @@ HeadDataPointer load_head_data(const std::filesystem::path& data_folder, const H
   data->half = load_half_head(folder);
   const PointNames points = list_point_names(data->half);
   data->shapes = load_shape_data(folder, points, findings);
+  data->designs = load_designs(folder / "designs", findings);
   data->parts = load_part_numbers(folder / "parts.yaml", findings);
   data->hair = load_hair_data(folder / "hair.yaml", points, findings);
   data->landmarks = load_landmark_data(folder / "landmarks.yaml", points, findings);

@@ -33,7 +33,14 @@ RenderSpec load_render(const YamlValue& value) {
   std::string quality;
   if (const YamlValue* name = find_value(entries, "quality"); name != nullptr && load_name(*name, quality))
     render.quality = static_cast<Quality>(std::ranges::find(kQualities, quality) - kQualities.begin());
-  if (const YamlValue* name = find_value(entries, "background")) load_name(*name, render.background);
+  if (const YamlValue* name = find_value(entries, "background"))
+    render.is_background_given = load_name(*name, render.background);
+  std::string style;
+  if (const YamlValue* name = find_value(entries, "style"); name != nullptr && load_name(*name, style)) {
+    render.style = static_cast<Style>(std::ranges::find(kStyles, style) - kStyles.begin());
+    render.is_style_given = true;
+  }
+  if (const YamlValue* line = find_value(entries, "line")) load_number(*line, render.line);
   return render;
 }
 

@@ -56,6 +56,21 @@ void load_library(const YamlValue& root, const std::string& name, ExpressionBook
     load_drafts(*expressions, name, book, drafts);
 }
 
+// What the file does not say of how it is drawn: heads that are mostly of a drawn design are in ink, and ink
+// stands on a plain ground.
+void settle_style(const HeadWords& words, Spec& spec) {
+  const auto is_drawn = [&](const ActorSpec& actor) {
+    double drawn = 0;
+    for (const auto& [name, weight] : actor.head.design)
+      if (std::ranges::find(words.inked, name) != words.inked.end()) drawn += weight;
+    return drawn > 0.5;
+  };
+  if (!spec.render.is_style_given && std::ranges::any_of(list_actors(spec), is_drawn))
+    spec.render.style = Style::ink;
+  if (!spec.render.is_background_given && spec.render.style == Style::ink)
+    spec.render.background = kInkGround;
+}
+
 void load_sections(const YamlValue& root, const YamlMapping& entries, const HeadWords& words,
                    ExpressionBook& book, Spec& spec) {
   if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
@@ -72,6 +87,7 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
   HeadCounts counts;
   load_stage(entries, {&book, {&words, {find_canonical(spec.file)}, &counts}}, spec);
   if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
+  settle_style(words, spec);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);
 }

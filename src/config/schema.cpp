@@ -252,7 +252,7 @@ Json build_shared(const DataWords& data) {
       "comparisons, a ? b : c, and functions such as sin, abs, min, max, clamp and mod.";
   shared["colour"] = build_text("^#[0-9a-fA-F]{6}$");
   shared["colour"]["description"] = "A colour in quotes, as an unquoted '#' begins a comment.";
-  for (const char* list : {"looks", "hair_colours", "places", "libraries", "expressions"}) {
+  for (const char* list : {"looks", "hair_colours", "designs", "places", "libraries", "expressions"}) {
     std::vector<Json> words;
     if (const auto found = data.find(list); found != data.end())
       for (const DataWord& word : found->second) words.push_back(build_word(word.name, word.meaning));

@@ -93,7 +93,15 @@ inline constexpr std::array kQualityWords{Word{"draft", "the quickest: to see th
                                           Word{"good", "about 2.5 times as long as draft: the default"},
                                           Word{"best", "about 6 times as long as draft: for the last run"}};
 inline constexpr std::array kBackgroundWords{Word{"studio", "cool grey, lighter behind the head"},
-                                             Word{"light", "a bright wall"}, Word{"dark", "a black room"}};
+                                             Word{"light", "a bright wall"},
+                                             Word{"dark", "a black room"},
+                                             Word{"sun", "a flat warm yellow"},
+                                             Word{"sky", "a flat light blue"},
+                                             Word{"dots", "a printer's screen of dots"}};
+inline constexpr std::array kStyleWords{
+    Word{"studio", "lit as in a photographer's studio: the default of real heads"},
+    Word{"ink", "two tones and lines, as a comic is drawn: the default of drawn heads"},
+    Word{"plaster", "a cast of white plaster"}};  // as Style
 inline constexpr std::array kLightSetWords{
     Word{"studio", "a portrait studio: a soft key, fill and rim"},
     Word{"side", "one window in a dark room"},
@@ -129,6 +137,7 @@ inline const Names kLooks = list_names(kLookWords);
 inline const Names kDraws = list_names(kDrawWords);
 inline const Names kQualities = list_names(kQualityWords);
 inline const Names kBackgrounds = list_names(kBackgroundWords);
+inline const Names kStyles = list_names(kStyleWords);
 inline const Names kTakes = list_names(kTakeWords);
 inline const Names kLeadKeys = list_names(kPartWords);
 inline const Names kReleaseKeys = list_names(std::span(kPartWords).first(kFacePartCount));

@@ -9,11 +9,20 @@ namespace mien {
 
 enum class Quality { draft, good, best };
 
+// How a picture is drawn: lit as in a studio, in ink, or as a plaster cast.
+enum class Style { studio, ink, plaster };
+
 struct RenderSpec {
   int width_px = 480, height_px = 600;
   Quality quality = Quality::good;
   std::string background = "studio";  // a background of templates/povray
+  Style style = Style::studio;
+  double line = 1;  // how thick ink's lines are
+  bool is_background_given = false, is_style_given = false;
 };
+
+// What lies behind ink where nothing is said of it.
+inline constexpr const char* kInkGround = "sun";
 
 // A lens for 24 x 36 film. Distance 1 frames the same with each: a short one comes near, so that the nose
 // grows; a long one flattens the face.

@@ -93,6 +93,35 @@ DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, 
   return {drive(Side::none), std::move(field), {}, {}};
 }
 
+// What a design makes the move larger by. The lids keep to the eye, and what lies between goes part of the
+// way.
+double find_point_gain(double gain, std::string_view name) {
+  const auto near_lid = [&](std::string_view ring) { return has_prefix(name, ring); };
+  if (near_lid("EB_") || near_lid("E0_") || near_lid("E1_") || near_lid("E2_")) return 1;
+  if (near_lid("E3_")) return 1 + 0.15 * (gain - 1);
+  return 1 + (near_lid("E4_") ? 0.55 : 1) * (gain - 1);
+}
+
+void scale_field(const Cage& cage, double gain, Field& field) {
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] *= find_point_gain(gain, cage.names[i]);
+}
+
+// Where a design lifts the corners of the mouth further, an open jaw takes it back: the mouth would tear.
+std::optional<DrivenField> build_jaw_relief(const Cage& cage, const MoveTable& table, double gain,
+                                            const DrivenField& scaled) {
+  if (gain == 1 || table.area != "corner") return std::nullopt;
+  DrivenField relief = scaled;
+  const SignedMove jaw{require_move("chin", Side::none, "down"), 1};
+  relief.drivers.push_back(jaw);
+  if (!relief.mirror_drivers.empty()) relief.mirror_drivers.push_back(jaw);
+  for (Field* field : {&relief.field, &relief.mirror_field})
+    for (std::size_t i = 0; i < field->size(); ++i) {
+      const double own = find_point_gain(gain, cage.names[i]);
+      (*field)[i] *= -(own - 1) / own;
+    }
+  return relief;
+}
+
 DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, const Scales& scales,
                              const CorrectiveTable& corrective) {
   Field field = solve_field(solver, scales.apply(corrective.table, corrective.table.plus),
@@ -107,14 +136,19 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
 }
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
-std::vector<DrivenField> build_fields(const Cage& cage, const AreaData& data, const Scales& scales) {
+std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& data, const Scales& scales) {
+  const Cage& cage = head.cage;
   const Anchors anchors = compute_anchors(cage, data);
   std::vector<std::function<DrivenField(const FieldSolver&)>> works;
   for (const MoveTable& table : data.moves)
     for (const int sign : {1, -1})
       if (!(sign > 0 ? table.plus : table.minus).empty())
         works.push_back([&, sign](const FieldSolver& solver) {
-          return build_move_field(solver, anchors, scales, table, sign);
+          DrivenField driven = build_move_field(solver, anchors, scales, table, sign);
+          const double gain = get_gain(head.design, table.area, table.move, sign);
+          if (gain != 1)
+            for (Field* field : {&driven.field, &driven.mirror_field}) scale_field(cage, gain, *field);
+          return driven;
         });
   for (const CorrectiveTable& corrective : data.correctives)
     works.push_back(
@@ -134,6 +168,15 @@ std::vector<DrivenField> build_fields(const Cage& cage, const AreaData& data, co
     if (!solver) solver = build_field_solver(cage);
     fields[i] = works[i](*solver);
   });
+  std::size_t next = 0;
+  std::vector<DrivenField> reliefs;
+  for (const MoveTable& table : data.moves)
+    for (const int sign : {1, -1})
+      if (!(sign > 0 ? table.plus : table.minus).empty())
+        if (auto relief = build_jaw_relief(cage, table, get_gain(head.design, table.area, table.move, sign),
+                                           fields[next++]))
+          reliefs.push_back(std::move(*relief));
+  for (DrivenField& relief : reliefs) fields.push_back(std::move(relief));
   return fields;
 }
 
@@ -252,13 +295,18 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
           0.954 * eye.radius_mm};
 }
 
+double get_gain(const DesignNumbers& design, std::string_view area, std::string_view move, int sign) {
+  if (area == "brow") return move == "up" && sign > 0 ? design.brow_rise_gain : design.brow_gain;
+  return area == "corner" ? design.corner_gain : 1;
+}
+
 Face build_face(const NeutralHead& head) {
   const AreaData& data = head.data->areas;
   const Scales scales{measure_face(head.cage, head.cage.points, head.eye),
                       measure_face(head.cage, head.adult_points, head.adult_eye)};
   Face face;
   face.units = scales.here;
-  face.fields = build_fields(head.cage, data, scales);
+  face.fields = build_fields(head, data, scales);
   face.plus_reach.fill(2);
   face.minus_reach.fill(2);
   for (const auto& [move, reach] : data.past_limits)

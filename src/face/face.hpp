@@ -102,6 +102,9 @@ struct Face {
   std::vector<double> turn_weights;  // of each control point
 };
 
+// How much further than a real head's a move of an area goes, by the head's design.
+double get_gain(const DesignNumbers& design, std::string_view area, std::string_view move, int sign);
+
 FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, const Eye& eye);
 
 // Solves templates/head/areas.yaml for this head. About 0.1 s. Throws RunError for data that cannot be

@@ -111,7 +111,8 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   Folds folds;
   folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
   append_fine_points(folds.skin, adult.positions, adult.normals);
-  const double scale = compute_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
+  const double scale =
+      head.design.folds * compute_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
   const double rest = compute_rest(data, spec);
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (const FoldSet& set : data.sets) {

@@ -99,7 +99,8 @@ std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, con
       limits.push_back(measure_turn(head, face, name, share, lifted, point));
       continue;
     }
-    const double adult_mm = name.sign > 0 ? place.plus_mm : place.minus_mm;
+    const double adult_mm = (name.sign > 0 ? place.plus_mm : place.minus_mm) *
+                            get_gain(head.design, info.area, info.move, name.sign);
     const double value = share * adult_mm / compute_unit_mm(adult, place.unit);
     limits.push_back({&name, place.unit, value, value * compute_unit_mm(face.units, place.unit),
                       compute_ways(head, face, lifted, point).skin_mm, point, place.axis});

@@ -9,6 +9,7 @@
 #include "core/pool.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
+#include "head/ink_eyes.hpp"
 #include "head/skin_look.hpp"
 #include "head/skin_spots.hpp"
 #include "head/skin_tint.hpp"
@@ -18,6 +19,10 @@
 namespace mien {
 
 namespace {
+
+// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
+void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                  DeformBuffers& buffers);
 
 void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
                  std::vector<glm::dvec3>& points) {
@@ -29,19 +34,19 @@ void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
   }
 }
 
-glm::mat4 compute_transform(const Figure& figure, Mount mount, const Pose& pose,
-                            const glm::dmat4& head_turn) {
+// What a rigid part does within the head.
+glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& pose) {
   const auto gaze = [&](Side side) {
     glm::dvec3 centre = figure.head.eye.centre;
     if (side == Side::right) centre.x = -centre.x;
     const glm::dmat4 turned =
         glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
-    return glm::mat4(head_turn * glm::translate(turned, -centre));
+    return glm::translate(turned, -centre);
   };
   if (mount == Mount::eye_left) return gaze(Side::left);
   if (mount == Mount::eye_right) return gaze(Side::right);
-  if (mount == Mount::jaw) return glm::mat4(head_turn * compute_jaw(figure.face, pose));
-  return glm::mat4(head_turn);
+  if (mount == Mount::jaw) return compute_jaw(figure.face, pose);
+  return glm::dmat4(1);
 }
 
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
@@ -76,12 +81,52 @@ HairRoots build_roots(const HeadPart& bound, const NeutralHead& head,
   return roots;
 }
 
+// The parts as the design has them at rest: the skull's for good, those of eyes and jaw no longer rigid.
+void redraw_parts(Figure& figure) {
+  figure.undistorted.resize(figure.parts.size());
+  for (std::size_t i = 1; i < figure.parts.size(); ++i) {
+    Part& part = figure.model.parts[i];
+    const Mount mount = figure.parts[i].mount;
+    if (mount == Mount::strands) continue;
+    const Mesh rest = part.rest;
+    PartShape shape;
+    redraw_part(figure.redraw, 0, rest, glm::dmat4(1), glm::dmat4(1), shape);
+    part.rest.positions = std::move(shape.positions);
+    part.rest.normals = std::move(shape.normals);
+    if (mount == Mount::skull) continue;
+    part.is_rigid = false;
+    figure.undistorted[i] = rest;
+  }
+}
+
+// The whole figure at rest, as it is drawn.
+void redraw_rest(Figure& figure) {
+  redraw_parts(figure);
+  DeformBuffers buffers;
+  Drawing drawing;
+  // The strands stand where they are bound; asked for the neutral pose they would be taken from the rest.
+  deform_slots(figure, *figure.head.surface, Pose{}, TurnKey{}, buffers);
+  const std::size_t count = figure.head.skin.positions.size();
+  figure.head.skin.positions.resize(count);
+  unpack_pairs(figure.head.surface->pairs, buffers.place_pairs, figure.head.skin.positions);
+  unpack_pairs(figure.head.surface->pairs, buffers.normal_pairs, figure.head.skin.normals);
+  for (std::size_t i = 1; i < figure.parts.size(); ++i)
+    if (figure.parts[i].mount == Mount::strands) {
+      Mesh& rest = figure.model.parts[i].rest;
+      place_hairs(figure.roots[i], buffers.place_pairs, buffers.normal_pairs, rest.positions.data(),
+                  rest.normals.data());
+    }
+  deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
+  figure.model.parts.front().rest.positions = drawing.parts.front().positions;
+  figure.model.parts.front().rest.normals = drawing.parts.front().normals;
+}
+
 }  // namespace
 
 Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use) {
   HeadSpec spec = asked;
   spec.look = compute_aged_look(asked.look, asked.age);
-  const bool is_print = use == FigureUse::print;
+  const bool is_print = use == FigureUse::print, is_ink = use == FigureUse::ink;
   Figure figure;
   figure.head = build_neutral_head(stock, spec);
   figure.limits = compute_limit_shares(spec.limits);
@@ -94,23 +139,28 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
         if (!is_print) figure.folds = build_folds(figure.head, spec);
       },
       [&] {
-        made[0].push_back({is_print ? build_plain_skin_part(figure.head, spec.look)
-                                    : build_skin_part(figure.head, spec.look),
+        made[0].push_back({is_print || is_ink ? build_plain_skin_part(figure.head, spec.look)
+                                              : build_skin_part(figure.head, spec.look),
                            Mount::skin,
                            {}});
       },
       [&] {
-        if (!is_print) made[5] = build_skin_spots(figure.head, spec.look);
+        if (!is_print && !is_ink) made[5] = build_skin_spots(figure.head, spec.look);
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
       [&] {
-        if (!is_print) tints = list_hair_tints(figure.head, spec);
+        if (!is_print && !is_ink) tints = list_hair_tints(figure.head, spec);
       },
       [&] { made[6] = build_beard(figure.head, spec.look); },
-      [&] { made[3] = build_hairs(figure.head, spec.look); },
+      [&] {
+        if (!is_ink) made[3] = build_hairs(figure.head, spec.look);
+      },
       [&] { made[2] = build_mouth(figure.head, spec.look); },
-      [&] { made[1] = build_eyes(figure.head, spec.look); }};
+      [&] {
+        made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
+      }};
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
+  if (is_ink) std::erase_if(made[4], [](const HeadPart& part) { return part.part.name == "hair_fine"; });
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));
@@ -122,19 +172,25 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (const HeadPart& part : figure.parts) figure.roots.push_back(build_roots(part, figure.head, half_of));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
+  figure.redraw = build_redraw(figure.head, figure.face);
+  if (figure.redraw.is_on()) redraw_rest(figure);
   return figure;
 }
 
 namespace {
 
-// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
 void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
                   DeformBuffers& buffers) {
-  pose_cage(figure.head, figure.face, apply_limits(figure.limits, asked), buffers.points);
-  if (is_turned(turn))
+  const Pose pose = apply_limits(figure.limits, asked);
+  pose_cage(figure.head, figure.face, pose, buffers.points);
+  const bool is_redrawn = figure.redraw.is_on();
+  if (is_turned(turn) && !is_redrawn)
     turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
   pair_points(buffers.points, surface.mirror, buffers.point_pairs);
   deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
+  if (is_redrawn)
+    redraw_slots(figure.redraw, compute_stretch(figure.redraw, pose), surface, figure.face, turn,
+                 buffers.place_pairs);
   update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
 }
 
@@ -162,13 +218,18 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const glm::dmat4 head_turn =
       is_turned(turn) ? compute_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
 
+  const double stretch = compute_stretch(figure.redraw, pose);
+  const glm::dmat4 world = stretch == 0 ? head_turn : head_turn * compute_stretching(figure.redraw, stretch);
   deform_slots(figure, *figure.head.surface, asked, turn, buffers);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];
     const Part& part = figure.model.parts[i];
     PartShape& shape = drawing.parts[i];
-    if (bound.mount != Mount::strands) {
-      shape.world_from_rest = compute_transform(figure, bound.mount, pose, head_turn);
+    if (!part.is_rigid && bound.mount != Mount::strands) {
+      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, pose),
+                  head_turn, shape);
+    } else if (bound.mount != Mount::strands) {
+      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, pose));
     } else if (is_neutral) {
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;

@@ -8,6 +8,7 @@
 #include "face/face.hpp"
 #include "face/folds.hpp"
 #include "face/limits.hpp"
+#include "frames/redraw.hpp"
 #include "head/form.hpp"
 #include "head/head.hpp"
 
@@ -22,6 +23,8 @@ struct Figure {
   std::vector<HeadPart> parts;   // their `part` is moved into `model`: parts[i] carries model.parts[i]
   std::vector<HairRoots> roots;  // of parts[i]'s bindings, at rest
   Model model;
+  Redraw redraw;                  // of a design; then the parts of eyes and jaw are no rigid ones,
+  std::vector<Mesh> undistorted;  // and this is what each of them was before, empty for the others
 };
 
 // The buffers of one thread; contents mean nothing between calls. Without `has_folds` the skin stays smooth.
@@ -34,6 +37,7 @@ struct DeformBuffers {
 
 enum class FigureUse {
   picture,
+  ink,    // the eyes are flat, and lashes, brows and spots are none: strokes stand for them (frames/ink.hpp)
   print,  // the skin is smooth and of one colour: no folds, no grain and no shade are made
 };
 

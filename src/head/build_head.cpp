@@ -1,5 +1,6 @@
 #include "config/part_numbers.hpp"
 #include "core/holes.hpp"
+#include "head/design.hpp"
 #include "head/form.hpp"
 #include "head/mouth_bag.hpp"
 #include "head/surface.hpp"
@@ -45,6 +46,7 @@ NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec) {
   head.surface = stock.surface;
   head.hairline = form.hairline;
   head.brow_thickness = form.brow_thickness;
+  head.design = compute_design(stock, spec);
   head.ages = compute_ages(spec);
   const MouthNumbers mouth = stock.data->parts.mouth;
   shape_mouth_bag(mouth, head.cage, head.adult_points);

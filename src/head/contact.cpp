@@ -103,9 +103,6 @@ double compute_standoff_mm(const EyeNumbers& numbers, const Eye& eye, const glm:
   return scale * (length - numbers.ball_mm - rise * along / length);
 }
 
-namespace {
-
-// Puts the inner edge on the ball.
 void touch_ball(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr double kOff_mm = 0.16;  // 0 shows the ball's facets through the lid, 0.4 a gap from the side
   constexpr int kRounds = 8;        // a round leaves about a third of what is amiss
@@ -130,8 +127,6 @@ void touch_ball(const Surface& surface, const EyeNumbers& numbers, const Eye& ey
                   glm::normalize(cage.points[points[c]] - eye.centre) * (1.3 * sum[c] / weight[c]));
   }
 }
-
-}  // namespace
 
 void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage) {
   constexpr int kTurns = 2;  // seating a lid that was turned far shifts its edge by a tenth of a millimetre

@@ -39,6 +39,9 @@ bool touches_eye(double at);
 // margins (E0) out of the ball or onto it where they touch it. Both eyes alike.
 void seat_lids(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage);
 
+// The second half of that alone.
+void touch_ball(const Surface& surface, const EyeNumbers& numbers, const Eye& eye, Cage& cage);
+
 // Parts the lips where the smooth skin of one passes through the other's: rows M0 to M2 of both give way by
 // halves, column by column. Lips that are apart stay as they are.
 void part_lips(const Surface& surface, Cage& cage);

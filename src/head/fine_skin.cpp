@@ -167,7 +167,7 @@ void refine_part(const FineSkin& fine, Part& part) {
   part.rest.triangles = fine.triangles;
   std::map<std::array<std::uint16_t, 2>, std::uint16_t> known;
   for (const auto& [a, b] : fine.parents) {
-    part.grain.push_back(0.5f * (part.grain[a] + part.grain[b]));
+    if (!part.grain.empty()) part.grain.push_back(0.5f * (part.grain[a] + part.grain[b]));
     const auto [low, high] = std::minmax(part.shade[a], part.shade[b]);
     const auto [entry, is_new] = known.try_emplace({low, high}, low);
     const Shade &one = part.palette[low], &other = part.palette[high];

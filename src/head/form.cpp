@@ -12,6 +12,7 @@
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
 #include "head/contact.hpp"
+#include "head/design.hpp"
 #include "head/nostrils.hpp"
 #include "head/own_half.hpp"
 #include "head/sculpt.hpp"
@@ -76,6 +77,23 @@ HeadForm build_start(const HeadStock& stock, const HeadSpec& spec) {
   return {stock.adult.points, Eye{}};
 }
 
+// Gives the head its design.
+void redraw(const HeadStock& stock, const HeadSpec& spec, const HeadForm& start, HeadForm& form) {
+  if (spec.design == HeadSpec{}.design) return;
+  HeadSpec plain;
+  plain.age = spec.age;
+  HeadForm average = start;
+  shape_head(stock.data->shapes.heads, plain, stock.adult, average);
+  const std::vector<glm::dvec3> before = form.points;
+  apply_design(stock.adult, compute_design(stock, spec), average, form);
+  keep_nostrils(stock.adult, before, form.points);
+  Cage cage = stock.adult;
+  cage.points = std::move(form.points);
+  touch_ball(*stock.surface, stock.data->parts.eye, form.eye, cage);
+  part_lips(*stock.surface, cage);
+  form.points = std::move(cage.points);
+}
+
 // Parts what sums of changes have brought into each other's way. Sculpting comes after it: it is free.
 void settle(const HeadStock& stock, const HeadForm& start, HeadForm& form) {
   if (form.points == stock.adult.points) return;  // settled when it was loaded
@@ -119,6 +137,7 @@ HeadForm build_form(const HeadStock& stock, const HeadSpec& spec) {
   HeadForm form = start;
   shape_head(stock.data->shapes.heads, spec, stock.adult, form);
   settle(stock, start, form);
+  redraw(stock, spec, start, form);
   sculpt_form(stock, spec.sculpt, form);
   return form;
 }

@@ -68,10 +68,14 @@ glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model,
   const double sign = side == Side::left ? 1 : -1;
   const double reach = kCornea_mm / 13.0 * head.eye.radius_mm;
   const glm::vec3 rest(glm::dvec3(sign * head.eye.centre.x, head.eye.centre.y, head.eye.centre.z + reach));
-  const std::string part = side == Side::left ? "eye_left" : "eye_right";
+  const std::string suffix = side == Side::left ? "_left" : "_right";
   for (std::size_t i = 0; i < model.parts.size(); ++i)
-    if (model.parts[i].name == part) return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
-  throw RunError(fmt::format("internal: the model has no part '{}'", part));
+    if (model.parts[i].name == "cornea" + suffix && !model.parts[i].is_rigid)
+      return glm::dvec3(drawing.parts[i].positions.front());  // its highest place
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (model.parts[i].name == "eye" + suffix)
+      return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
+  throw RunError(fmt::format("internal: the model has no part 'eye{}'", suffix));
 }
 
 }  // namespace

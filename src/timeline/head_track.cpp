@@ -84,6 +84,7 @@ HeadSpec mix_heads(const HeadSpec& from, const HeadSpec& to, double share) {
   HeadSpec mixed = from;
   mixed.age = mix_values(from.age, to.age, share);
   mixed.skull = mix_values(from.skull, to.skull, share);
+  mixed.design = mix_values(from.design, to.design, share);
   mixed.character = std::lerp(from.character, to.character, share);
   mixed.features = mix_values(from.features, to.features, share);
   mix_guides(from, to, share, mixed);
@@ -98,7 +99,8 @@ HeadSpec sample_head(const std::vector<HeadKey>& keys, double time_s) {
 
 std::string compute_head_key(const HeadSpec& head) {
   std::string bytes;
-  for (const Values* values : {&head.age, &head.skull, &head.guides, &head.guide_shares, &head.features})
+  for (const Values* values :
+       {&head.age, &head.skull, &head.design, &head.guides, &head.guide_shares, &head.features})
     append_values(bytes, *values);
   append_bytes(bytes, head.character);
   const Look& look = head.look;

@@ -40,9 +40,9 @@ const std::set<std::pair<std::string, std::string>> kOtherThings{
 // The rooms that take areas from the table; the kernel, frames and scene speak of single ones.
 bool takes_areas_from_the_table(const std::string& path) {
   static const std::regex kPath("src/((timeline|sheet|config|command_line|commands)/.*|[a-z_]+\\.[ch]pp)");
-  static const std::set<std::string> kReaders{"src/config/areas.hpp", "src/config/load_area_data.cpp",
-                                              "src/config/load_part_numbers.cpp",
-                                              "src/config/load_shapes.cpp"};
+  static const std::set<std::string> kReaders{
+      "src/config/areas.hpp", "src/config/design_data.hpp", "src/config/load_area_data.cpp",
+      "src/config/load_part_numbers.cpp", "src/config/load_shapes.cpp"};
   return std::regex_match(path, kPath) && !kReaders.contains(path);
 }
 

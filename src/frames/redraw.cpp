@@ -1,0 +1,123 @@
+#include "frames/redraw.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "core/smooth.hpp"
+#include "head/cage.hpp"
+#include "timeline/head_turn.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr double kMostStretch = 0.055, kMostSquash = 0.045;
+constexpr double kThinner = 0.75,
+                 kFlatter = 0.5;  // of the stretch: what grows in height loses in width and depth
+
+double get_value(const Pose& pose, std::string_view area, Side side, std::string_view move) {
+  return pose.values[*find_move(area, side, move)];
+}
+
+glm::dvec3 stretch_point(const Redraw& redraw, double stretch, const glm::dvec3& p) {
+  const double share = stretch * smooth_step(redraw.floor_mm, redraw.chin_mm, p.y);
+  return {p.x * (1 - kThinner * share), redraw.floor_mm + (p.y - redraw.floor_mm) * (1 + stretch),
+          p.z * (1 - kFlatter * share)};
+}
+
+// The turn of whatever goes so far with the head; the shares between are few enough to have a table.
+class TurnTable {
+ public:
+  TurnTable(const Face& face, const TurnKey& turn) {
+    for (std::size_t i = 0; i < turns_.size(); ++i)
+      turns_[i] = compute_turn(face.turn_pivot, turn, static_cast<double>(i) / kLast);
+  }
+  glm::dvec3 turn(const glm::dvec3& point, double share) const {
+    const double at = std::clamp(share, 0.0, 1.0) * kLast;
+    const auto i = std::min(static_cast<std::size_t>(at), std::size_t{kLast - 1});
+    const auto turned = [&](std::size_t k) { return glm::dvec3(turns_[k] * glm::dvec4(point, 1)); };
+    return share >= 1 ? turned(kLast) : glm::mix(turned(i), turned(i + 1), at - static_cast<double>(i));
+  }
+
+ private:
+  static constexpr int kLast = 32;
+  std::array<glm::dmat4, kLast + 1> turns_;
+};
+
+}  // namespace
+
+Redraw build_redraw(const NeutralHead& head, const Face& face) {
+  Redraw redraw;
+  redraw.lens = build_lens(head);
+  redraw.jaw_stretch = head.design.jaw_stretch;
+  redraw.brow_stretch = head.design.brow_stretch;
+  redraw.floor_mm = compute_bounds(head.skin.positions).low.y;
+  redraw.chin_mm = head.cage.points[find_point(head.cage, "m12_D1")].y;
+  if (redraw.is_on()) redraw.turn_shares = spread_over_surface(*head.surface, face.turn_weights);
+  return redraw;
+}
+
+double compute_stretch(const Redraw& redraw, const Pose& pose) {
+  const double brows =
+      0.5 * (get_value(pose, "brow", Side::left, "up") + get_value(pose, "brow", Side::right, "up"));
+  return std::clamp(
+      redraw.jaw_stretch * get_value(pose, "chin", Side::none, "down") + redraw.brow_stretch * brows,
+      -kMostSquash, kMostStretch);
+}
+
+double compute_most_stretch(const Redraw& redraw) {
+  return std::min(kMostStretch, redraw.jaw_stretch + redraw.brow_stretch);
+}
+
+glm::dmat4 compute_stretching(const Redraw& redraw, double stretch) {
+  glm::dmat4 matrix(1);
+  matrix[0][0] = 1 - kThinner * stretch;
+  matrix[1][1] = 1 + stretch;
+  matrix[2][2] = 1 - kFlatter * stretch;
+  matrix[3][1] = -redraw.floor_mm * stretch;
+  return matrix;
+}
+
+glm::dvec3 redraw_point(const Redraw& redraw, double stretch, const glm::dvec3& point) {
+  const glm::dvec3 bent = bend(redraw.lens, point);
+  return stretch == 0 ? bent : stretch_point(redraw, stretch, bent);
+}
+
+void redraw_slots(const Redraw& redraw, double stretch, const Surface& surface, const Face& face,
+                  const TurnKey& turn, std::vector<Twin>& places) {
+  const bool turns = is_turned(turn);
+  const TurnTable table(face, turn);
+  const auto place = [&](Float4& slot, double share) {
+    glm::dvec3 p = redraw_point(redraw, stretch, glm::dvec3(unpack(slot)));
+    if (turns) p = table.turn(p, share);
+    slot = pack(glm::vec3(p));
+  };
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const double share = redraw.turn_shares[surface.pairs[i].left];
+    place(places[i].left, share);
+    place(places[i].right, share);
+  }
+}
+
+void redraw_part(const Redraw& redraw, double stretch, const Mesh& rest, const glm::dmat4& head_from_rest,
+                 const glm::dmat4& turned, PartShape& shape) {
+  constexpr double kStep_mm = 0.05;  // along the surface, to see how its normal turns
+  const glm::dmat3 axes(head_from_rest), world(turned);
+  shape.positions.resize(rest.positions.size());
+  shape.normals.resize(rest.positions.size());
+  for (std::size_t i = 0; i < rest.positions.size(); ++i) {
+    const glm::dvec3 p(head_from_rest * glm::dvec4(glm::dvec3(rest.positions[i]), 1));
+    const glm::dvec3 normal = axes * glm::dvec3(rest.normals[i]);
+    const glm::dvec3 aside = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
+    const glm::dvec3 one = glm::normalize(glm::cross(aside, normal)), other = glm::cross(normal, one);
+    const glm::dvec3 at = redraw_point(redraw, stretch, p);
+    const auto along = [&](const glm::dvec3& way) {
+      return redraw_point(redraw, stretch, p + kStep_mm * way) - at;
+    };
+    shape.positions[i] = glm::vec3(turned * glm::dvec4(at, 1));
+    shape.normals[i] = glm::vec3(world * glm::normalize(glm::cross(along(one), along(other))));
+  }
+}
+
+}  // namespace mien

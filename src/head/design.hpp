@@ -1,0 +1,18 @@
+// A head redrawn: the form that a design gives it.
+#pragma once
+
+#include "config/design_data.hpp"
+#include "head/shapes.hpp"
+
+namespace mien {
+
+struct HeadStock;
+
+// The dials of the head's own design, or of those of the heads that it is mixed of.
+DesignNumbers compute_design(const HeadStock& stock, const HeadSpec& spec);
+
+// Warps the cage and the eye of a finished head as the dials say. `average` is the average head of the same
+// age and size, which `difference` is told against. Dials that change nothing leave the form bit for bit.
+void apply_design(const Cage& adult, const DesignNumbers& design, const HeadForm& average, HeadForm& form);
+
+}  // namespace mien
