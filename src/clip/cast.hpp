@@ -7,12 +7,12 @@
 
 #include "clip/clip.hpp"
 #include "clip/view.hpp"
-#include "frames/figure.hpp"
+#include "frames/drawn_figure.hpp"
 #include "frames/resources.hpp"
 
 namespace mien {
 
-using FigurePointer = std::shared_ptr<const Figure>;
+using FigurePointer = std::shared_ptr<const DrawnFigure>;
 
 // What all scenes of a clip share.
 struct Cast {

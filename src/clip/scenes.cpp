@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 std::string build_parts(const std::vector<FigurePointer>& figures, const Templates& templates) {
   std::string parts;
   for (const FigurePointer& figure : figures)
-    if (figure) parts += build_povray_parts(figure->model, templates);
+    if (figure) parts += build_povray_parts(figure->get_drawn_model(), templates);
   return parts;
 }
 
@@ -32,12 +32,13 @@ std::string hash_settings(const std::string& include, const RenderSpec& render) 
 
 struct SceneBuffers {
   DeformBuffers deform;
+  InkBuffers ink;
   Drawing drawing;
   std::string text;
 };
 
-// Everybody at a time; with `pose` doing that instead.
-void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose,
+// Everybody at a time, as `view` sees them; with `pose` doing that instead.
+void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose, const InkView& view,
                    SceneBuffers& buffers) {
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
     Moment moment{};
@@ -47,7 +48,9 @@ void append_actors(const Heads& heads, double time_s, const std::optional<Pose>&
       moment = sample_performance(heads.performances[i], time_s);
     deform_figure(*heads.figures[i], moment.pose, moment.turn, buffers.deform, buffers.drawing);
     place_drawing(heads.places[i], buffers.drawing);
-    append_povray_figure(buffers.text, heads.figures[i]->model, buffers.drawing);
+    const DrawnFigure& figure = *heads.figures[i];
+    if (figure.ink) draw_ink(*figure.ink, view, buffers.ink, buffers.drawing);
+    append_povray_figure(buffers.text, figure.get_drawn_model(), buffers.drawing);
   }
 }
 
@@ -62,7 +65,11 @@ StageSets list_sets(const ClipSpec& clip) {
 
 FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
                        const StageMoment& stage) {
-  return {{}, stage.lights, stage.backgrounds, compute_view(cast.framing, camera, stage, clip.spec.render)};
+  const bool is_ink = clip.spec.render.style == Style::ink;  // which has one lamp of its own
+  return {{},
+          is_ink ? std::vector<LightShare>{} : stage.lights,
+          stage.backgrounds,
+          compute_view(cast.framing, camera, stage, clip.spec.render)};
 }
 
 // The heads of one group of drawings, and the file of those parts that are not in head.inc.
@@ -92,7 +99,7 @@ void build_scene(const Clip& clip, const Cast& cast, const WrittenHeads& written
   if (!written.include.empty()) start.includes = {written.include};
   buffers.text.clear();
   append_povray_start(buffers.text, start);
-  append_actors(written.heads, time_s, {}, buffers);
+  append_actors(written.heads, time_s, {}, compute_ink_view(start.view, clip.spec.render), buffers);
 }
 
 void write_held_frames(const Clip& clip) {
@@ -165,8 +172,9 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
       build_povray_stage(build_parts(cast.figures, templates) + build_parts(heads.changing, templates),
                          clip.spec.render, templates, list_sets(clip.spec.clip));
   SceneBuffers buffers;
-  append_povray_start(buffers.text, build_start(clip, cast, still.camera, still.stage));
-  append_actors(heads, still.time_s, still.pose, buffers);
+  const FrameStart start = build_start(clip, cast, still.camera, still.stage);
+  append_povray_start(buffers.text, start);
+  append_actors(heads, still.time_s, still.pose, compute_ink_view(start.view, clip.spec.render), buffers);
   scene.text = std::move(buffers.text);
   for (const Performance& performance : heads.performances) {
     if (still.pose) break;

@@ -56,6 +56,8 @@ NeckAndCrown measure_ends(const Figure& figure) {
   for (const Part& part : figure.model.parts)
     if (part.name.starts_with("hair"))
       top = std::max<double>(top, compute_bounds(part.rest.positions).high.y);
+  // Air for a drawn head that stretches; 0 of a real one.
+  top += compute_most_stretch(figure.redraw) * (top - figure.redraw.floor_mm);
   return {crown, top, chin, skin.low.y + (crown - chin) * kNeckEnd};
 }
 
@@ -149,6 +151,22 @@ CameraView compute_view(const Framing& framing, const CameraKey& camera, const R
   view.look_at.y = static_cast<float>(
       std::max<double>(view.look_at.y, framing.floor_mm + compute_tall_mm(view, render) / 2));
   return view;
+}
+
+InkView compute_ink_view(const CameraView& view, const RenderSpec& render) {
+  constexpr double kLine = 0.0029;                 // of the picture's height
+  constexpr double kAside_deg = 38, kUp_deg = 37;  // of the lamp
+  const double angle = view.angle_deg * kRadiansPerDegree, height = view.height_deg * kRadiansPerDegree;
+  const auto find_way = [](double aside, double up) {
+    return glm::dvec3(std::sin(aside) * std::cos(up), std::sin(up), std::cos(aside) * std::cos(up));
+  };
+  InkView ink;
+  ink.camera_mm =
+      glm::dvec3(view.look_at) + compute_camera_distance_mm(view) * view.distance * find_way(angle, height);
+  ink.to_light =
+      find_way(angle - kAside_deg * kRadiansPerDegree * std::cos(angle), kUp_deg * kRadiansPerDegree);
+  ink.line_mm = render.line * kLine * compute_tall_mm(view, render) * view.distance;
+  return ink;
 }
 
 EyeRig compute_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,

@@ -8,6 +8,7 @@
 
 #include "config/spec.hpp"
 #include "frames/figure.hpp"
+#include "frames/ink.hpp"
 #include "scene/povray.hpp"
 #include "timeline/gaze.hpp"
 #include "timeline/stage_track.hpp"
@@ -44,6 +45,9 @@ CameraView compute_view(const Framing& framing, const CameraKey& camera, const R
 // The same through the lens of a moment and with its own aim: the frame keeps its size and is shifted.
 CameraView compute_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
                         const RenderSpec& render);
+
+// What ink must know of the camera, and of templates/povray/light_ink.inc.
+InkView compute_ink_view(const CameraView& view, const RenderSpec& render);
 
 // What a gaze must know of a figure where it stands and of the camera that looks at the stage.
 EyeRig compute_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,

@@ -100,7 +100,9 @@ void run_check(const Options& options) {
   const Cast cast = build_cast(clip, stock);
   std::vector<FigurePointer> figures = cast.figures;
   for (std::size_t i = 0; i < figures.size(); ++i)
-    if (!figures[i]) figures[i] = std::make_shared<const Figure>(build_figure(stock, clip.actors[i].head));
+    if (!figures[i])
+      figures[i] =
+          std::make_shared<const DrawnFigure>(build_drawn_figure(stock, clip.actors[i].head, Style::studio));
   const std::vector<Performance> performances = list_performances(clip, cast, stock);
   std::vector<Rehearsal> rehearsals;
   for (const Performance& performance : performances) rehearsals.push_back(rehearse(performance));

@@ -25,11 +25,14 @@ struct Part {
   std::vector<Shade> palette;  // at least one
   std::vector<std::uint16_t>
       shade;  // an index into `palette` for each vertex; empty: all vertices take palette[0]
+  std::vector<std::uint16_t> triangle_shade =
+      {};                        // the same for each triangle instead: borders are sharp; or empty
   std::vector<glm::vec2> grain;  // mm; where a vertex lies on the skin as if unrolled flat: fine patterns
                                  // that must move with the skin live there; one a vertex, or empty
-  double wear = 0;         // 0 fresh .. 1 old: how far fine lines are worn into it; the material's affair too
-  bool is_rigid = false;   // true: a drawing gives a transform only; false: it gives positions and normals
-  bool is_printed = true;  // false: too fine for a bust (lashes, tear line, cornea)
+  double wear = 0;        // 0 fresh .. 1 old: how far fine lines are worn into it; the material's affair too
+  bool is_rigid = false;  // true: a drawing gives a transform only; false: it gives positions and normals
+  bool is_outline = false;  // a drawing gives its triangles too (PartShape::triangles), and `rest` is empty
+  bool is_printed = true;   // false: too fine for a bust (lashes, tear line, cornea)
 };
 
 struct Model {
@@ -39,7 +42,8 @@ struct Model {
 // One part in one drawing. A rigid part has only `world_from_rest`; another has only positions and normals.
 struct PartShape {
   std::vector<glm::vec3> positions;  // mm, world; as many as in the part's rest mesh
-  std::vector<glm::vec3> normals;    // unit, world; as many
+  std::vector<glm::vec3> normals;    // unit, world; as many, or none of a part that is flat
+  std::vector<Triangle> triangles;   // of an outline alone
   glm::mat4 world_from_rest{1};      // a rotation and a shift
 };
 

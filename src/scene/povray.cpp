@@ -108,13 +108,17 @@ void append_matrix(std::string& text, const glm::mat4& world_from_rest) {
 
 void check_part(const Part& part) {
   const std::size_t count = part.rest.positions.size();
-  if (part.rest.triangles.empty()) fail_part(part, "has no triangles");
+  if (part.rest.triangles.empty() && !part.is_outline) fail_part(part, "has no triangles");
   if (part.palette.empty()) fail_part(part, "has no palette");
   if (!part.shade.empty() && part.shade.size() != count) fail_part(part, "has not one shade a vertex");
   if (!part.grain.empty() && part.grain.size() != count)
     fail_part(part, "has not one place on its grain a vertex");
   for (const std::uint16_t s : part.shade)
     if (s >= part.palette.size()) fail_part(part, "has a shade outside its palette");
+  if (!part.triangle_shade.empty() && part.triangle_shade.size() != part.rest.triangles.size())
+    fail_part(part, "has not one shade a triangle");
+  for (const std::uint16_t shade : part.triangle_shade)
+    if (shade >= part.palette.size()) fail_part(part, "has a shade outside its palette");
   for (const Triangle& triangle : part.rest.triangles)
     for (const std::uint32_t v : triangle)
       if (v >= count) fail_part(part, "has a triangle outside its vertices");
@@ -146,23 +150,26 @@ void append_grain(std::string& text, const std::vector<glm::vec2>& grain) {
 void append_surface(std::string& text, const Part& part, bool has_object_macro) {
   if (!part.grain.empty()) append_grain(text, part.grain);
   if (part.wear > 0) text += fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
-  const bool is_shaded = !part.shade.empty() && part.palette.size() > 1;
+  const bool is_faced = !part.triangle_shade.empty();
+  const bool is_shaded = is_faced || (!part.shade.empty() && part.palette.size() > 1);
   if (is_shaded) {
     text += fmt::format("texture_list {{ {}", part.palette.size());
     for (const Shade& shade : part.palette) text += fmt::format(",\n{}", format_texture(part, shade));
     text += " }\n";
   }
-  text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
-  for (const auto& [a, b, c] : part.rest.triangles) {
+  if (!part.is_outline) text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
+  for (std::size_t i = 0; i < part.rest.triangles.size(); ++i) {
+    const auto& [a, b, c] = part.rest.triangles[i];
     fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
-    if (!is_shaded) continue;
+    if (is_faced) fmt::format_to(std::back_inserter(text), ",{}", part.triangle_shade[i]);
+    if (is_faced || !is_shaded) continue;
     const auto sa = part.shade[a], sb = part.shade[b], sc = part.shade[c];
     if (sa == sb && sb == sc)
       fmt::format_to(std::back_inserter(text), ",{}", sa);
     else
       fmt::format_to(std::back_inserter(text), ",{},{},{}", sa, sb, sc);
   }
-  text += " }\n";
+  if (!part.is_outline) text += " }\n";
   if (!is_shaded)
     text += fmt::format("{}\n", format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
   if (part.wear > 0) text += "#declare Wear = 0;\n";
@@ -188,6 +195,17 @@ void append_part(std::string& text, const Part& part, const std::string& materia
   text += part.is_rigid ? "}\n" : "#end\n";
 }
 
+// Triangles of the drawing's own; none of them are no object.
+void append_outline(std::string& text, const Part& part, const PartShape& shape) {
+  if (shape.triangles.empty()) return;
+  text += "mesh2 {\n";
+  append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
+  text += fmt::format("face_indices {{ {}", shape.triangles.size());
+  for (const auto& [a, b, c] : shape.triangles)
+    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
+  text += fmt::format(" }}\nsurface_of_{}() }}\n", part.name);
+}
+
 void append_camera(std::string& text, const CameraView& view) {
   const double angle = view.angle_deg * kRadiansPerDegree;
   const double height = std::clamp(view.height_deg, -kSteepest_deg, kSteepest_deg) * kRadiansPerDegree;
@@ -211,7 +229,8 @@ double compute_camera_distance_mm(const CameraView& view) {
 }
 
 std::string build_povray_parts(const Model& model, const Templates& templates) {
-  const std::string& materials = find_template(templates, "povray/materials.inc").text;
+  const std::string materials = find_template(templates, "povray/materials.inc").text +
+                                find_template(templates, "povray/materials_drawn.inc").text;
   std::string parts;
   for (const Part& part : model.parts) append_part(parts, part, materials);
   return parts;
@@ -246,12 +265,16 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
       text += " }\n";
       continue;
     }
+    if (part.is_outline) {
+      append_outline(text, part, shape);
+      continue;
+    }
     const std::size_t count = part.rest.positions.size();
-    if (shape.positions.size() != count || shape.normals.size() != count)
+    if (shape.positions.size() != count || (!shape.normals.empty() && shape.normals.size() != count))
       fail_part(part, "is drawn with another number of vertices");
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
-    append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
+    if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
     text += fmt::format("surface_of_{}() }}\n", part.name);
   }
 }

@@ -11,8 +11,16 @@ namespace mien {
 
 namespace {
 
-constexpr const char* kOwnLights = "studio";  // of a scene whose frames say nothing of lights
+// Of a scene whose frames say nothing of lights.
+const char* get_own_lights(Style style) { return style == Style::ink ? "ink" : "studio"; }
 constexpr int kShareDecimals = 6, kAngleDecimals = 4, kColourDecimals = 4;
+
+// Those of the style; the studio has no use for the others.
+std::string list_materials(const Templates& templates, Style style) {
+  std::string materials = find_template(templates, "povray/materials.inc").text;
+  if (style != Style::studio) materials += find_template(templates, "povray/materials_drawn.inc").text;
+  return materials;
+}
 
 // templates/povray/light_moon.inc and the like.
 const std::string& find_named(const Templates& templates, const char* kind, const std::string& name) {
@@ -37,7 +45,7 @@ std::string build_povray_stage(const std::string& parts, const RenderSpec& rende
                                const StageSets& sets) {
   std::set<std::string> grounds = sets.backgrounds, lights = sets.lights;
   grounds.insert(render.background);
-  lights.insert(kOwnLights);
+  lights.insert(get_own_lights(render.style));
   std::string light_sets = find_template(templates, "povray/lights.inc").text, backgrounds;
   for (const std::string& name : lights) light_sets += find_named(templates, "light", name);
   for (const std::string& name : grounds) backgrounds += find_named(templates, "background", name);
@@ -45,10 +53,10 @@ std::string build_povray_stage(const std::string& parts, const RenderSpec& rende
   return fill_template(templates, "povray/head.inc",
                        {{"key_samples", std::to_string(settings.light_samples)},
                         {"key_depth", std::to_string(settings.key_depth)},
-                        {"materials", find_template(templates, "povray/materials.inc").text},
+                        {"materials", list_materials(templates, render.style)},
                         {"lights", light_sets},
                         {"background", backgrounds},
-                        {"light", kOwnLights},
+                        {"light", get_own_lights(render.style)},
                         {"ground", render.background},
                         {"parts", parts}});
 }

@@ -1,0 +1,69 @@
+#include "clip/beside.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "config/findings.hpp"
+#include "config/words.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "render/picture.hpp"
+#include "render/process.hpp"
+
+namespace mien {
+
+Clip redesign_clip(const Clip& clip, const std::string& name, const std::vector<Design>& designs) {
+  std::vector<std::string> names{kReal};
+  for (const Design& design : designs) names.push_back(design.name);
+  if (std::ranges::find(names, name) == names.end())
+    throw InputError("--beside: " + describe_unknown("design", name, names));
+  Clip part = clip;
+  const Mix mix{{name, 1.0}};
+  part.spec.head.design = mix;
+  for (ActorSpec& actor : part.spec.actors) actor.head.design = mix;
+  for (Actor& actor : part.actors) {
+    actor.head.design = mix;
+    for (HeadKey& key : actor.performance.clip.head) key.head.design = mix;
+  }
+  const auto design = std::ranges::find(designs, name, &Design::name);
+  RenderSpec& render = part.spec.render;
+  if (!render.is_style_given)
+    render.style = design == designs.end()
+                       ? Style::studio
+                       : static_cast<Style>(std::ranges::find(kStyles, design->style) - kStyles.begin());
+  if (!render.is_background_given)
+    render.background = render.style == Style::ink ? kInkGround : RenderSpec{}.background;
+  part.files.folder = clip.files.folder / name;
+  return part;
+}
+
+Clip widen_clip(const Clip& clip, std::size_t count) {
+  Clip whole = clip;
+  whole.spec.render.width_px *= static_cast<int>(count);
+  return whole;
+}
+
+void join_pictures(const std::vector<Clip>& parts, const Clip& whole) {
+  const FramePlan& plan = whole.plan;
+  for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+    throw_if_interrupted();
+    const int frame = plan.frames[i];
+    if (plan.drawn_as[i] != frame) {
+      write_file(whole.files.picture(frame), read_file(whole.files.picture(plan.drawn_as[i])));
+      continue;
+    }
+    const RenderSpec& render = whole.spec.render;
+    Pixels page{{render.width_px, render.height_px}, {}};
+    page.rgb.resize(std::size_t{3} * static_cast<std::size_t>(render.width_px) *
+                    static_cast<std::size_t>(render.height_px));
+    int left_px = 0;
+    for (const Clip& part : parts) {
+      paste_pixels(page, read_pixels(part.files.picture(frame)), left_px, 0);
+      left_px += part.spec.render.width_px;
+    }
+    write_file(whole.files.picture(frame), build_png(page));
+  }
+}
+
+}  // namespace mien

@@ -1,0 +1,29 @@
+#include "frames/drawn_figure.hpp"
+
+namespace mien {
+
+namespace {
+
+// A cast of it: what is clear (the cornea) is solid there, and nothing has a colour of its own.
+void cast_in_plaster(Model& model) {
+  constexpr glm::vec3 kPlaster{0.93f, 0.91f, 0.87f};
+  for (Part& part : model.parts) {
+    part.material = "plaster";
+    part.palette = {{kPlaster, 0}};
+    part.shade.clear();
+    part.grain.clear();
+    part.wear = 0;
+  }
+}
+
+}  // namespace
+
+DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, Style style) {
+  const bool is_ink = style == Style::ink;
+  DrawnFigure figure{build_figure(stock, spec, is_ink ? FigureUse::ink : FigureUse::picture), {}};
+  if (is_ink) figure.ink = build_ink(figure, compute_aged_look(spec.look, spec.age));
+  if (style == Style::plaster) cast_in_plaster(figure.model);
+  return figure;
+}
+
+}  // namespace mien

@@ -1,0 +1,20 @@
+// A figure in the style it is drawn in.
+#pragma once
+
+#include <optional>
+
+#include "core/staging.hpp"
+#include "frames/ink.hpp"
+
+namespace mien {
+
+struct DrawnFigure : Figure {
+  std::optional<Ink> ink;
+
+  // What writers are given, with the drawings of draw_figure.
+  const Model& get_drawn_model() const { return ink ? ink->model : model; }
+};
+
+DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, Style style);
+
+}  // namespace mien

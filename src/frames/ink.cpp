@@ -1,0 +1,358 @@
+#include "frames/ink.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <string_view>
+
+#include "core/smooth.hpp"
+#include "frames/ink_strokes.hpp"
+#include "head/cage.hpp"
+#include "head/skin_masks.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr glm::vec3 kInk{0.10f, 0.06f, 0.07f};
+
+enum Region : std::uint16_t { kPlain, kRed, kInside, kHole, kFlush, kRegionCount };
+
+// The skin's triangles while they are cut along the borders of its regions.
+struct Cutting {
+  std::vector<Triangle> triangles;
+  std::vector<std::vector<float>> fields;  // of each region's border: above 0 inside it, for all vertices
+  std::vector<CutVertex> cuts;
+  std::size_t own_count = 0;
+};
+
+// Splits whatever crosses the border of a field; what lies nearly on it is put on it.
+void cut_along(std::size_t f, Cutting& cutting) {
+  constexpr float kNear =
+      0.06f;  // nearer to a corner of a triangle, as a share of the edge, a cut goes through it
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;
+  const auto value = [&](std::uint32_t v) { return cutting.fields[f][v]; };
+  const auto crosses = [&](std::uint32_t a, std::uint32_t b) { return value(a) * value(b) < 0; };
+  const auto cut = [&](std::uint32_t a, std::uint32_t b) {
+    const std::array<std::uint32_t, 2> edge{std::min(a, b), std::max(a, b)};
+    const auto [entry, is_new] =
+        known.try_emplace(edge, static_cast<std::uint32_t>(cutting.fields[f].size()));
+    if (is_new) {
+      const float share = std::clamp(value(edge[0]) / (value(edge[0]) - value(edge[1])), kNear, 1 - kNear);
+      cutting.cuts.push_back({edge[0], edge[1], share});
+      for (std::vector<float>& field : cutting.fields)
+        field.push_back(&field == &cutting.fields[f] ? 0 : glm::mix(field[edge[0]], field[edge[1]], share));
+    }
+    return entry->second;
+  };
+  std::vector<Triangle> triangles;
+  for (Triangle t : cutting.triangles) {
+    int count = 0;
+    for (int i = 0; i < 3; ++i) count += crosses(t[i], t[(i + 1) % 3]) ? 1 : 0;
+    if (count == 0) {
+      triangles.push_back(t);
+    } else if (count == 1) {  // through a corner that lies on the border
+      while (!crosses(t[0], t[1])) t = {t[1], t[2], t[0]};
+      const std::uint32_t m = cut(t[0], t[1]);
+      triangles.push_back({t[0], m, t[2]});
+      triangles.push_back({m, t[1], t[2]});
+    } else {  // t[0] alone on its side
+      while (!crosses(t[0], t[1]) || !crosses(t[0], t[2])) t = {t[1], t[2], t[0]};
+      const std::uint32_t m = cut(t[0], t[1]), n = cut(t[0], t[2]);
+      triangles.push_back({t[0], m, n});
+      triangles.push_back({m, t[1], t[2]});
+      triangles.push_back({m, t[2], n});
+    }
+  }
+  cutting.triangles = std::move(triangles);
+}
+
+// Values of the surface's vertices for all of the fine skin.
+std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> values) {
+  for (const auto& [a, b] : fine.parents) values.push_back(0.5f * (values[a] + values[b]));
+  return values;
+}
+
+std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
+  constexpr glm::vec3 kHalf_mm(13, 7.5f, 30), kAside_mm(3, 1, 0);  // of the patch, on an eye of 16 mm
+  const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
+  const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
+  std::vector<float> field;
+  for (const glm::vec3& p : positions) {
+    const glm::vec3 away = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / (size * kHalf_mm);
+    field.push_back(1 - glm::length(away));
+  }
+  return field;
+}
+
+Cutting cut_skin(const Figure& figure, const std::vector<glm::vec3>& positions) {
+  const FineSkin& fine = figure.folds.skin;
+  const SkinMasks masks = paint_skin_masks(figure.head);
+  Cutting cutting{fine.triangles, {}, {}, fine.vertex_count()};
+  const auto add = [&](SkinMask mask, float border) {
+    std::vector<float> field = spread_to_fine(fine, masks[mask]);
+    for (float& value : field) value -= border;
+    cutting.fields.push_back(std::move(field));
+  };
+  add(kMouth, 0.5f);
+  add(kNostril, 0.6f);
+  add(kLips, 0.5f);
+  cutting.fields.push_back(paint_flush(figure, positions));
+  for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);
+  return cutting;
+}
+
+Region find_region(const Cutting& cutting, const Triangle& t) {
+  constexpr std::array kRegions{kInside, kHole, kRed, kFlush};
+  for (std::size_t f = 0; f < kRegions.size(); ++f) {
+    const std::vector<float>& field = cutting.fields[f];
+    if (field[t[0]] + field[t[1]] + field[t[2]] > 0) return kRegions[f];
+  }
+  return kPlain;
+}
+
+void list_neighbours(const FineSkin& fine, Ink& ink) {
+  std::vector<std::vector<std::uint32_t>> around(fine.vertex_count());
+  for (const Triangle& t : fine.triangles)
+    for (int i = 0; i < 3; ++i) {
+      around[t[i]].push_back(t[(i + 1) % 3]);
+      around[t[i]].push_back(t[(i + 2) % 3]);
+    }
+  ink.first.push_back(0);
+  for (std::vector<std::uint32_t>& all : around) {
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    ink.around.insert(ink.around.end(), all.begin(), all.end());
+    ink.first.push_back(static_cast<std::uint32_t>(ink.around.size()));
+  }
+}
+
+// None in mouth and nostrils, and none at the margins of lids and lips, which have strokes.
+void measure_hull(const Figure& figure, const Cutting& cutting, const std::vector<glm::vec3>& positions,
+                  Ink& ink) {
+  constexpr float kNone_mm = 0.5f, kAll_mm = 5;
+  const FineSkin& fine = figure.folds.skin;
+  std::vector<glm::vec3> margins;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
+      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+  for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
+    float nearest = 2 * kAll_mm;
+    for (const glm::vec3& margin : margins) nearest = std::min(nearest, glm::distance(margin, positions[v]));
+    ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, nearest / ink.eye_size));
+  }
+  for (const Triangle& t : fine.triangles) {
+    const auto is_open = [&](std::uint32_t v) {
+      return cutting.fields[0][v] < -0.2f && cutting.fields[1][v] < -0.2f;
+    };
+    if (is_open(t[0]) && is_open(t[1]) && is_open(t[2])) ink.hull_triangles.push_back(t);
+  }
+}
+
+Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
+  Part part;
+  part.name = std::move(name);
+  part.material = material;
+  part.palette = {{srgb, 0}};
+  part.is_printed = false;
+  return part;
+}
+
+Part make_outline(const std::string& name) {
+  Part part = make_flat_part(name + "_outline", "ink_line", kInk);
+  part.is_outline = true;
+  return part;
+}
+
+// What the parts of a real head become; their own tones where nothing is said.
+void set_material(const glm::vec3& hair, Part& part) {
+  const auto flat = [&](const glm::vec3& srgb) {
+    part.material = "ink_flat";
+    part.palette = {{srgb, 0}};
+    part.shade.clear();
+  };
+  if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
+  if (part.name.starts_with("gum") || part.name == "lip_veil") flat({0.36f, 0.07f, 0.09f});
+  if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
+  if (!part.name.starts_with("hair") && !part.name.starts_with("beard")) return;
+  part.palette = {{hair, 0}};
+  part.material = "ink_hair";
+  part.shade.clear();
+  part.grain.clear();
+  part.wear = 0;
+}
+
+void add_strokes(const Figure& figure, const Look& look, Ink& ink) {
+  Part lines = make_flat_part("lines", "ink_line", kInk);
+  Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * look.brow);
+  const auto add = [&](const StrokeRule& rule, float side) {
+    const auto find = [&](const char* name) {
+      const bool is_image = std::string_view(name).starts_with("R:");
+      const std::uint32_t point = find_point(figure.head.cage, is_image ? name + 2 : name);
+      return is_image != (side < 0) ? figure.head.cage.mirror[point] : point;
+    };
+    InkStroke stroke{&rule, {}, {}, side, rule.is_brow};
+    for (const char* name : rule.points) stroke.points.push_back(find(name));
+    for (const char* name : rule.facing) stroke.facing.push_back(find(name));
+    Mesh& mesh = (rule.is_brow ? brows : lines).rest;
+    for (const Triangle& t : list_stroke_triangles(static_cast<std::uint32_t>(mesh.positions.size())))
+      mesh.triangles.push_back(t);
+    mesh.positions.resize(mesh.positions.size() + kStrokeVertices);
+    ink.strokes.push_back(std::move(stroke));
+  };
+  for (const StrokeRule& rule : list_stroke_rules()) {
+    add(rule, 1);
+    if (rule.is_sided) add(rule, -1);
+  }
+  ink.model.parts.push_back(std::move(lines));
+  ink.model.parts.push_back(std::move(brows));
+}
+
+// Rounds of going half the way to the neighbours' mean.
+void soften(const Ink& ink, int rounds, std::vector<glm::vec3>& normals, std::vector<glm::vec3>& buffer) {
+  buffer.resize(normals.size());
+  for (int round = 0; round < rounds; ++round) {
+    for (std::size_t v = 0; v < normals.size(); ++v) {
+      const std::uint32_t first = ink.first[v], last = ink.first[v + 1];
+      glm::vec3 sum(0);
+      for (std::uint32_t k = first; k < last; ++k) sum += normals[ink.around[k]];
+      buffer[v] = 0.5f * normals[v] + sum * (0.5f / static_cast<float>(std::max(1u, last - first)));
+    }
+    normals.swap(buffer);
+  }
+}
+
+void make_unit(std::vector<glm::vec3>& normals) {
+  for (glm::vec3& n : normals) n = glm::normalize(n + glm::vec3(0, 0, 1e-9f));
+}
+
+// The triangles of a hull that face away from the camera, with the vertices they use.
+void append_away(const InkView& view, const std::vector<Triangle>& triangles, InkBuffers& buffers,
+                 const std::vector<glm::vec3>& hull, PartShape& shape) {
+  constexpr auto kUnused = static_cast<std::uint32_t>(-1);
+  const glm::vec3 camera(view.camera_mm);
+  buffers.used.assign(hull.size(), kUnused);
+  for (const Triangle& t : triangles) {
+    const glm::vec3 &a = hull[t[0]], &b = hull[t[1]], &c = hull[t[2]];
+    if (glm::dot(a - camera, glm::cross(b - a, c - a)) <= 0) continue;
+    Triangle own;
+    for (int i = 0; i < 3; ++i) {
+      std::uint32_t& used = buffers.used[t[i]];
+      if (used == kUnused) {
+        used = static_cast<std::uint32_t>(shape.positions.size());
+        shape.positions.push_back(hull[t[i]]);
+      }
+      own[i] = used;
+    }
+    shape.triangles.push_back(own);
+  }
+}
+
+// How thick an outline is where the surface looks along `normal`: more on the side of the shade.
+float find_thickness(const InkView& view, const glm::vec3& normal) {
+  constexpr float kLit = 0.7f, kShaded = 1.0f;
+  const float away = -glm::dot(normal, glm::vec3(view.to_light));
+  return static_cast<float>(view.line_mm) * (kLit + kShaded * smooth_step(-0.2f, 0.9f, away));
+}
+
+void clear_shape(PartShape& shape) {
+  shape.positions.clear();
+  shape.normals.clear();
+  shape.triangles.clear();
+}
+
+}  // namespace
+
+Ink build_ink(const Figure& figure, const Look& look) {
+  Ink ink;
+  ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
+  ink.model = figure.model;
+  const float grey = glm::dot(look.hair, glm::vec3(0.30f, 0.59f, 0.11f));
+  const glm::vec3 hair = glm::clamp((glm::vec3(grey) + 1.5f * (look.hair - grey)) * 1.35f, 0.0f, 1.0f);
+  for (Part& part : ink.model.parts) set_material(hair, part);
+  Part& skin = ink.model.parts.front();
+  const std::vector<glm::vec3> positions = skin.rest.positions;
+  Cutting cutting = cut_skin(figure, positions);
+  const glm::vec3 plain = glm::clamp(look.skin * 1.12f, 0.0f, 1.0f);
+  const auto blush = static_cast<float>(figure.head.design.blush);
+  skin.material = "ink_skin";
+  skin.palette.assign(kRegionCount, {plain, 0});
+  skin.palette[kRed].srgb = look.lips ? *look.lips * 1.1f : plain * glm::vec3(0.93f, 0.70f, 0.68f);
+  skin.palette[kInside].srgb = {0.36f, 0.07f, 0.09f};
+  skin.palette[kHole].srgb = plain * glm::vec3(0.48f, 0.28f, 0.27f);
+  skin.palette[kFlush].srgb = plain * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush);
+  skin.shade.clear();
+  skin.grain.clear();
+  skin.wear = 0;
+  skin.rest.triangles = cutting.triangles;
+  for (const Triangle& t : cutting.triangles) skin.triangle_shade.push_back(find_region(cutting, t));
+  ink.cuts = cutting.cuts;
+  skin.rest.positions.resize(positions.size() + ink.cuts.size());
+  skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
+  for (std::size_t i = 0; i < ink.cuts.size(); ++i) {
+    const auto& [from, to, share] = ink.cuts[i];
+    skin.rest.positions[positions.size() + i] =
+        glm::mix(skin.rest.positions[from], skin.rest.positions[to], share);
+  }
+  list_neighbours(figure.folds.skin, ink);
+  measure_hull(figure, cutting, positions, ink);
+  std::vector<Part> outlines{make_outline("skin")};
+  for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
+    if (ink.model.parts[i].material == "ink_hair") {
+      outlines.push_back(make_outline(ink.model.parts[i].name));
+      ink.outlined.push_back(i);
+    }
+  for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
+  add_strokes(figure, look, ink);
+  return ink;
+}
+
+void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
+  constexpr int kHullRounds = 4, kToneRounds = 40;
+  const std::size_t own_parts = ink.model.parts.size() - 3 - ink.outlined.size();
+  drawing.parts.resize(ink.model.parts.size());
+  PartShape& skin = drawing.parts.front();
+  buffers.soft = skin.normals;
+  soften(ink, kHullRounds, buffers.soft, buffers.turn);
+  buffers.softer = buffers.soft;
+  soften(ink, kToneRounds, buffers.softer, buffers.turn);
+  make_unit(buffers.soft);
+  make_unit(buffers.softer);
+
+  std::size_t next = own_parts;
+  {  // before the skin gets the vertices of its borders
+    PartShape& outline = drawing.parts[next++];
+    clear_shape(outline);
+    buffers.turn.resize(skin.positions.size());
+    for (std::size_t v = 0; v < skin.positions.size(); ++v)
+      buffers.turn[v] =
+          skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.softer[v]) * buffers.soft[v];
+    append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
+  }
+  for (const std::size_t part : ink.outlined) {
+    // A lock has no outline before another one: the hull lies so far behind.
+    constexpr float kHair = 1.1f, kBehind_mm = 5;  // of a line
+    const PartShape& shape = drawing.parts[part];
+    PartShape& outline = drawing.parts[next++];
+    clear_shape(outline);
+    buffers.turn.resize(shape.positions.size());
+    for (std::size_t v = 0; v < shape.positions.size(); ++v)
+      buffers.turn[v] = shape.positions[v] + kHair * static_cast<float>(view.line_mm) * shape.normals[v] +
+                        kBehind_mm * glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
+    append_away(view, ink.model.parts[part].rest.triangles, buffers, buffers.turn, outline);
+  }
+  PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
+  clear_shape(lines);
+  clear_shape(brows);
+  for (const InkStroke& stroke : ink.strokes)
+    append_stroke(stroke, skin.positions, buffers.soft, view.line_mm, ink.eye_size,
+                  (stroke.is_brow ? brows : lines).positions);
+
+  skin.normals = buffers.softer;
+  for (const auto& [from, to, share] : ink.cuts) {
+    skin.positions.push_back(glm::mix(skin.positions[from], skin.positions[to], share));
+    skin.normals.push_back(glm::normalize(glm::mix(skin.normals[from], skin.normals[to], share)));
+  }
+}
+
+}  // namespace mien

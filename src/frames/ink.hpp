@@ -1,0 +1,63 @@
+// A figure drawn in ink: its skin in flat regions with crisp borders, outlines where it turns away, and
+// strokes along lashes, lids, brows and lips.
+//
+// Outlines are hulls: the surface pushed out by a line's width, of which only what faces away from the camera
+// is drawn, so that it shows beyond the edge of the surface and nowhere else. Strokes are flat tubes that
+// ride on the skin, their widths a profile along them. Widths are shares of the picture, whatever its size
+// and however near the camera.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/model.hpp"
+#include "frames/figure.hpp"
+
+namespace mien {
+
+// A vertex between two others, on the border of a region.
+struct CutVertex {
+  std::uint32_t from = 0, to = 0;
+  float share = 0;  // of the way
+};
+
+struct StrokeRule;
+
+// A stroke on one side, or across the middle.
+struct InkStroke {
+  const StrokeRule* rule = nullptr;
+  std::vector<std::uint32_t> points, facing;  // of the skin
+  float side = 1;                             // -1: of the right half
+  bool is_brow = false;
+};
+
+// Built once for a figure of FigureUse::ink.
+struct Ink {
+  Model model;                               // the figure's parts, then outlines, then strokes
+  std::vector<CutVertex> cuts;               // behind the skin's own vertices
+  std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
+  std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
+  std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
+  std::vector<std::size_t> outlined;         // parts of the figure besides the skin that have outlines
+  std::vector<InkStroke> strokes;
+  float eye_size = 1;  // of the ball against an adult's
+};
+
+Ink build_ink(const Figure& figure, const Look& look);
+
+struct InkView {
+  glm::dvec3 camera_mm{0, 0, 900};
+  glm::dvec3 to_light{0, 0, 1};  // of length 1
+  double line_mm = 1;            // at the head
+};
+
+// The buffers of one thread; contents mean nothing between calls.
+struct InkBuffers {
+  std::vector<glm::vec3> soft, softer, turn;
+  std::vector<std::uint32_t> used;
+};
+
+// Makes the drawing of the figure into one of ink.model, where it stands in the world.
+void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing);
+
+}  // namespace mien

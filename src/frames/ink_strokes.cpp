@@ -1,0 +1,132 @@
+#include "frames/ink_strokes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "head/tubes.hpp"
+
+namespace mien {
+
+const std::vector<StrokeRule>& list_stroke_rules() {
+  static const std::vector<StrokeRule> rules{
+      {.name = "upper_lashes",
+       .points = {"E1_0", "E1_1", "E1_2", "E1_3", "E1_4", "E1_5", "E1_6", "E1_7", "E1_8"},
+       .widths = {{0, 0.3}, {0.15, 0.9}, {0.5, 1.6}, {0.8, 2.1}, {0.9, 1.6}, {1, 0.05}},
+       .lift_mm = 0.5,
+       .flat = 0.45,
+       .wing = {3.2f, 1.8f, -1.5f}},
+      {.name = "lower_lashes",
+       .points = {"E1_15", "E1_14", "E1_13", "E1_12", "E1_11", "E1_10", "E1_9", "E1_8"},
+       .widths = {{0, 0.05}, {0.3, 0.3}, {0.6, 0.45}, {0.85, 0.7}, {1, 0.5}},
+       .lift_mm = 0.3,
+       .flat = 0.4},
+      {.name = "crease",
+       .points = {"E3_1", "E3_2", "E3_3", "E3_4", "E3_5", "E3_6", "E3_7"},
+       .widths = {{0, 0.02}, {0.3, 0.55}, {0.7, 0.6}, {1, 0.02}},
+       .lift_mm = 1.3,
+       .flat = 0.7},
+      {.name = "brow",
+       .points = {"E5_2", "E5_3", "E5_4", "E5_5", "E5_6", "E5_7"},
+       .is_brow = true,
+       .widths = {{0, 1.2}, {0.06, 2.5}, {0.2, 3.3}, {0.45, 3.0}, {0.7, 2.2}, {0.9, 1.0}, {1, 0.1}},
+       .lift_mm = 0.9,
+       .flat = 0.42},
+      {.name = "upper_lip",
+       .points = {"R:M1_6", "R:M1_5", "R:M1_4", "R:M1_3", "R:M1_2", "R:M1_1", "M1_0", "M1_1", "M1_2", "M1_3",
+                  "M1_4", "M1_5", "M1_6"},
+       .is_sided = false,
+       .widths = {{0, 0.1}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.1}},
+       .lift_mm = 1.2,
+       .facing = {"M4_0", "M4_12"}},
+      {.name = "lower_lip",
+       .points = {"R:M1_6", "R:M1_7", "R:M1_8", "R:M1_9", "R:M1_10", "R:M1_11", "M1_12", "M1_11", "M1_10",
+                  "M1_9", "M1_8", "M1_7", "M1_6"},
+       .is_sided = false,
+       .widths = {{0, 0.1}, {0.06, 0.7}, {0.5, 0.5}, {0.94, 0.7}, {1, 0.1}},
+       .lift_mm = 1,
+       .facing = {"M4_0", "M4_12"}},
+      {.name = "under_lip",
+       .points = {"R:M4_10", "R:M4_11", "M4_12", "M4_11", "M4_10"},
+       .is_sided = false,
+       .widths = {{0, 0.02}, {0.5, 0.65}, {1, 0.02}},
+       .lift_mm = 0.2,
+       .flat = 0.4,
+       .from = 0.25,
+       .to = 0.75}};
+  return rules;
+}
+
+namespace {
+
+constexpr double kBrowEye_mm = 16;  // the eye that brows and wings are told on: a drawn adult's, nearly
+
+double find_width(const std::vector<StrokeWidth>& widths, double at) {
+  std::size_t i = 1;
+  while (i + 1 < widths.size() && widths[i].at < at) ++i;
+  const StrokeWidth &a = widths[i - 1], &b = widths[i];
+  return std::lerp(a.width, b.width, std::clamp((at - a.at) / (b.at - a.at), 0.0, 1.0));
+}
+
+}  // namespace
+
+std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
+  std::vector<Triangle> triangles;
+  const auto at = [&](int step, int spoke) {
+    return first + static_cast<std::uint32_t>(step * kStrokeSpokes + spoke % kStrokeSpokes);
+  };
+  for (int i = 0; i + 1 < kStrokeSteps; ++i)
+    for (int k = 0; k < kStrokeSpokes; ++k) {
+      triangles.push_back({at(i, k), at(i, k + 1), at(i + 1, k + 1)});
+      triangles.push_back({at(i, k), at(i + 1, k + 1), at(i + 1, k)});
+    }
+  return triangles;
+}
+
+void append_stroke(const InkStroke& stroke, const std::vector<glm::vec3>& positions,
+                   const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
+                   std::vector<glm::vec3>& vertices) {
+  const StrokeRule& rule = *stroke.rule;
+  const auto eye = static_cast<float>(eye_size * 13 / kBrowEye_mm);
+  std::vector<glm::vec3> line, ups;
+  for (const std::uint32_t point : stroke.points) {
+    line.push_back(positions[point]);
+    ups.push_back(normals[point]);
+  }
+  if (!stroke.facing.empty()) {
+    glm::vec3 facing(0);
+    for (const std::uint32_t point : stroke.facing) facing += normals[point];
+    for (glm::vec3& up : ups) up = glm::normalize(0.3f * up + 0.8f * glm::normalize(facing));
+  }
+  if (rule.wing != glm::vec3(0)) {
+    // Beyond the outer corner, told in the frame of the skin there.
+    const glm::vec3 along = glm::normalize(line.back() - line[line.size() - 3]);
+    const glm::vec3 up = ups.back(), over = glm::normalize(glm::cross(up, along)) * stroke.side;
+    line.push_back(line.back() + eye * (rule.wing.x * along + rule.wing.y * over + rule.wing.z * up * 0.3f));
+    ups.push_back(up);
+  }
+  std::vector<glm::vec3> centres(kStrokeSteps), lifts(kStrokeSteps);
+  const auto last = static_cast<double>(line.size() - 1);
+  for (int i = 0; i < kStrokeSteps; ++i) {
+    const double at = std::lerp(rule.from, rule.to, static_cast<double>(i) / (kStrokeSteps - 1));
+    lifts[i] = glm::normalize(sample_curve(ups, at * last));
+    centres[i] = sample_curve(line, at * last) + static_cast<float>(rule.lift_mm) * eye * lifts[i];
+  }
+  for (int i = 0; i < kStrokeSteps; ++i) {
+    const double at = static_cast<double>(i) / (kStrokeSteps - 1);
+    const double unit = rule.is_brow ? eye_size * 13 / kBrowEye_mm : line_mm;
+    const auto half = static_cast<float>(std::max(0.02, unit * find_width(rule.widths, at)));
+    const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
+    const glm::vec3 across = glm::cross(along, lifts[i]);
+    const float length = glm::length(across);
+    const glm::vec3 aside = length > 1e-6f ? across / length : glm::vec3(0, 1, 0);
+    const glm::vec3 up = glm::length(along) > 1e-6f ? glm::normalize(glm::cross(aside, along)) : lifts[i];
+    for (int k = 0; k < kStrokeSpokes; ++k) {
+      const double turn = 2 * std::numbers::pi * k / kStrokeSpokes;
+      vertices.push_back(centres[i] + half * (static_cast<float>(std::cos(turn)) * aside +
+                                              static_cast<float>(rule.flat * std::sin(turn)) * up));
+    }
+  }
+}
+
+}  // namespace mien

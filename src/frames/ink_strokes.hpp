@@ -1,0 +1,40 @@
+// The strokes of a drawn face: along which points of the skin they go, and how thick they are.
+#pragma once
+
+#include <vector>
+
+#include "frames/ink.hpp"
+
+namespace mien {
+
+struct StrokeWidth {
+  double at = 0, width = 0;  // 0..1 along the stroke; half of it, in lines (or in mm of an adult's brow)
+};
+
+struct StrokeRule {
+  const char* name;
+  std::vector<const char*> points;  // of the left half, or "R:..." of the right one; inner to outer
+  bool is_sided = true;             // drawn on both sides
+  bool is_brow = false;             // in the brow's colour, its widths mm on an adult's eye of 16 mm
+  std::vector<StrokeWidth> widths;
+  double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
+  glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
+  double from = 0, to = 1;               // the part of the way that is drawn
+  std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
+};
+
+const std::vector<StrokeRule>& list_stroke_rules();
+
+inline constexpr int kStrokeSteps = 40, kStrokeSpokes = 8;
+
+// Vertices and triangles of one stroke, in their order.
+inline constexpr std::size_t kStrokeVertices = std::size_t{kStrokeSteps} * kStrokeSpokes;
+std::vector<Triangle> list_stroke_triangles(std::uint32_t first);
+
+// Appends the vertices of a stroke on a skin; `line_mm` is a line's width there, `eye_size` that of the
+// head's eye.
+void append_stroke(const InkStroke& stroke, const std::vector<glm::vec3>& positions,
+                   const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
+                   std::vector<glm::vec3>& vertices);
+
+}  // namespace mien

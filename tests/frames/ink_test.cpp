@@ -1,0 +1,214 @@
+#include "frames/ink.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+
+#include "frames/ink_strokes.hpp"
+#include "poses.hpp"
+#include "scene/povray.hpp"
+#include "shipped.hpp"
+#include "timeline/head_turn.hpp"
+
+namespace mien {
+namespace {
+
+HeadSpec make_spec(const std::string& design) {
+  HeadSpec spec;
+  spec.design = {{design, 1.0}};
+  spec.hair = "bob";
+  return spec;
+}
+
+struct Subject {
+  Figure figure;
+  Ink ink;
+};
+
+const Subject& comic() {
+  static const Subject subject = [] {
+    Subject made;
+    made.figure = build_figure(shipped().heads, make_spec("comic"), FigureUse::ink);
+    made.ink = build_ink(made.figure, Look{});
+    return made;
+  }();
+  return subject;
+}
+
+Pose make_pose(std::initializer_list<std::pair<const char*, double>> values) {
+  Pose pose;
+  for (const auto& [name, value] : values) {
+    const std::string text = name;
+    const std::string area = text.substr(0, text.find('.')), move = text.substr(text.find('.') + 1);
+    for (const Side side : {Side::none, Side::left, Side::right})
+      if (const auto found = find_move(area, side, move)) pose.values[*found] = value;
+  }
+  return pose;
+}
+
+Drawing draw(const Subject& subject, const Pose& pose, const TurnKey& turn, const InkView& view) {
+  DeformBuffers deform;
+  InkBuffers buffers;
+  Drawing drawing;
+  deform_figure(subject.figure, pose, turn, deform, drawing);
+  draw_ink(subject.ink, view, buffers, drawing);
+  return drawing;
+}
+
+std::size_t find_part(const Model& model, std::string_view name) {
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (model.parts[i].name == name) return i;
+  ADD_FAILURE() << "no part " << name;
+  return 0;
+}
+
+TEST(ink, regions_meet_on_crisp_borders) {
+  const Ink& ink = comic().ink;
+  const Part& skin = ink.model.parts.front();
+  ASSERT_EQ(skin.triangle_shade.size(), skin.rest.triangles.size());
+  EXPECT_GT(ink.cuts.size(), 200U);
+  std::set<std::uint16_t> used(skin.triangle_shade.begin(), skin.triangle_shade.end());
+  EXPECT_EQ(used.size(), 5U);
+  // Cutting leaves the surface whole: each edge of two triangles runs once each way.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+  for (const Triangle& t : skin.rest.triangles)
+    for (int i = 0; i < 3; ++i) ++edges[{t[i], t[(i + 1) % 3]}];
+  std::size_t open = 0, open_before = 0;
+  for (const auto& [edge, count] : edges) {
+    EXPECT_EQ(count, 1);
+    open += edges.contains({edge.second, edge.first}) ? 0 : 1;
+  }
+  std::set<std::pair<std::uint32_t, std::uint32_t>> before;
+  for (const Triangle& t : comic().figure.folds.skin.triangles)
+    for (int i = 0; i < 3; ++i) before.insert({t[i], t[(i + 1) % 3]});
+  for (const auto& edge : before) open_before += before.contains({edge.second, edge.first}) ? 0 : 1;
+  EXPECT_EQ(open, open_before);
+}
+
+TEST(ink, the_rest_is_drawn_as_it_stands) {
+  for (const char* design : {"real", "comic"}) {
+    const Figure figure = build_figure(shipped().heads, make_spec(design), FigureUse::ink);
+    DeformBuffers buffers;
+    Drawing drawing;
+    deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
+    for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+      const Part& part = figure.model.parts[i];
+      if (part.is_rigid) continue;
+      ASSERT_EQ(drawing.parts[i].positions.size(), part.rest.positions.size()) << part.name;
+      for (std::size_t v = 0; v < part.rest.positions.size(); ++v)
+        ASSERT_LT(glm::distance(drawing.parts[i].positions[v], part.rest.positions[v]), 1e-4f) << part.name;
+    }
+  }
+}
+
+TEST(ink, outlines_are_what_faces_away) {
+  const Subject& subject = comic();
+  const InkView view{{300, 40, 850}, glm::normalize(glm::dvec3(-1, 1, 1)), 1};
+  const Drawing drawing = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, view);
+  for (const char* name : {"skin_outline", "hair_outline", "hair_mass_outline"}) {
+    const PartShape& outline = drawing.parts[find_part(subject.ink.model, name)];
+    EXPECT_GT(outline.triangles.size(), 1000U) << name;
+    for (const Triangle& t : outline.triangles) {
+      const glm::vec3 &a = outline.positions[t[0]], &b = outline.positions[t[1]],
+                      &c = outline.positions[t[2]];
+      EXPECT_GT(glm::dot(a - glm::vec3(view.camera_mm), glm::cross(b - a, c - a)), 0) << name;
+    }
+  }
+}
+
+TEST(ink, lines_are_as_wide_as_the_view_says) {
+  const Subject& subject = comic();
+  const InkView thin{{0, 0, 900}, {0, 0, 1}, 0.5};
+  InkView thick = thin;
+  thick.line_mm = 2;
+  const std::size_t lines = find_part(subject.ink.model, "lines"),
+                    brows = find_part(subject.ink.model, "brow_strokes");
+  const Drawing one = draw(subject, Pose{}, TurnKey{}, thin), other = draw(subject, Pose{}, TurnKey{}, thick);
+  const auto measure = [&](const Drawing& drawing,
+                           std::size_t part) {  // across the middle of the first stroke
+    const std::vector<glm::vec3>& p = drawing.parts[part].positions;
+    const std::size_t ring = kStrokeSteps / 2 * kStrokeSpokes;
+    return glm::distance(p[ring], p[ring + kStrokeSpokes / 2]);
+  };
+  EXPECT_NEAR(measure(other, lines), 4 * measure(one, lines), 0.01);
+  EXPECT_NEAR(measure(other, brows), measure(one, brows), 1e-5);  // brows are as thick as they are
+}
+
+TEST(ink, is_the_same_on_both_sides_and_in_every_turn) {
+  const Subject& subject = comic();
+  const InkView view{{0, 0, 900}, {0, 0.6, 0.8}, 1};
+  const Drawing drawing = draw(subject, make_pose({{"corner.up", 0.7}}), TurnKey{}, view);
+  const std::vector<glm::vec3>& lines = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+  for (std::size_t v = 0; v < kStrokeVertices; v += kStrokeSpokes) {  // the middles of both upper lashes
+    glm::vec3 left(0), right(0);
+    for (int k = 0; k < kStrokeSpokes; ++k) {
+      left += lines[v + static_cast<std::size_t>(k)];
+      right += lines[kStrokeVertices + v + static_cast<std::size_t>(k)];
+    }
+    EXPECT_LT(glm::length(left * glm::vec3(-1, 1, 1) - right), 0.05f) << v;
+  }
+}
+
+TEST(ink, a_scene_takes_all_of_it) {
+  const Subject& subject = comic();
+  RenderSpec render;
+  render.style = Style::ink;
+  render.background = "dots";
+  const Templates& templates = shipped().stock.templates;
+  const std::string include = build_povray_include(subject.ink.model, render, templates);
+  for (const char* part : {"#macro light_ink(", "#macro background_dots(", "#macro surface_of_skin_outline()",
+                           "ink_skin_texture"})
+    EXPECT_NE(include.find(part), std::string::npos) << part;
+  std::string frame;
+  const Drawing drawing = draw(subject, make_pose({{"chin.down", 0.6}}), TurnKey{}, InkView{});
+  append_povray_frame(frame, subject.ink.model, drawing, CameraView{});
+  EXPECT_NE(frame.find("surface_of_lines()"), std::string::npos);
+}
+
+TEST(redraw, an_open_jaw_draws_the_head_out_and_low_brows_squash_it) {
+  const Figure& figure = comic().figure;
+  const Redraw& redraw = figure.redraw;
+  EXPECT_EQ(compute_stretch(redraw, Pose{}), 0);
+  EXPECT_GT(compute_stretch(redraw, make_pose({{"chin.down", 1}})), 0.04);
+  EXPECT_LT(compute_stretch(redraw, make_pose({{"brow.up", -1}})), -0.03);
+  EXPECT_LE(compute_stretch(redraw, make_pose({{"chin.down", 2}, {"brow.up", 2}})), 0.055);
+  DeformBuffers buffers;
+  Drawing rest, open;
+  deform_figure(figure, Pose{}, TurnKey{}, buffers, rest);
+  deform_figure(figure, make_pose({{"chin.down", 1}}), TurnKey{}, buffers, open);
+  const auto top = [](const Drawing& drawing) {
+    return compute_bounds(drawing.parts.front().positions).high.y;
+  };
+  const double height = top(rest) - redraw.floor_mm;
+  EXPECT_NEAR((top(open) - redraw.floor_mm) / height,
+              1 + compute_stretch(redraw, make_pose({{"chin.down", 1}})), 1e-3);
+}
+
+// A turned head is the posed one turned: the lens goes with it.
+TEST(redraw, turns_as_one_piece_above_the_neck) {
+  const Figure& figure = comic().figure;
+  TurnKey turn;
+  turn.turn_deg = 35;
+  turn.nod_deg = -12;
+  DeformBuffers buffers;
+  Drawing straight, turned;
+  const Pose pose = make_pose({{"brow.turn", -1}, {"eye.side", 0.5}, {"chin.down", 0.4}});
+  deform_figure(figure, pose, TurnKey{}, buffers, straight);
+  deform_figure(figure, pose, turn, buffers, turned);
+  const glm::mat4 world(compute_turn(figure.face.turn_pivot, turn, 1));
+  for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+    if (figure.model.parts[i].is_rigid) continue;
+    const auto &before = straight.parts[i].positions, &after = turned.parts[i].positions;
+    for (std::size_t v = 0; v < before.size(); v += 37) {
+      if (before[v].y <= figure.redraw.chin_mm + 10) continue;
+      const std::vector<float>& shares = figure.redraw.turn_shares;
+      if (i == 0 && (v >= shares.size() || shares[v] < 1)) continue;  // the nape goes part of the way
+      EXPECT_LT(glm::distance(glm::vec3(world * glm::vec4(before[v], 1)), after[v]), 0.02f)
+          << figure.model.parts[i].name << ' ' << v;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace mien
