@@ -28,6 +28,7 @@ struct Options {
   std::optional<std::string> actor;            // --actor NAME, for still, mesh, bust and explain
   std::optional<std::string> area;             // --area brow.left, for explain
   std::optional<double> camera_angle_deg;      // --angle, for still
+  std::vector<std::string> beside;             // --beside real,comic, for render
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

@@ -25,6 +25,7 @@ inline constexpr std::array kOptions{
     OptionInfo{"preview", 0, "", "also a picture of the bust in plaster"},
     OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
+    OptionInfo{"beside", 0, "DESIGNS", "these designs of the head, side by side: real,comic"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
     OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
     OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <string_view>
 
 #include "config/load_spec.hpp"
@@ -99,6 +100,21 @@ std::string read_seed(const std::string& text, int most, std::optional<int>& see
   return {};
 }
 
+// Two to four names with commas between; which there are the data say.
+std::string read_beside(const std::string& text, Options& options) {
+  constexpr std::size_t kFewest = 2, kMost = 4;
+  std::size_t from = 0;
+  for (std::size_t to = 0; to != text.npos; from = to + 1) {
+    to = text.find(',', from);
+    options.beside.push_back(text.substr(from, to == text.npos ? to : to - from));
+  }
+  std::set<std::string> names(options.beside.begin(), options.beside.end());
+  names.erase("");
+  const bool is_right =
+      names.size() == options.beside.size() && names.size() >= kFewest && names.size() <= kMost;
+  return is_right ? "" : "is not two to four designs such as real,comic";
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -108,6 +124,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "angle") return read_angle(text, options);
   if (name == "height") return read_height(text, options);
   if (name == "seed") return read_seed(text, kMaxSeed, options.seed);
+  if (name == "beside") return read_beside(text, options);
   if (name == "random-head") return read_seed(text, kMaxSeed, options.random_head);
   if (name == "quiet") options.is_quiet = true;
   if (name == "stl") options.has_stl = true;

@@ -62,6 +62,13 @@ Rows list_looks(const fs::path& data) {
   return rows;
 }
 
+Rows list_designs(const fs::path& data) {
+  Rows rows;
+  for (const LookWord& design : load_language(data)->words.designs)
+    rows.emplace_back(design.name, design.meaning);
+  return rows;
+}
+
 // Where each line lies in the charts of the ages.
 Rows list_guides(const fs::path& data) {
   const ShapeData shapes = load_shapes_alone(data);
@@ -181,6 +188,7 @@ struct Kind {
 constexpr std::array kKinds{
     Kind{"ages", [](const fs::path&) { return list_names(kAges); }},
     Kind{"skulls", [](const fs::path&) { return list_names(kSkulls); }},
+    Kind{"designs", list_designs},
     Kind{"guides", list_guides},
     Kind{"features", list_features},
     Kind{"people", list_people},
@@ -229,8 +237,9 @@ const CommandInfo command_list{
     "The file",
     "KIND",
     "the words of the language",
-    "Lists one kind of word: ages, skulls, guides, features, hair, looks, areas, limits, expressions,\n"
-    "landmarks or qualities; people tells how far random heads differ and what of them goes together.",
+    "Lists one kind of word: ages, skulls, designs, guides, features, hair, looks, areas, limits,\n"
+    "expressions, landmarks or qualities; people tells how far random heads differ and what of them goes "
+    "together.",
     "",
     "mien list expressions\nmien list areas --json",
     run_list,

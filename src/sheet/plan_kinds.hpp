@@ -12,6 +12,9 @@ SheetPlan plan_ages(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_skulls(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_features(const SheetSubject& subject, const HeadData& data);
 
+// design_plan.cpp: expressions in rows, designs in columns.
+SheetPlan plan_designs(const SheetSubject& subject, const HeadData& data);
+
 // people_plan.cpp: heads as a crowd has them, each with the seed that makes it.
 SheetPlan plan_people(const SheetSubject& subject, const HeadData& data);
 

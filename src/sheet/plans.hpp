@@ -83,6 +83,7 @@ struct SheetPlan {
   std::pair<int, int> cell_px{400, 500};  // a cell's size unless --size says another
   std::size_t across = 1;                 // blocks side by side
   std::vector<HeadSpec> heads;
+  std::vector<Style> styles{};  // of each head; none: as the file has it
   std::vector<SheetBlock> blocks;
 };
 

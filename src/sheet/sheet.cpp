@@ -9,9 +9,11 @@
 
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
+#include "clip/view.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
+#include "frames/drawn_figure.hpp"
 #include "render/driver.hpp"
 #include "render/picture.hpp"
 #include "render/process.hpp"
@@ -82,14 +84,15 @@ double compute_way_mm(const HeadMeasures& measures, const SheetCell& cell, const
 
 // The scenes of all cells that show head number `index`, in a folder of their own. What is measured there
 // goes behind their captions.
-void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const Figure& figure,
+void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const DrawnFigure& figure,
                        const std::vector<HeadMeasures>& measures, const RenderSpec& render,
                        const fs::path& work, const Templates& templates) {
   const fs::path folder = work / fmt::format("head{}", index);
-  write_file(folder / "head.inc", build_povray_include(figure.model, render, templates));
+  write_file(folder / "head.inc", build_povray_include(figure.get_drawn_model(), render, templates));
   const FigurePlaces places = build_places(figure);
   const std::pair size_px(render.width_px, render.height_px);
   DeformBuffers buffers;
+  InkBuffers ink_buffers;
   Drawing drawing;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     SheetCell& cell = *cells[i];
@@ -98,15 +101,15 @@ void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, 
     const CameraView view = compute_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
     deform_figure(figure, cell.pose, {}, buffers, drawing);
     std::string scene;
-    append_povray_frame(scene, figure.model, drawing, view);
-    if (cell.has_guides) {
-      const PartShape& skin = drawing.parts.front();
+    const PartShape skin = drawing.parts.front();
+    if (figure.ink) draw_ink(*figure.ink, compute_ink_view(view, render), ink_buffers, drawing);
+    append_povray_frame(scene, figure.get_drawn_model(), drawing, view);
+    if (cell.has_guides)
       append_povray_overlay(
           scene,
           build_guides(measures[index], {skin.positions, skin.normals, figure.head.skin.triangles}, view,
                        size_px, cell.has_frame),
           view);
-    }
     const DrawnMarks marks = draw_marks(cell, places, view, size_px);
     append_povray_overlay(scene, marks.overlay, view);
     write_file(folder / fmt::format("cell{}.pov", i), scene);
@@ -139,9 +142,11 @@ void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path&
   std::vector<HeadMeasures> measures;
   for (std::size_t i = 0; i < plan.heads.size(); ++i) {
     throw_if_interrupted();
-    const Figure figure = build_figure(resources.heads, plan.heads[i]);
+    RenderSpec own = render;
+    if (!plan.styles.empty()) own.style = plan.styles[i];
+    const DrawnFigure figure = build_drawn_figure(resources.heads, plan.heads[i], own.style);
     measures.push_back(measure_head(figure));
-    write_cell_scenes(cells, i, figure, measures, render, work, resources.stock.templates);
+    write_cell_scenes(cells, i, figure, measures, own, work, resources.stock.templates);
     progress.advance(false, static_cast<int>(i) + 1);
   }
   progress.finish();
