@@ -255,6 +255,21 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
   return static_cast<float>(view.line_mm) * (kLit + kShaded * smooth_step(-0.2f, 0.9f, away));
 }
 
+// Hair is toned as the ball that it covers: the locks' own ways would make flecks of its shade and of its
+// ring of light.
+void round_hair(const glm::vec3& middle, PartShape& hair) {
+  constexpr float kOwn = 0.12f;
+  for (std::size_t v = 0; v < hair.positions.size(); ++v) {
+    const glm::vec3 out = glm::normalize(hair.positions[v] - middle + glm::vec3(0, 0, 1e-6f));
+    hair.normals[v] = glm::normalize(kOwn * hair.normals[v] + (1 - kOwn) * out);
+  }
+}
+
+glm::vec3 find_middle(const std::vector<glm::vec3>& positions) {
+  const Box box = compute_bounds(positions);
+  return 0.5f * (box.low + box.high);
+}
+
 void clear_shape(PartShape& shape) {
   shape.positions.clear();
   shape.normals.clear();
@@ -329,6 +344,8 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
           skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.softer[v]) * buffers.soft[v];
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
   }
+  const glm::vec3 hair_middle =
+      ink.outlined.empty() ? glm::vec3(0) : find_middle(drawing.parts[ink.outlined.front()].positions);
   for (const std::size_t part : ink.outlined) {
     // A lock has no outline before another one: the hull lies so far behind.
     constexpr float kHair = 1.1f, kBehind_mm = 5;  // of a line
@@ -340,6 +357,7 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
       buffers.turn[v] = shape.positions[v] + kHair * static_cast<float>(view.line_mm) * shape.normals[v] +
                         kBehind_mm * glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
     append_away(view, ink.model.parts[part].rest.triangles, buffers, buffers.turn, outline);
+    round_hair(hair_middle, drawing.parts[part]);
   }
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
