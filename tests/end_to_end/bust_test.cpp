@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -167,6 +168,33 @@ TEST(bust, lips_of_a_wide_open_mouth_are_thick_enough) {
                   source_folder()));
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(read_file(folder / "out/bust_shout.txt"), HasSubstr("finest detail   0.8 mm or more"));
+}
+
+// Height with the base, and what of it was asked for and had no room.
+TEST(bust, reports_what_it_came_to) {
+  const auto folder = make_folder("bust_came_to");
+  write_file(folder / "a.yaml",
+             "mien: 1\nbusts:\n"
+             "  - {express: smile, height: 40mm, base: plinth, label: A name too long for so low a plinth, "
+             "triangles: 8000}\n"
+             "  - {express: anger, height: 40mm, base: round, hollow: true, drain: 10mm, triangles: 8000}\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml --no-stl -o out");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("        Its label has room for 'A n"));
+  EXPECT_THAT(run.out, HasSubstr(" mm wide instead of 10 mm: the base leaves no room for more."));
+  for (const char* name : {"smile", "anger"}) {
+    const std::string report = read_file(folder / "out" / fmt::format("bust_{}.txt", name));
+    EXPECT_THAT(report.substr(0, report.find('\n')), EndsWith(" x 40 mm")) << name;
+    // The menu has the file's library alone.
+    const std::string source = read_file(folder / "out" / fmt::format("bust_{}.scad", name));
+    const std::size_t menu = source.find("\nexpression = ") + 1;
+    ASSERT_NE(menu, 0U);
+    const std::string words = source.substr(menu, source.find('\n', menu) - menu);
+    EXPECT_EQ(std::ranges::count_if(shipped_stock().language->libraries.expressions,
+                                    [](const Expression& e) { return e.library == "mien"; }),
+              std::ranges::count(words, ',') + 1)
+        << words;
+  }
 }
 
 TEST(bust, a_set_stands_on_plates) {

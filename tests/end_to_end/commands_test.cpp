@@ -1,10 +1,12 @@
 // What the commands say and how they end, as told by product and help.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "commands/report.hpp"
 #include "end_to_end/program.hpp"
 
 namespace mien {
@@ -192,6 +194,14 @@ TEST(commands, tell_what_limits_held_without_failing) {
                       {"held", 1.0},
                       {"by", "surprise 1 + fear 0.8"},
                       {"message", "brows.up asked for 1.6 (surprise 1 + fear 0.8); held at its limit, 1"}}));
+}
+
+// 1.005 times a million is a little less than 1005000.
+TEST(commands, numbers_in_json_are_rounded_and_not_cut) {
+  EXPECT_EQ(round_to(1.005, 6), 1.005);
+  EXPECT_EQ(round_to(-1.005, 6), -1.005);
+  EXPECT_EQ(round_to(1.25, 1), 1.3);
+  EXPECT_FALSE(std::signbit(round_to(-1e-9, 6)));
 }
 
 TEST(commands, that_make_something_tell_what_limits_held_of_it) {

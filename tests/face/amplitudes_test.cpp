@@ -61,6 +61,14 @@ double compute_way_mm(const glm::dvec3& from, const glm::dvec3& to, const std::s
   return 0;
 }
 
+TEST(amplitudes, each_pupil_goes_with_its_own_eye) {
+  Pose pose;
+  pose.values[*find_move("eye", Side::left, "side")] = 1;
+  const auto rest = find_places(Pose{}), posed = find_places(pose);
+  EXPECT_GT(glm::distance(posed.at("pupil_l"), rest.at("pupil_l")), 3);
+  EXPECT_LT(glm::distance(posed.at("pupil_r"), rest.at("pupil_r")), 1e-4);
+}
+
 TEST(amplitudes, are_as_the_table_says_and_where_it_says_so_as_people_move) {
   std::istringstream table(read_file(kData / "docs/amplitudes.md"));
   const auto rest = find_places(Pose{});

@@ -185,6 +185,12 @@ TEST(redraw, an_open_jaw_draws_the_head_out_and_low_brows_squash_it) {
               1 + compute_stretch(redraw, make_pose({{"chin.down", 1}})), 1e-3);
 }
 
+TEST(redraw, a_print_has_one_height) {
+  const Figure figure = build_figure(shipped().heads, make_spec("comic"), FigureUse::print);
+  EXPECT_TRUE(figure.redraw.lens.is_on());
+  EXPECT_EQ(compute_stretch(figure.redraw, make_pose({{"chin.down", 1}, {"brow.up", 1}})), 0);
+}
+
 // A turned head is the posed one turned: the lens goes with it.
 TEST(redraw, turns_as_one_piece_above_the_neck) {
   const Figure& figure = comic().figure;

@@ -92,10 +92,12 @@ TEST(mix, is_the_mean_of_its_heads) {
               settled_mm(i));
   }
   EXPECT_NEAR(c.eye.radius_mm, 0.25 * a.eye.radius_mm + 0.75 * b.eye.radius_mm, 1e-9);
+  EXPECT_EQ(c.ages, (Mix{{"child", 0.25}, {"adult", 0.75}}));  // teeth and lines are those of its ages
 
   HeadSpec alone;
   alone.mix = {{child, 1.0}};
   const NeutralHead same = build(alone);
+  EXPECT_EQ(same.ages, child.age);
   for (std::size_t i = 0; i < c.cage.points.size(); ++i)
     ASSERT_LT(glm::distance(same.cage.points[i], a.cage.points[i]), settled_mm(i));
   alone.features = {{"nose_length", 1.0}};

@@ -65,6 +65,33 @@ TEST(shapes, features_move_their_points_by_what_the_table_says) {
   EXPECT_GT(count, 100u);
 }
 
+// Two that move a point the same way move it less than both together would, and further than either.
+TEST(shapes, features_that_pull_the_same_way_yield) {
+  const HeadStock& stock = shipped().heads;
+  const HeadShapes& shapes = shipped().stock.head->shapes.heads;
+  std::size_t count = 0;
+  for (const auto& [one, first] : shapes.features)
+    for (const auto& [other, second] : shapes.features)
+      for (const auto& [point, move] : first.handles) {
+        const auto also = second.handles.find(point);
+        if (one >= other || also == second.handles.end() || point[0] == 'E' || point[0] == 'M') continue;
+        const double alone = std::max(glm::length(move), glm::length(also->second));
+        const double both = glm::length(move + also->second);
+        if (alone < 1 || both < 1.3 * alone) continue;
+        HeadSpec spec;
+        spec.features = {{one, 1.0}, {other, 1.0}};
+        HeadForm form{stock.adult.points, Eye{}};
+        shape_head(shapes, spec, stock.adult, form);
+        const std::uint32_t i = find_point(stock.adult, point);
+        const double way = glm::distance(form.points[i], stock.adult.points[i]);
+        EXPECT_LT(way, both - 0.4 * (both - alone)) << one << ' ' << other << ' ' << point;
+        EXPECT_GT(way, alone - 0.1) << one << ' ' << other << ' ' << point;
+        ++count;
+        break;
+      }
+  EXPECT_GT(count, 0u);
+}
+
 TEST(shapes, character_is_a_feature_too) {
   HeadSpec key, feature;
   key.character = -0.75;

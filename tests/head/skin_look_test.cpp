@@ -118,6 +118,16 @@ TEST(skin_look, lays_the_grain_flat_without_tearing_it) {
     }
 }
 
+// A pattern that met its mirror image in the middle would look like an ink blot.
+TEST(skin_look, slants_the_grain_so_that_the_halves_differ) {
+  const Part skin = build_skin_part(average_head(), Look{});
+  const auto& mirror = average_head().surface->mirror;
+  for (std::size_t v = 0; v < skin.grain.size(); v += 101) {
+    if (average_head().skin.positions[v].x < 5) continue;
+    EXPECT_GT(glm::distance(skin.grain[v], skin.grain[mirror[v]]), 2) << v;
+  }
+}
+
 TEST(skin_look, keeps_each_pore_at_its_place_of_the_skin_whatever_the_head) {
   const Part grown = build_skin_part(average_head(), Look{});
   HeadSpec young;
