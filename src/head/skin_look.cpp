@@ -153,13 +153,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
     tints[mask] = glm::mix(kTints[mask].on_dark, kTints[mask].on_light, light);
   const glm::vec3 inner_lip = glm::mix(kInnerLip.on_dark, kInnerLip.on_light, light);
   const glm::vec3 hollow = glm::mix(kHollowDark, kHollowLight, light);
-  Part part{.name = "skin",
-            .material = "skin",
-            .rest = head.skin,
-            .palette = {},
-            .shade = {},
-            .triangle_shade = {},
-            .grain = {}};
+  Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   std::map<std::array<int, 4>, std::uint16_t> known;
   part.wear = old;
   const std::vector<glm::vec3> places = compute_places_on_adult(head);
@@ -203,13 +197,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
 }
 
 Part build_plain_skin_part(const NeutralHead& head, const Look& look) {
-  Part part{.name = "skin",
-            .material = "skin",
-            .rest = head.skin,
-            .palette = {},
-            .shade = {},
-            .triangle_shade = {},
-            .grain = {}};
+  Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
   part.palette.push_back(Shade{look.skin, 0});
   part.shade.assign(head.skin.positions.size(), 0);
   return part;
