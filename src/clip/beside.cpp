@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "clip/pictures.hpp"
 #include "config/findings.hpp"
 #include "config/words.hpp"
 #include "core/error.hpp"
@@ -28,10 +29,7 @@ Clip redesign_clip(const Clip& clip, const std::string& name, const std::vector<
   }
   const auto design = std::ranges::find(designs, name, &Design::name);
   RenderSpec& render = part.spec.render;
-  if (!render.is_style_given)
-    render.style = design == designs.end()
-                       ? Style::studio
-                       : static_cast<Style>(std::ranges::find(kStyles, design->style) - kStyles.begin());
+  if (!render.is_style_given) render.style = design == designs.end() ? Style::studio : design->style;
   if (!render.is_background_given)
     render.background = render.style == Style::ink ? kInkGround : RenderSpec{}.background;
   part.files.folder = clip.files.folder / name;
@@ -44,16 +42,24 @@ Clip widen_clip(const Clip& clip, std::size_t count) {
   return whole;
 }
 
-void join_pictures(const std::vector<Clip>& parts, const Clip& whole) {
+std::vector<WrittenScene> join_scenes(const std::vector<std::vector<WrittenScene>>& parts) {
+  std::vector<WrittenScene> scenes(parts.front().size());
+  for (std::size_t i = 0; i < scenes.size(); ++i) {
+    std::string keys;
+    for (const std::vector<WrittenScene>& part : parts) keys += part[i].key;
+    scenes[i].key = hash_hex(keys);
+  }
+  return scenes;
+}
+
+void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
+                   const std::vector<WrittenScene>& scenes) {
   const FramePlan& plan = whole.plan;
-  for (std::size_t i = 0; i < plan.frames.size(); ++i) {
+  const RenderSpec& render = whole.spec.render;
+  for (std::size_t i = 0; i < plan.drawings.size(); ++i) {
     throw_if_interrupted();
-    const int frame = plan.frames[i];
-    if (plan.drawn_as[i] != frame) {
-      write_file(whole.files.picture(frame), read_file(whole.files.picture(plan.drawn_as[i])));
-      continue;
-    }
-    const RenderSpec& render = whole.spec.render;
+    const int frame = plan.drawings[i];
+    if (read_picture_key(whole.files.picture(frame)) == scenes[i].key) continue;
     Pixels page{{render.width_px, render.height_px}, {}};
     page.rgb.resize(std::size_t{3} * static_cast<std::size_t>(render.width_px) *
                     static_cast<std::size_t>(render.height_px));
@@ -62,8 +68,9 @@ void join_pictures(const std::vector<Clip>& parts, const Clip& whole) {
       paste_pixels(page, read_pixels(part.files.picture(frame)), left_px, 0);
       left_px += part.spec.render.width_px;
     }
-    write_file(whole.files.picture(frame), build_png(page));
+    write_file(whole.files.picture(frame), mark_picture(build_png(page), scenes[i].key));
   }
+  repeat_pictures(whole);
 }
 
 }  // namespace mien

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "clip/scenes.hpp"
 #include "config/design_data.hpp"
 
 namespace mien {
@@ -17,7 +18,12 @@ Clip redesign_clip(const Clip& clip, const std::string& name, const std::vector<
 // The clip of all of them: as wide as they are together.
 Clip widen_clip(const Clip& clip, std::size_t count);
 
-// Pastes the pictures of `parts`, which have been rendered, into those of `whole`, from left to right.
-void join_pictures(const std::vector<Clip>& parts, const Clip& whole);
+// What `whole` shows, from what was written of each of its parts: as many drawings, with keys of their own.
+std::vector<WrittenScene> join_scenes(const std::vector<std::vector<WrittenScene>>& parts);
+
+// Pastes the pictures of `parts`, which have been rendered, into those of `whole`, from left to right, but
+// for those that are there already with the key of their scene.
+void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
+                   const std::vector<WrittenScene>& scenes);
 
 }  // namespace mien

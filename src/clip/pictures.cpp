@@ -32,6 +32,11 @@ void render_pictures(const Clip& clip, const std::vector<WrittenScene>& scenes, 
     frames.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]),
                       clip.files.picture(plan.drawings[i]), scenes[i].key, scenes[i].files});
   render_frames(frames, list_settings(clip.spec.render, {clip.files.scenes()}, jobs), done);
+  repeat_pictures(clip);
+}
+
+void repeat_pictures(const Clip& clip) {
+  const FramePlan& plan = clip.plan;
   for (std::size_t i = 0; i < plan.frames.size(); ++i)
     if (plan.frames[i] != plan.drawn_as[i])
       write_file(clip.files.picture(plan.frames[i]), read_file(clip.files.picture(plan.drawn_as[i])));

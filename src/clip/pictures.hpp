@@ -20,6 +20,9 @@ RenderSettings list_settings(const RenderSpec& render, std::vector<std::filesyst
 void render_pictures(const Clip& clip, const std::vector<WrittenScene>& scenes, int jobs,
                      const FrameDone& done);
 
+// Gives every frame that repeats a drawing the picture of that drawing.
+void repeat_pictures(const Clip& clip);
+
 // What was made, for other programs: the text of manifest.json.
 std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& scenes);
 

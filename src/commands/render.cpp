@@ -15,24 +15,26 @@ namespace mien {
 namespace {
 
 // Scenes and pictures of a clip, whose folder is held.
-void make_pictures(const Options& options, const Clip& clip, const Cast& cast, const Resources& resources) {
+std::vector<WrittenScene> make_pictures(const Options& options, const Clip& clip, const Cast& cast,
+                                        const Resources& resources) {
   report_starts(options, list_heads(clip), resources.heads);
   report_clip_held(options, clip, cast, resources.heads);
   const std::size_t count = clip.plan.drawings.size();
 
   Progress scenes = start_progress(options, "scenes", count);
-  const std::vector<WrittenScene> written = write_scenes(clip, cast, resources, count_jobs(options),
-                                                         [&](int frame) { scenes.advance(false, frame); });
+  std::vector<WrittenScene> written = write_scenes(clip, cast, resources, count_jobs(options),
+                                                   [&](int frame) { scenes.advance(false, frame); });
   scenes.finish();
 
   Progress frames = start_progress(options, "frames", count);
   render_pictures(clip, written, count_jobs(options),
                   [&](int frame, bool was_kept) { frames.advance(was_kept, frame); });
   frames.finish();
-  write_file(clip.files.folder / "manifest.json", build_manifest(clip, written));
+  return written;
 }
 
-void finish_clip(const Options& options, const Clip& clip) {
+void finish_clip(const Options& options, const Clip& clip, const std::vector<WrittenScene>& written) {
+  write_file(clip.files.folder / "manifest.json", build_manifest(clip, written));
   write_clip_video(clip);
   report_result(options, "clip", find_video_path(clip));
   const std::filesystem::path poster = clip.files.folder / "poster.png";
@@ -43,24 +45,30 @@ void finish_clip(const Options& options, const Clip& clip) {
 void run_render(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   const Clip clip = plan_clip(options, *resources.stock.language);
-  std::vector<Clip> parts;  // none: the clip itself
-  for (const std::string& design : options.beside)
-    parts.push_back(redesign_clip(clip, design, resources.stock.head->designs));
   check_clip_folder(options, clip, true);
+  std::vector<Clip> parts;  // none: the clip itself
+  for (const std::string& design : options.beside) {
+    parts.push_back(redesign_clip(clip, design, resources.stock.head->designs));
+    check_clip_folder(options, parts.back(), true);
+  }
   require_programs({{"povray", "povray"}, {"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
   std::vector<Cast> casts;
   for (const Clip& part : parts.empty() ? std::vector<Clip>{clip} : parts)
     casts.push_back(build_cast(part, resources.heads));
   const FolderLock lock = hold_folder(options, clip.files.folder);
   if (parts.empty()) {
-    make_pictures(options, clip, casts.front(), resources);
-    finish_clip(options, clip);
+    finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources));
     return;
   }
-  for (std::size_t i = 0; i < parts.size(); ++i) make_pictures(options, parts[i], casts[i], resources);
+  std::vector<std::vector<WrittenScene>> written;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const FolderLock part_lock = hold_folder(options, parts[i].files.folder);
+    written.push_back(make_pictures(options, parts[i], casts[i], resources));
+  }
   const Clip whole = widen_clip(clip, parts.size());
-  join_pictures(parts, whole);
-  finish_clip(options, whole);
+  const std::vector<WrittenScene> scenes = join_scenes(written);
+  join_pictures(parts, whole, scenes);
+  finish_clip(options, whole, scenes);
 }
 
 }  // namespace

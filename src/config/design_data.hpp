@@ -10,6 +10,7 @@
 
 #include "config/findings.hpp"
 #include "config/head_spec.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 
@@ -84,7 +85,7 @@ inline constexpr std::array kDesignDials{
 
 struct Design {
   std::string name, meaning;
-  std::string style;  // how it is drawn where a file says nothing of it: a word of kStyleWords
+  Style style = Style::studio;                // how it is drawn where a file says nothing of it
   std::map<std::string, DesignNumbers> ages;  // of each age that has its own, and of the others under ""
 };
 

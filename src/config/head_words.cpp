@@ -105,7 +105,7 @@ HeadWords load_head_words(const std::filesystem::path& data_folder, Findings& fi
   words.designs = {{kReal, "", "as it is"}};
   for (const Design& design : load_designs(data_folder / "templates/head/designs", findings)) {
     words.designs.push_back({design.name, "", design.meaning});
-    if (design.style == kStyles[1]) words.inked.push_back(design.name);
+    if (design.style == Style::ink) words.inked.push_back(design.name);
   }
   words.people =
       load_people(data_folder / "templates/head/people.yaml", {words.features, words.looks}, findings);

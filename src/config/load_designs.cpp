@@ -30,10 +30,12 @@ void read_dials(const DataTable& table, DesignNumbers& numbers) {
 }
 
 Design read_design(const YamlValue& root, std::string name) {
-  Design design{std::move(name), {}, {}, {}};
+  Design design{std::move(name), {}, Style::studio, {}};
+  std::string word;
   const DataTable table(root);
   table.read("meaning", design.meaning);
-  if (const YamlValue* style = table.require("style")) load_name(*style, "style", kStyles, design.style);
+  if (const YamlValue* style = table.require("style"))
+    if (load_name(*style, "style", kStyles, word)) design.style = find_style(word);
   DesignNumbers numbers;
   read_dials(table, numbers);
   design.ages[""] = numbers;

@@ -37,7 +37,7 @@ RenderSpec load_render(const YamlValue& value) {
     render.is_background_given = load_name(*name, render.background);
   std::string style;
   if (const YamlValue* name = find_value(entries, "style"); name != nullptr && load_name(*name, style)) {
-    render.style = static_cast<Style>(std::ranges::find(kStyles, style) - kStyles.begin());
+    render.style = find_style(style);
     render.is_style_given = true;
   }
   if (const YamlValue* line = find_value(entries, "line")) load_number(*line, render.line);

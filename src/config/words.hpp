@@ -2,6 +2,7 @@
 // mappings and the ranges of its numbers are language.hpp's.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string>
@@ -9,6 +10,7 @@
 #include <vector>
 
 #include "config/areas.hpp"
+#include "core/staging.hpp"
 
 namespace mien {
 
@@ -138,6 +140,10 @@ inline const Names kDraws = list_names(kDrawWords);
 inline const Names kQualities = list_names(kQualityWords);
 inline const Names kBackgrounds = list_names(kBackgroundWords);
 inline const Names kStyles = list_names(kStyleWords);
+// Of a word of kStyles.
+inline Style find_style(std::string_view word) {
+  return static_cast<Style>(std::ranges::find(kStyles, word) - kStyles.begin());
+}
 inline const Names kTakes = list_names(kTakeWords);
 inline const Names kLeadKeys = list_names(kPartWords);
 inline const Names kReleaseKeys = list_names(std::span(kPartWords).first(kFacePartCount));

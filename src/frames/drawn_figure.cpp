@@ -21,7 +21,11 @@ void cast_in_plaster(Model& model) {
 DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, Style style) {
   const bool is_ink = style == Style::ink;
   DrawnFigure figure{build_figure(stock, spec, is_ink ? FigureUse::ink : FigureUse::picture), {}};
-  if (is_ink) figure.ink = build_ink(figure, compute_aged_look(spec.look, spec.age));
+  if (is_ink) {
+    HeadSpec aged = spec;
+    aged.look = compute_aged_look(spec.look, spec.age);
+    figure.ink = build_ink(figure, aged);
+  }
   if (style == Style::plaster) cast_in_plaster(figure.model);
   return figure;
 }

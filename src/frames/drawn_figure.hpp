@@ -11,7 +11,7 @@ namespace mien {
 struct DrawnFigure : Figure {
   std::optional<Ink> ink;
 
-  // What writers are given, with the drawings of draw_figure.
+  // What writers are given, with drawings that draw_ink has gone over if there is ink.
   const Model& get_drawn_model() const { return ink ? ink->model : model; }
 };
 

@@ -20,10 +20,6 @@ namespace mien {
 
 namespace {
 
-// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
-void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
-                  DeformBuffers& buffers);
-
 void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
                  std::vector<glm::dvec3>& points) {
   for (std::size_t i = 0; i < points.size(); ++i) {
@@ -99,6 +95,78 @@ void redraw_parts(Figure& figure) {
   }
 }
 
+// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
+void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                  DeformBuffers& buffers) {
+  const Pose pose = apply_limits(figure.limits, asked);
+  pose_cage(figure.head, figure.face, pose, buffers.points);
+  const bool is_redrawn = figure.redraw.is_on();
+  if (is_turned(turn) && !is_redrawn)
+    turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
+  pair_points(buffers.points, surface.mirror, buffers.point_pairs);
+  deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
+  if (is_redrawn)
+    redraw_slots(figure.redraw, compute_stretch(figure.redraw, pose), surface, figure.face, turn,
+                 buffers.place_pairs);
+  update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
+}
+
+void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const DeformBuffers& buffers,
+                 PartShape& skin) {
+  skin.positions.resize(count);
+  skin.normals.resize(count);
+  unpack_pairs(pairs, buffers.place_pairs, skin.positions);
+  unpack_pairs(pairs, buffers.normal_pairs, skin.normals);
+}
+
+}  // namespace
+
+void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+                 DeformBuffers& buffers, PartShape& skin) {
+  deform_slots(figure, surface, asked, turn, buffers);
+  unpack_skin(surface.pairs, surface.vertex_count(), buffers, skin);
+}
+
+void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
+                   Drawing& drawing) {
+  const Pose pose = apply_limits(figure.limits, asked);
+  drawing.parts.resize(figure.parts.size());
+  const bool is_neutral = pose == Pose{} && !is_turned(turn);
+  const glm::dmat4 head_turn =
+      is_turned(turn) ? compute_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
+
+  const double stretch = compute_stretch(figure.redraw, pose);
+  const glm::dmat4 world = stretch == 0 ? head_turn : head_turn * compute_stretching(figure.redraw, stretch);
+  deform_slots(figure, *figure.head.surface, asked, turn, buffers);
+  for (std::size_t i = 1; i < figure.parts.size(); ++i) {
+    const HeadPart& bound = figure.parts[i];
+    const Part& part = figure.model.parts[i];
+    PartShape& shape = drawing.parts[i];
+    if (!part.is_rigid && bound.mount != Mount::strands) {
+      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, pose),
+                  head_turn, shape);
+    } else if (bound.mount != Mount::strands) {
+      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, pose));
+    } else if (is_neutral) {
+      shape.positions = part.rest.positions;
+      shape.normals = part.rest.normals;
+    } else {
+      shape.positions.resize(part.rest.positions.size());
+      shape.normals.resize(part.rest.normals.size());
+      place_hairs(figure.roots[i], buffers.place_pairs, buffers.normal_pairs, shape.positions.data(),
+                  shape.normals.data());
+    }
+  }
+  // Last: hairs stand on the smooth skin, whose normals do not shake.
+  const FineSkin& fine = figure.folds.skin;
+  append_fine_pairs(fine, buffers.place_pairs, buffers.normal_pairs);
+  if (buffers.has_folds)
+    press_folds(figure.folds, pose, buffers.folds, buffers.place_pairs, buffers.normal_pairs);
+  unpack_skin(fine.pairs, fine.vertex_count(), buffers, drawing.parts.front());
+}
+
+namespace {
+
 // The whole figure at rest, as it is drawn.
 void redraw_rest(Figure& figure) {
   redraw_parts(figure);
@@ -106,8 +174,6 @@ void redraw_rest(Figure& figure) {
   Drawing drawing;
   // The strands stand where they are bound; asked for the neutral pose they would be taken from the rest.
   deform_slots(figure, *figure.head.surface, Pose{}, TurnKey{}, buffers);
-  const std::size_t count = figure.head.skin.positions.size();
-  figure.head.skin.positions.resize(count);
   unpack_pairs(figure.head.surface->pairs, buffers.place_pairs, figure.head.skin.positions);
   unpack_pairs(figure.head.surface->pairs, buffers.normal_pairs, figure.head.skin.normals);
   for (std::size_t i = 1; i < figure.parts.size(); ++i)
@@ -176,77 +242,6 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   if (is_print) figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;  // a print has one height
   if (figure.redraw.is_on()) redraw_rest(figure);
   return figure;
-}
-
-namespace {
-
-void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
-                  DeformBuffers& buffers) {
-  const Pose pose = apply_limits(figure.limits, asked);
-  pose_cage(figure.head, figure.face, pose, buffers.points);
-  const bool is_redrawn = figure.redraw.is_on();
-  if (is_turned(turn) && !is_redrawn)
-    turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
-  pair_points(buffers.points, surface.mirror, buffers.point_pairs);
-  deform_pairs(surface, buffers.point_pairs, buffers.place_pairs);
-  if (is_redrawn)
-    redraw_slots(figure.redraw, compute_stretch(figure.redraw, pose), surface, figure.face, turn,
-                 buffers.place_pairs);
-  update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
-}
-
-void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const DeformBuffers& buffers,
-                 PartShape& skin) {
-  skin.positions.resize(count);
-  skin.normals.resize(count);
-  unpack_pairs(pairs, buffers.place_pairs, skin.positions);
-  unpack_pairs(pairs, buffers.normal_pairs, skin.normals);
-}
-
-}  // namespace
-
-void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
-                 DeformBuffers& buffers, PartShape& skin) {
-  deform_slots(figure, surface, asked, turn, buffers);
-  unpack_skin(surface.pairs, surface.vertex_count(), buffers, skin);
-}
-
-void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
-                   Drawing& drawing) {
-  const Pose pose = apply_limits(figure.limits, asked);
-  drawing.parts.resize(figure.parts.size());
-  const bool is_neutral = pose == Pose{} && !is_turned(turn);
-  const glm::dmat4 head_turn =
-      is_turned(turn) ? compute_turn(figure.face.turn_pivot, turn, 1) : glm::dmat4(1);
-
-  const double stretch = compute_stretch(figure.redraw, pose);
-  const glm::dmat4 world = stretch == 0 ? head_turn : head_turn * compute_stretching(figure.redraw, stretch);
-  deform_slots(figure, *figure.head.surface, asked, turn, buffers);
-  for (std::size_t i = 1; i < figure.parts.size(); ++i) {
-    const HeadPart& bound = figure.parts[i];
-    const Part& part = figure.model.parts[i];
-    PartShape& shape = drawing.parts[i];
-    if (!part.is_rigid && bound.mount != Mount::strands) {
-      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, pose),
-                  head_turn, shape);
-    } else if (bound.mount != Mount::strands) {
-      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, pose));
-    } else if (is_neutral) {
-      shape.positions = part.rest.positions;
-      shape.normals = part.rest.normals;
-    } else {
-      shape.positions.resize(part.rest.positions.size());
-      shape.normals.resize(part.rest.normals.size());
-      place_hairs(figure.roots[i], buffers.place_pairs, buffers.normal_pairs, shape.positions.data(),
-                  shape.normals.data());
-    }
-  }
-  // Last: hairs stand on the smooth skin, whose normals do not shake.
-  const FineSkin& fine = figure.folds.skin;
-  append_fine_pairs(fine, buffers.place_pairs, buffers.normal_pairs);
-  if (buffers.has_folds)
-    press_folds(figure.folds, pose, buffers.folds, buffers.place_pairs, buffers.normal_pairs);
-  unpack_skin(fine.pairs, fine.vertex_count(), buffers, drawing.parts.front());
 }
 
 }  // namespace mien

@@ -2,114 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <string_view>
 
 #include "core/smooth.hpp"
+#include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
+#include "head/beard.hpp"
 #include "head/cage.hpp"
-#include "head/skin_masks.hpp"
+#include "head/ink_colours.hpp"
 
 namespace mien {
 
 namespace {
 
 constexpr glm::vec3 kInk{0.10f, 0.06f, 0.07f};
-
-enum Region : std::uint16_t { kPlain, kRed, kInside, kHole, kFlush, kRegionCount };
-
-// The skin's triangles while they are cut along the borders of its regions.
-struct Cutting {
-  std::vector<Triangle> triangles;
-  std::vector<std::vector<float>> fields;  // of each region's border: above 0 inside it, for all vertices
-  std::vector<CutVertex> cuts;
-  std::size_t own_count = 0;
-};
-
-// Splits whatever crosses the border of a field; what lies nearly on it is put on it.
-void cut_along(std::size_t f, Cutting& cutting) {
-  constexpr float kNear =
-      0.06f;  // nearer to a corner of a triangle, as a share of the edge, a cut goes through it
-  std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;
-  const auto value = [&](std::uint32_t v) { return cutting.fields[f][v]; };
-  const auto crosses = [&](std::uint32_t a, std::uint32_t b) { return value(a) * value(b) < 0; };
-  const auto cut = [&](std::uint32_t a, std::uint32_t b) {
-    const std::array<std::uint32_t, 2> edge{std::min(a, b), std::max(a, b)};
-    const auto [entry, is_new] =
-        known.try_emplace(edge, static_cast<std::uint32_t>(cutting.fields[f].size()));
-    if (is_new) {
-      const float share = std::clamp(value(edge[0]) / (value(edge[0]) - value(edge[1])), kNear, 1 - kNear);
-      cutting.cuts.push_back({edge[0], edge[1], share});
-      for (std::vector<float>& field : cutting.fields)
-        field.push_back(&field == &cutting.fields[f] ? 0 : glm::mix(field[edge[0]], field[edge[1]], share));
-    }
-    return entry->second;
-  };
-  std::vector<Triangle> triangles;
-  for (Triangle t : cutting.triangles) {
-    int count = 0;
-    for (int i = 0; i < 3; ++i) count += crosses(t[i], t[(i + 1) % 3]) ? 1 : 0;
-    if (count == 0) {
-      triangles.push_back(t);
-    } else if (count == 1) {  // through a corner that lies on the border
-      while (!crosses(t[0], t[1])) t = {t[1], t[2], t[0]};
-      const std::uint32_t m = cut(t[0], t[1]);
-      triangles.push_back({t[0], m, t[2]});
-      triangles.push_back({m, t[1], t[2]});
-    } else {  // t[0] alone on its side
-      while (!crosses(t[0], t[1]) || !crosses(t[0], t[2])) t = {t[1], t[2], t[0]};
-      const std::uint32_t m = cut(t[0], t[1]), n = cut(t[0], t[2]);
-      triangles.push_back({t[0], m, n});
-      triangles.push_back({m, t[1], t[2]});
-      triangles.push_back({m, t[2], n});
-    }
-  }
-  cutting.triangles = std::move(triangles);
-}
-
-// Values of the surface's vertices for all of the fine skin.
-std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> values) {
-  for (const auto& [a, b] : fine.parents) values.push_back(0.5f * (values[a] + values[b]));
-  return values;
-}
-
-std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr glm::vec3 kHalf_mm(13, 7.5f, 30), kAside_mm(3, 1, 0);  // of the patch, on an eye of 16 mm
-  const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
-  const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
-  std::vector<float> field;
-  for (const glm::vec3& p : positions) {
-    const glm::vec3 away = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / (size * kHalf_mm);
-    field.push_back(1 - glm::length(away));
-  }
-  return field;
-}
-
-Cutting cut_skin(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  const FineSkin& fine = figure.folds.skin;
-  const SkinMasks masks = paint_skin_masks(figure.head);
-  Cutting cutting{fine.triangles, {}, {}, fine.vertex_count()};
-  const auto add = [&](SkinMask mask, float border) {
-    std::vector<float> field = spread_to_fine(fine, masks[mask]);
-    for (float& value : field) value -= border;
-    cutting.fields.push_back(std::move(field));
-  };
-  add(kMouth, 0.5f);
-  add(kNostril, 0.6f);
-  add(kLips, 0.5f);
-  cutting.fields.push_back(paint_flush(figure, positions));
-  for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);
-  return cutting;
-}
-
-Region find_region(const Cutting& cutting, const Triangle& t) {
-  constexpr std::array kRegions{kInside, kHole, kRed, kFlush};
-  for (std::size_t f = 0; f < kRegions.size(); ++f) {
-    const std::vector<float>& field = cutting.fields[f];
-    if (field[t[0]] + field[t[1]] + field[t[2]] > 0) return kRegions[f];
-  }
-  return kPlain;
-}
 
 void list_neighbours(const FineSkin& fine, Ink& ink) {
   std::vector<std::vector<std::uint32_t>> around(fine.vertex_count());
@@ -128,8 +34,8 @@ void list_neighbours(const FineSkin& fine, Ink& ink) {
 }
 
 // None in mouth and nostrils, and none at the margins of lids and lips, which have strokes.
-void measure_hull(const Figure& figure, const Cutting& cutting, const std::vector<glm::vec3>& positions,
-                  Ink& ink) {
+void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
+                  const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kNone_mm = 0.5f, kAll_mm = 5;
   const FineSkin& fine = figure.folds.skin;
   std::vector<glm::vec3> margins;
@@ -141,12 +47,8 @@ void measure_hull(const Figure& figure, const Cutting& cutting, const std::vecto
     for (const glm::vec3& margin : margins) nearest = std::min(nearest, glm::distance(margin, positions[v]));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, nearest / ink.eye_size));
   }
-  for (const Triangle& t : fine.triangles) {
-    const auto is_open = [&](std::uint32_t v) {
-      return cutting.fields[0][v] < -0.2f && cutting.fields[1][v] < -0.2f;
-    };
-    if (is_open(t[0]) && is_open(t[1]) && is_open(t[2])) ink.hull_triangles.push_back(t);
-  }
+  for (const Triangle& t : fine.triangles)
+    if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
 }
 
 Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
@@ -165,17 +67,18 @@ Part make_outline(const std::string& name) {
 }
 
 // What the parts of a real head become; their own tones where nothing is said.
-void set_material(const glm::vec3& hair, Part& part) {
+void set_material(const Look& look, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
     part.material = "ink_flat";
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
   if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
-  if (part.name.starts_with("gum") || part.name == "lip_veil") flat({0.36f, 0.07f, 0.09f});
+  if (part.name.starts_with("gum") || part.name == "lip_veil") flat(kInkMouth);
   if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
-  if (!part.name.starts_with("hair") && !part.name.starts_with("beard")) return;
-  part.palette = {{hair, 0}};
+  const bool is_beard = part.name.starts_with("beard");
+  if (!part.name.starts_with("hair") && !is_beard) return;
+  part.palette = {{find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair), 0}};
   part.material = "ink_hair";
   part.shade.clear();
   part.grain.clear();
@@ -191,7 +94,7 @@ void add_strokes(const Figure& figure, const Look& look, Ink& ink) {
       const std::uint32_t point = find_point(figure.head.cage, is_image ? name + 2 : name);
       return is_image != (side < 0) ? figure.head.cage.mirror[point] : point;
     };
-    InkStroke stroke{&rule, {}, {}, side, rule.is_brow};
+    InkStroke stroke{&rule, {}, {}, side};
     for (const char* name : rule.points) stroke.points.push_back(find(name));
     for (const char* name : rule.facing) stroke.facing.push_back(find(name));
     Mesh& mesh = (rule.is_brow ? brows : lines).rest;
@@ -278,39 +181,26 @@ void clear_shape(PartShape& shape) {
 
 }  // namespace
 
-Ink build_ink(const Figure& figure, const Look& look) {
+Ink build_ink(const Figure& figure, const HeadSpec& spec) {
   Ink ink;
   ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
   ink.model = figure.model;
-  const float grey = glm::dot(look.hair, glm::vec3(0.30f, 0.59f, 0.11f));
-  const glm::vec3 hair = glm::clamp((glm::vec3(grey) + 1.5f * (look.hair - grey)) * 1.35f, 0.0f, 1.0f);
-  for (Part& part : ink.model.parts) set_material(hair, part);
+  for (Part& part : ink.model.parts) set_material(spec.look, part);
   Part& skin = ink.model.parts.front();
   const std::vector<glm::vec3> positions = skin.rest.positions;
-  Cutting cutting = cut_skin(figure, positions);
-  const glm::vec3 plain = glm::clamp(look.skin * 1.12f, 0.0f, 1.0f);
-  const auto blush = static_cast<float>(figure.head.design.blush);
+  InkRegions regions = cut_regions(figure, spec, positions);
   skin.material = "ink_skin";
-  skin.palette.assign(kRegionCount, {plain, 0});
-  skin.palette[kRed].srgb = look.lips ? *look.lips * 1.1f : plain * glm::vec3(0.93f, 0.70f, 0.68f);
-  skin.palette[kInside].srgb = {0.36f, 0.07f, 0.09f};
-  skin.palette[kHole].srgb = plain * glm::vec3(0.48f, 0.28f, 0.27f);
-  skin.palette[kFlush].srgb = plain * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush);
+  skin.palette = std::move(regions.palette);
   skin.shade.clear();
-  skin.grain.clear();
-  skin.wear = 0;
-  skin.rest.triangles = cutting.triangles;
-  for (const Triangle& t : cutting.triangles) skin.triangle_shade.push_back(find_region(cutting, t));
-  ink.cuts = cutting.cuts;
-  skin.rest.positions.resize(positions.size() + ink.cuts.size());
+  skin.triangle_shade = std::move(regions.shade);
+  skin.rest.triangles = std::move(regions.triangles);
+  ink.cuts = std::move(regions.cuts);
+  for (const auto& [from, to, share] : ink.cuts)
+    skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
-  for (std::size_t i = 0; i < ink.cuts.size(); ++i) {
-    const auto& [from, to, share] = ink.cuts[i];
-    skin.rest.positions[positions.size() + i] =
-        glm::mix(skin.rest.positions[from], skin.rest.positions[to], share);
-  }
   list_neighbours(figure.folds.skin, ink);
-  measure_hull(figure, cutting, positions, ink);
+  measure_hull(figure, regions.is_opening, positions, ink);
+  ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin")};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
     if (ink.model.parts[i].material == "ink_hair") {
@@ -318,13 +208,12 @@ Ink build_ink(const Figure& figure, const Look& look) {
       ink.outlined.push_back(i);
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
-  add_strokes(figure, look, ink);
+  add_strokes(figure, spec.look, ink);
   return ink;
 }
 
 void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4, kToneRounds = 40;
-  const std::size_t own_parts = ink.model.parts.size() - 3 - ink.outlined.size();
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   buffers.soft = skin.normals;
@@ -334,7 +223,7 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
   make_unit(buffers.soft);
   make_unit(buffers.softer);
 
-  std::size_t next = own_parts;
+  std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
@@ -364,7 +253,7 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
   clear_shape(brows);
   for (const InkStroke& stroke : ink.strokes)
     append_stroke(stroke, skin.positions, buffers.soft, view.line_mm, ink.eye_size,
-                  (stroke.is_brow ? brows : lines).positions);
+                  (stroke.rule->is_brow ? brows : lines).positions);
 
   skin.normals = buffers.softer;
   for (const auto& [from, to, share] : ink.cuts) {

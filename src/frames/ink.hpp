@@ -12,14 +12,9 @@
 
 #include "core/model.hpp"
 #include "frames/figure.hpp"
+#include "frames/ink_regions.hpp"
 
 namespace mien {
-
-// A vertex between two others, on the border of a region.
-struct CutVertex {
-  std::uint32_t from = 0, to = 0;
-  float share = 0;  // of the way
-};
 
 struct StrokeRule;
 
@@ -28,7 +23,6 @@ struct InkStroke {
   const StrokeRule* rule = nullptr;
   std::vector<std::uint32_t> points, facing;  // of the skin
   float side = 1;                             // -1: of the right half
-  bool is_brow = false;
 };
 
 // Built once for a figure of FigureUse::ink.
@@ -38,12 +32,14 @@ struct Ink {
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
-  std::vector<std::size_t> outlined;         // parts of the figure besides the skin that have outlines
+  std::size_t first_outline = 0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes
+  std::vector<std::size_t> outlined;  // parts of the figure besides the skin that have outlines
   std::vector<InkStroke> strokes;
   float eye_size = 1;  // of the ball against an adult's
 };
 
-Ink build_ink(const Figure& figure, const Look& look);
+// `spec` is that of the figure, its look as it is at its age.
+Ink build_ink(const Figure& figure, const HeadSpec& spec);
 
 struct InkView {
   glm::dvec3 camera_mm{0, 0, 900};

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "core/smooth.hpp"
 #include "head/cage.hpp"
@@ -59,6 +60,7 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
 }
 
 double compute_stretch(const Redraw& redraw, const Pose& pose) {
+  if (redraw.jaw_stretch == 0 && redraw.brow_stretch == 0) return 0;
   const double brows =
       0.5 * (get_value(pose, "brow", Side::left, "up") + get_value(pose, "brow", Side::right, "up"));
   return std::clamp(
@@ -86,11 +88,11 @@ glm::dvec3 redraw_point(const Redraw& redraw, double stretch, const glm::dvec3& 
 
 void redraw_slots(const Redraw& redraw, double stretch, const Surface& surface, const Face& face,
                   const TurnKey& turn, std::vector<Twin>& places) {
-  const bool turns = is_turned(turn);
-  const TurnTable table(face, turn);
+  std::optional<TurnTable> table;
+  if (is_turned(turn)) table.emplace(face, turn);
   const auto place = [&](Float4& slot, double share) {
     glm::dvec3 p = redraw_point(redraw, stretch, glm::dvec3(unpack(slot)));
-    if (turns) p = table.turn(p, share);
+    if (table) p = table->turn(p, share);
     slot = pack(glm::vec3(p));
   };
   for (std::size_t i = 0; i < places.size(); ++i) {

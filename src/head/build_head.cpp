@@ -22,17 +22,6 @@ void close_slits(const Surface& surface, Mesh& skin) {
   }
 }
 
-// The ages a head is made of: its own words, unless they are none and the heads it is made from say more.
-Mix compute_ages(const HeadSpec& spec) {
-  if (spec.age != HeadSpec{}.age) return spec.age;
-  if (spec.scan) return {};
-  if (spec.mix.empty()) return spec.age;
-  Mix ages;
-  for (const HeadShare& share : spec.mix)
-    for (const auto& [name, weight] : compute_ages(share.head)) ages[name] += share.weight * weight;
-  return ages;
-}
-
 }  // namespace
 
 NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec) {
@@ -46,6 +35,7 @@ NeutralHead build_neutral_head(const HeadStock& stock, const HeadSpec& spec) {
   head.surface = stock.surface;
   head.hairline = form.hairline;
   head.brow_thickness = form.brow_thickness;
+  head.shortened_mm = form.shortened_mm;
   head.design = compute_design(stock, spec);
   head.ages = compute_ages(spec);
   const MouthNumbers mouth = stock.data->parts.mouth;

@@ -184,9 +184,19 @@ void keep_bridge(const Measures& m, const glm::dvec3& v, glm::dvec3& p) {
 
 }  // namespace
 
+Mix compute_ages(const HeadSpec& spec) {
+  if (spec.age != HeadSpec{}.age) return spec.age;
+  if (spec.scan) return {};
+  if (spec.mix.empty()) return spec.age;
+  Mix ages;
+  for (const HeadShare& share : spec.mix)
+    for (const auto& [name, weight] : compute_ages(share.head)) ages[name] += share.weight * weight;
+  return ages;
+}
+
 DesignNumbers compute_design(const HeadStock& stock, const HeadSpec& spec) {
   if (spec.design != HeadSpec{}.design || spec.mix.empty())
-    return mix_designs(stock.data->designs, spec.design, spec.age);
+    return mix_designs(stock.data->designs, spec.design, compute_ages(spec));
   DesignNumbers sum;
   for (const DesignDial& dial : kDesignDials) sum.*dial.number = 0;
   for (const HeadShare& share : spec.mix) {

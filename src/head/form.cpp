@@ -11,6 +11,7 @@
 #include "config/part_numbers.hpp"
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
+#include "head/cage.hpp"
 #include "head/contact.hpp"
 #include "head/design.hpp"
 #include "head/nostrils.hpp"
@@ -80,12 +81,18 @@ HeadForm build_start(const HeadStock& stock, const HeadSpec& spec) {
 // Gives the head its design.
 void redraw(const HeadStock& stock, const HeadSpec& spec, const HeadForm& start, HeadForm& form) {
   if (spec.design == HeadSpec{}.design) return;
-  HeadSpec plain;
-  plain.age = spec.age;
+  const DesignNumbers design = compute_design(stock, spec);
   HeadForm average = start;
-  shape_head(stock.data->shapes.heads, plain, stock.adult, average);
+  if (design.difference != 1) {
+    HeadSpec plain;
+    plain.age = spec.age;
+    shape_head(stock.data->shapes.heads, plain, stock.adult, average);
+  }
+  const std::uint32_t chin = find_point(stock.adult, "m12_D1");
+  const double drop_mm = form.eye.centre.y - form.points[chin].y;
   const std::vector<glm::dvec3> before = form.points;
-  apply_design(stock.adult, compute_design(stock, spec), average, form);
+  apply_design(stock.adult, design, average, form);
+  form.shortened_mm += drop_mm - (form.eye.centre.y - form.points[chin].y);
   keep_nostrils(stock.adult, before, form.points);
   Cage cage = stock.adult;
   cage.points = std::move(form.points);

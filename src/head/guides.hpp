@@ -19,6 +19,7 @@ struct HeadForm {
   Eye eye;
   double hairline = kAdultHairline;  // where it crosses the forehead's mid-line; see compute_hairline
   double brow_thickness = 1;         // width of the brows against the adult's
+  double shortened_mm = 0;           // by a design: how much nearer to the eyes the chin has come
 };
 
 // The hairline is a mark on the skull, not a form of it: a place between two points of the mid-line, counted

@@ -51,6 +51,7 @@ struct NeutralHead {
   Eye eye;
   double hairline = 4;        // where it crosses the mid-line; see compute_hairline in head/guides.hpp
   double brow_thickness = 1;  // width of the brows against the adult's
+  double shortened_mm = 0;    // by its design: how much nearer to the eyes the chin has come
   DesignNumbers design;       // how it is posed and drawn
   Mix ages;                   // how old it is, by the names of ages; empty: a scan that does not say
   Mesh skin;  // two Catmull-Clark levels at limit positions, about 27,000 vertices, triangulated

@@ -7,6 +7,7 @@
 
 #include "config/part_numbers.hpp"
 #include "core/conventions.hpp"
+#include "head/ink_colours.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
@@ -24,7 +25,7 @@ glm::vec3 find_on_ball(double radius, double off, double turn) {
 
 struct Eyeball {
   glm::dvec3 centre{0};
-  double radius_mm = 1, outward_rad = 0;
+  double radius_mm = 1;
 };
 
 HeadPart make_part(const std::string& name, const char* material, const glm::vec3& srgb) {
@@ -38,40 +39,39 @@ HeadPart make_part(const std::string& name, const char* material, const glm::vec
   return part;
 }
 
+// Of a zone: all about it, or the part between two of the spokes that it is made of.
+struct Sector {
+  int first = 0, count = kSpokes;
+};
+
 // Rings of the ball from one angle to another, about a middle that lies `aside` of its axis; a disc if they
 // begin at 0.
 void append_zone(Mesh& mesh, const Eyeball& ball, double from, double to, int rings,
-                 const glm::dvec2& aside = {}) {
+                 const glm::dvec2& aside = {}, const Sector& sector = {}) {
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-  const double turn = ball.outward_rad;
+  const int columns = sector.count == kSpokes ? kSpokes : sector.count + 1;
   for (int r = 0; r <= rings; ++r)
-    for (int k = 0; k < kSpokes; ++k) {
-      glm::dvec3 p(
-          find_on_ball(ball.radius_mm, from + (to - from) * r / rings, 2 * std::numbers::pi * k / kSpokes));
+    for (int k = 0; k < columns; ++k) {
+      glm::dvec3 p(find_on_ball(ball.radius_mm, from + (to - from) * r / rings,
+                                2 * std::numbers::pi * (sector.first + k) / kSpokes));
       const auto tip = [](double& a, double& b, double angle) {  // turns b toward a
         const double s = std::sin(angle), c = std::cos(angle), was = a;
         a = a * c + b * s;
         b = b * c - was * s;
       };
-      tip(p.x, p.z, aside.x + turn);
+      tip(p.x, p.z, aside.x);
       tip(p.y, p.z, aside.y);
       mesh.normals.push_back(glm::vec3(glm::normalize(p)));
       mesh.positions.push_back(glm::vec3(ball.centre + p));
     }
   for (int r = 0; r < rings; ++r)
-    for (int k = 0; k < kSpokes; ++k) {
+    for (int k = 0; k < sector.count; ++k) {
       const auto at = [&](int ring, int spoke) {
-        return first + static_cast<std::uint32_t>(ring * kSpokes + spoke % kSpokes);
+        return first + static_cast<std::uint32_t>(ring * columns + spoke % columns);
       };
       if (r > 0 || from > 0) mesh.triangles.push_back({at(r, k), at(r + 1, k), at(r, k + 1)});
       mesh.triangles.push_back({at(r, k + 1), at(r + 1, k), at(r + 1, k + 1)});
     }
-}
-
-// An iris is two flat tones of a purer colour than a real one's: the upper half lies in the lid's shade.
-glm::vec3 purify(const glm::vec3& srgb) {
-  const float grey = glm::dot(srgb, glm::vec3(0.30f, 0.59f, 0.11f));
-  return glm::clamp((glm::vec3(grey) + 1.9f * (srgb - grey)) * 1.15f, 0.0f, 1.0f);
 }
 
 }  // namespace
@@ -80,8 +80,8 @@ std::vector<HeadPart> build_ink_eyes(const NeutralHead& head, const Look& look) 
   const double iris = head.design.iris_deg * kRadiansPerDegree,
                pupil = head.design.pupil_deg * kRadiansPerDegree;
   // Drawn eyes look straight ahead: what is drawn so large would squint otherwise.
-  Eyeball ball{head.eye.centre, head.eye.radius_mm, 0};
-  const glm::vec3 colour = purify(look.iris);
+  const Eyeball ball{head.eye.centre, head.eye.radius_mm};
+  const glm::vec3 colour = purify(look.iris, 1.9f, 1.15f);
   std::vector<HeadPart> parts;
   const auto add = [&](const char* name, const char* material, const glm::vec3& srgb) -> Mesh& {
     parts.push_back(make_part(fmt::format("{}_left", name), material, srgb));
@@ -89,19 +89,11 @@ std::vector<HeadPart> build_ink_eyes(const NeutralHead& head, const Look& look) 
   };
   append_zone(add("eye", "ink_white", {1, 0.99f, 0.97f}), ball, iris, 0.75 * std::numbers::pi, 20);
   append_zone(add("eye_rim", "ink_flat", 0.28f * colour), ball, kRim * iris, iris, 3);
-  // The lower part is the brighter one.
-  Mesh& upper = add("iris", "ink_flat", 0.78f * colour);
-  append_zone(upper, ball, pupil, kRim * iris, 8);
-  Mesh lower = upper;
-  std::erase_if(upper.triangles, [&](const Triangle& t) {
-    return (upper.positions[t[0]].y + upper.positions[t[1]].y + upper.positions[t[2]].y) / 3 <
-           head.eye.centre.y - 0.06 * head.eye.radius_mm;
-  });
-  std::erase_if(lower.triangles, [&](const Triangle& t) {
-    return (lower.positions[t[0]].y + lower.positions[t[1]].y + lower.positions[t[2]].y) / 3 >=
-           head.eye.centre.y - 0.06 * head.eye.radius_mm;
-  });
-  add("iris_low", "ink_flat", glm::clamp(1.3f * colour + 0.06f, 0.0f, 1.0f)) = std::move(lower);
+  // The lower part is the brighter one; it begins a little below the middle.
+  constexpr Sector kLower{kSpokes / 2 + 1, kSpokes / 2 - 2}, kUpper{-1, kSpokes / 2 + 2};
+  append_zone(add("iris", "ink_flat", 0.78f * colour), ball, pupil, kRim * iris, 8, {}, kUpper);
+  append_zone(add("iris_low", "ink_flat", glm::clamp(1.3f * colour + 0.06f, 0.0f, 1.0f)), ball, pupil,
+              kRim * iris, 8, {}, kLower);
   append_zone(add("pupil", "ink_flat", {0.06f, 0.04f, 0.06f}), ball, 0, pupil, 4);
   const double size = iris / 0.6;
   Eyeball glass = ball;

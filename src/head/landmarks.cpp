@@ -70,7 +70,8 @@ glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model,
   const glm::vec3 rest(glm::dvec3(sign * head.eye.centre.x, head.eye.centre.y, head.eye.centre.z + reach));
   const std::string suffix = side == Side::left ? "_left" : "_right";
   for (std::size_t i = 0; i < model.parts.size(); ++i)
-    if (model.parts[i].name == "cornea" + suffix && !model.parts[i].is_rigid)
+    if ((model.parts[i].name == "cornea" + suffix || model.parts[i].name == "pupil" + suffix) &&
+        !model.parts[i].is_rigid)
       return glm::dvec3(drawing.parts[i].positions.front());  // its highest place
   for (std::size_t i = 0; i < model.parts.size(); ++i)
     if (model.parts[i].name == "eye" + suffix)

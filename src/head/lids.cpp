@@ -39,7 +39,7 @@ std::vector<glm::vec3> find_named_ring(const NeutralHead& head, const std::strin
 }
 
 double compute_eye_to_chin_mm(const NeutralHead& head) {
-  return head.eye.centre.y - static_cast<double>(find_named_point(head, "m12_D1").y);
+  return head.eye.centre.y - static_cast<double>(find_named_point(head, "m12_D1").y) + head.shortened_mm;
 }
 
 }  // namespace mien

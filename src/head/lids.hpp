@@ -28,7 +28,7 @@ glm::vec3 find_named_point(const NeutralHead& head, std::string_view name);
 // Several of one ring: find_named_ring(head, "E1_", 0, 15).
 std::vector<glm::vec3> find_named_ring(const NeutralHead& head, const std::string& stem, int first, int last);
 
-// How high the eyes stand above the chin: short faces are young ones.
+// How high the eyes stand above the chin, or would without a design: short faces are young ones.
 double compute_eye_to_chin_mm(const NeutralHead& head);
 
 }  // namespace mien

@@ -170,7 +170,7 @@ Shape build_shape(const HeadShapes& shapes, const HeadSpec& spec, const Cage& ad
 }  // namespace
 
 HeadForm make_empty_form(const Cage& cage) {
-  return {std::vector<glm::dvec3>(cage.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0};
+  return {std::vector<glm::dvec3>(cage.points.size(), glm::dvec3(0)), {glm::dvec3(0), 0}, 0, 0, 0};
 }
 
 void add_form(HeadForm& sum, const HeadForm& addition, double weight) {
@@ -179,6 +179,7 @@ void add_form(HeadForm& sum, const HeadForm& addition, double weight) {
   sum.eye.radius_mm += weight * addition.eye.radius_mm;
   sum.hairline += weight * addition.hairline;
   sum.brow_thickness += weight * addition.brow_thickness;
+  sum.shortened_mm += weight * addition.shortened_mm;
 }
 
 void close_lips(const Cage& adult, double size, HeadForm& shape) {

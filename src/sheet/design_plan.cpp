@@ -14,9 +14,7 @@ SheetPlan plan_designs(const SheetSubject& subject, const HeadData& data) {
   SheetPlan plan;
   plan.cell_px = {300, 375};
   std::vector<std::pair<std::string, Style>> columns{{kReal, Style::studio}};
-  for (const Design& design : data.designs)
-    columns.emplace_back(design.name,
-                         static_cast<Style>(std::ranges::find(kStyles, design.style) - kStyles.begin()));
+  for (const Design& design : data.designs) columns.emplace_back(design.name, design.style);
   for (const auto& [name, style] : columns) {
     plan.heads.push_back(subject.spec.head);
     plan.heads.back().design = {{name, 1.0}};

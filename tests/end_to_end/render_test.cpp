@@ -122,6 +122,64 @@ TEST(render, shows_what_povray_alone_shows) {
   EXPECT_EQ(hash_pixels(ours, "out/tiny/frames/f%04d.png"), hash_pixels(alone, "out/tiny/frames/f%04d.png"));
 }
 
+TEST(render, puts_designs_beside_each_other) {
+  const auto folder = make_folder("beside");
+  write_file(folder / "tiny.yaml", kTinyClip);
+  write_file(folder / "out/tiny/real/frames/f0001.png.4711.part", "of a run that was killed");
+  const std::string command = "mien render tiny.yaml --beside real,comic --jobs 2";
+  const ProgramRun run = run_shell(folder, command);
+  ASSERT_EQ(run.status, 0) << run.err;
+  const auto out = folder / "out/tiny";
+  const auto manifest = nlohmann::json::parse(read_file(out / "manifest.json"));
+  EXPECT_EQ(manifest.at("width"), 96);
+  EXPECT_EQ(manifest.at("drawings").size(), 3u);
+  for (const auto& drawing : manifest.at("drawings")) {
+    const std::string name = drawing.at("picture");
+    EXPECT_EQ(drawing.at("key"), read_picture_key(out / name)) << name;
+    const Pixels whole = read_pixels(out / name);
+    ASSERT_EQ(whole.size.width_px, 96);
+    int left_px = 0;
+    for (const char* design : {"real", "comic"}) {
+      const Pixels part = read_pixels(out / design / name);
+      Pixels page = whole;
+      paste_pixels(page, part, left_px, 0);
+      EXPECT_EQ(page.rgb, whole.rgb) << design << " in " << name;
+      left_px += part.size.width_px;
+    }
+  }
+  const auto files = list_files(out);
+  for (const char* file : {"tiny.mp4", "poster.png", "real/scenes/head.inc", "comic/scenes/head.inc"})
+    EXPECT_NE(std::find(files.begin(), files.end(), file), files.end()) << file;
+  for (const std::string& file : files)
+    EXPECT_EQ(file.find(".part"), std::string::npos) << file << " was left behind";
+
+  // What is there already is kept, and what is damaged is made again.
+  const auto picture = out / "frames/f0002.png";
+  const std::string whole = read_file(picture);
+  const auto written = std::filesystem::last_write_time(out / "frames/f0001.png");
+  write_file(picture, whole.substr(0, whole.size() / 2));
+  ASSERT_EQ(run_shell(folder, command).status, 0);
+  EXPECT_EQ(read_file(picture), whole);
+  EXPECT_EQ(std::filesystem::last_write_time(out / "frames/f0001.png"), written);
+}
+
+TEST(render, says_what_cannot_stand_beside_each_other) {
+  const auto folder = make_folder("beside_wrong");
+  write_file(folder / "tiny.yaml", kTinyClip);
+  const auto expect = [&](const std::string& designs, int status, const std::string& error) {
+    const ProgramRun run = run_shell(folder, "mien render tiny.yaml --beside " + designs);
+    EXPECT_EQ(run.status, status);
+    EXPECT_EQ(run.err, error);
+  };
+  expect("real", 2, "error: --beside: 'real' is not two to four designs such as real,comic\n");
+  expect("real,cubist", 2,
+         "error: --beside: unknown design 'cubist'; known: real, caricature, comic, manga\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+  write_file(folder / "out/tiny/comic", "a file");
+  expect("real,comic", 2, "error: out/tiny/comic: it is a file; expected a folder\n");
+  EXPECT_EQ(list_files(folder / "out"), std::vector<std::string>{"tiny/comic"});
+}
+
 TEST(render, says_first_that_a_program_is_missing) {
   const auto folder = make_folder("no_povray");
   write_file(folder / "tiny.yaml", kTinyClip);

@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <functional>
 #include <map>
 #include <set>
 
 #include "frames/ink_strokes.hpp"
+#include "head/landmarks.hpp"
 #include "poses.hpp"
 #include "scene/povray.hpp"
 #include "shipped.hpp"
@@ -26,13 +29,15 @@ struct Subject {
   Ink ink;
 };
 
+Subject build_subject(const HeadSpec& spec) {
+  Subject made;
+  made.figure = build_figure(shipped().heads, spec, FigureUse::ink);
+  made.ink = build_ink(made.figure, spec);
+  return made;
+}
+
 const Subject& comic() {
-  static const Subject subject = [] {
-    Subject made;
-    made.figure = build_figure(shipped().heads, make_spec("comic"), FigureUse::ink);
-    made.ink = build_ink(made.figure, Look{});
-    return made;
-  }();
+  static const Subject subject = build_subject(make_spec("comic"));
   return subject;
 }
 
@@ -69,7 +74,7 @@ TEST(ink, regions_meet_on_crisp_borders) {
   ASSERT_EQ(skin.triangle_shade.size(), skin.rest.triangles.size());
   EXPECT_GT(ink.cuts.size(), 200U);
   std::set<std::uint16_t> used(skin.triangle_shade.begin(), skin.triangle_shade.end());
-  EXPECT_EQ(used.size(), 5U);
+  EXPECT_EQ(used.size(), 6U) << "all but a beard";
   // Cutting leaves the surface whole: each edge of two triangles runs once each way.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const Triangle& t : skin.rest.triangles)
@@ -84,6 +89,76 @@ TEST(ink, regions_meet_on_crisp_borders) {
     for (int i = 0; i < 3; ++i) before.insert({t[i], t[(i + 1) % 3]});
   for (const auto& edge : before) open_before += before.contains({edge.second, edge.first}) ? 0 : 1;
   EXPECT_EQ(open, open_before);
+}
+
+// How much of the skin has each colour of the palette, mm2; the plain skin's is the last one.
+std::vector<double> measure_regions(const Ink& ink) {
+  const Part& skin = ink.model.parts.front();
+  std::vector<double> areas(skin.palette.size());
+  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+    const auto [a, b, c] = skin.rest.triangles[i];
+    const std::vector<glm::vec3>& p = skin.rest.positions;
+    areas[skin.triangle_shade[i]] +=
+        0.5 * static_cast<double>(glm::length(glm::cross(p[b] - p[a], p[c] - p[a])));
+  }
+  return areas;
+}
+
+TEST(ink, hair_and_beard_that_are_painted_have_regions) {
+  HeadSpec spec = make_spec("comic");
+  spec.hair = "none";
+  const std::vector<double> bald = measure_regions(build_subject(spec).ink);
+  spec.hair = "buzz";
+  spec.look.beard = "stubble";
+  const std::vector<double> shorn = measure_regions(build_subject(spec).ink);
+  std::vector<double> gained(shorn.size());
+  for (std::size_t i = 0; i < shorn.size(); ++i) gained[i] = shorn[i] - bald[i];
+  std::ranges::sort(gained, std::greater{});
+  EXPECT_GT(gained[0], 20000) << "the scalp of a shorn head";
+  EXPECT_GT(gained[1], 5000) << "jaw, chin and upper lip";
+  EXPECT_LE(gained[2], 0);
+}
+
+// A beard grows on a grown man, however short a design makes his face.
+TEST(ink, a_drawn_man_has_a_beard_and_a_drawn_child_has_none) {
+  for (const char* design : {"real", "comic", "manga", "caricature"}) {
+    HeadSpec spec = make_spec(design);
+    spec.hair = "none";
+    spec.look.beard = "short";
+    const auto has_beard = [](const Figure& figure) {
+      return std::ranges::any_of(figure.model.parts, [](const Part& part) { return part.name == "beard"; });
+    };
+    EXPECT_TRUE(has_beard(build_figure(shipped().heads, spec, FigureUse::ink))) << design;
+    spec.age = {{"child", 1.0}};
+    EXPECT_FALSE(has_beard(build_figure(shipped().heads, spec, FigureUse::ink))) << design;
+  }
+}
+
+TEST(ink, the_iris_has_a_bright_lower_part_that_ends_on_straight_edges) {
+  const Subject& subject = comic();
+  const auto measure = [&](const char* part) {
+    return compute_bounds(subject.ink.model.parts[find_part(subject.ink.model, part)].rest.positions);
+  };
+  const Box upper = measure("iris_left"), lower = measure("iris_low_left");
+  const auto height = static_cast<double>(upper.high.y - lower.low.y);
+  EXPECT_LT(static_cast<double>(lower.high.y), static_cast<double>(upper.low.y) + 0.15 * height);
+  EXPECT_GT(static_cast<double>(lower.high.y - lower.low.y), 0.3 * height);
+}
+
+TEST(ink, landmarks_find_the_pupil_that_looks_about) {
+  for (const char* design : {"real", "comic"}) {
+    const Figure figure = build_figure(shipped().heads, make_spec(design), FigureUse::ink);
+    const std::vector<Landmark> landmarks = find_landmarks(figure.head);
+    DeformBuffers buffers;
+    const auto find_pupil = [&](const Pose& pose) {
+      Drawing drawing;
+      deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+      return measure_landmarks(figure.head, landmarks, figure.model, drawing).at("pupil_l");
+    };
+    const glm::dvec3 rest = find_pupil(Pose{}), up = find_pupil(make_pose({{"eye.up", 1}}));
+    EXPECT_GT(up.y - rest.y, 2) << design;
+    EXPECT_NEAR(up.x, rest.x, 1) << design;
+  }
 }
 
 TEST(ink, the_rest_is_drawn_as_it_stands) {

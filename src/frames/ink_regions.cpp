@@ -1,0 +1,149 @@
+#include "frames/ink_regions.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "head/beard.hpp"
+#include "head/cage.hpp"
+#include "head/hair.hpp"
+#include "head/ink_colours.hpp"
+#include "head/skin_masks.hpp"
+
+namespace mien {
+
+namespace {
+
+// What is nearer to the front of this list stands before the others where they overlap.
+enum Region : std::uint16_t { kInside, kHole, kRed, kBearded, kHaired, kFlush, kPlain, kRegionCount };
+
+// The skin's triangles while they are cut along the borders of its regions.
+struct Cutting {
+  std::vector<Triangle> triangles;
+  std::vector<std::vector<float>> fields;  // of each region's border: above 0 inside it, for all vertices
+  std::vector<CutVertex> cuts;
+};
+
+// Splits whatever crosses the border of a field; what lies nearly on it is put on it.
+void cut_along(std::size_t f, Cutting& cutting) {
+  constexpr float kNear =
+      0.06f;  // nearer to a corner of a triangle, as a share of the edge, a cut goes through it
+  std::map<std::array<std::uint32_t, 2>, std::uint32_t> known;
+  const auto value = [&](std::uint32_t v) { return cutting.fields[f][v]; };
+  const auto crosses = [&](std::uint32_t a, std::uint32_t b) { return value(a) * value(b) < 0; };
+  const auto cut = [&](std::uint32_t a, std::uint32_t b) {
+    const std::array<std::uint32_t, 2> edge{std::min(a, b), std::max(a, b)};
+    const auto [entry, is_new] =
+        known.try_emplace(edge, static_cast<std::uint32_t>(cutting.fields[f].size()));
+    if (is_new) {
+      const float share = std::clamp(value(edge[0]) / (value(edge[0]) - value(edge[1])), kNear, 1 - kNear);
+      cutting.cuts.push_back({edge[0], edge[1], share});
+      for (std::vector<float>& field : cutting.fields)
+        field.push_back(&field == &cutting.fields[f] ? 0 : glm::mix(field[edge[0]], field[edge[1]], share));
+    }
+    return entry->second;
+  };
+  std::vector<Triangle> triangles;
+  for (Triangle t : cutting.triangles) {
+    int count = 0;
+    for (int i = 0; i < 3; ++i) count += crosses(t[i], t[(i + 1) % 3]) ? 1 : 0;
+    if (count == 0) {
+      triangles.push_back(t);
+    } else if (count == 1) {  // through a corner that lies on the border
+      while (!crosses(t[0], t[1])) t = {t[1], t[2], t[0]};
+      const std::uint32_t m = cut(t[0], t[1]);
+      triangles.push_back({t[0], m, t[2]});
+      triangles.push_back({m, t[1], t[2]});
+    } else {  // t[0] alone on its side
+      while (!crosses(t[0], t[1]) || !crosses(t[0], t[2])) t = {t[1], t[2], t[0]};
+      const std::uint32_t m = cut(t[0], t[1]), n = cut(t[0], t[2]);
+      triangles.push_back({t[0], m, n});
+      triangles.push_back({m, t[1], t[2]});
+      triangles.push_back({m, t[2], n});
+    }
+  }
+  cutting.triangles = std::move(triangles);
+}
+
+// Values of the surface's vertices for all of the fine skin.
+std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> values) {
+  for (const auto& [a, b] : fine.parents) values.push_back(0.5f * (values[a] + values[b]));
+  return values;
+}
+
+std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
+  constexpr glm::vec3 kHalf_mm(13, 7.5f, 30), kAside_mm(3, 1, 0);  // of the patch, on an eye of 16 mm
+  const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
+  const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
+  std::vector<float> field;
+  for (const glm::vec3& p : positions) {
+    const glm::vec3 away = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / (size * kHalf_mm);
+    field.push_back(1 - glm::length(away));
+  }
+  return field;
+}
+
+// Of a tint that may be thin all over: its border lies at so much of its most.
+std::vector<float> find_border(const FineSkin& fine, const std::vector<float>& covers) {
+  constexpr float kNothing = 0.02f, kBorder = 0.3f;
+  std::vector<float> field = covers.empty() ? std::vector<float>(fine.base_count, -1.0f) : covers;
+  const float most = covers.empty() ? 0 : *std::ranges::max_element(covers);
+  for (float& value : field) value = most > kNothing ? value / most - kBorder : -1;
+  return spread_to_fine(fine, std::move(field));
+}
+
+std::vector<Shade> list_shades(const Figure& figure, const Look& look) {
+  const glm::vec3 skin = glm::clamp(look.skin * 1.12f, 0.0f, 1.0f);
+  const auto blush = static_cast<float>(figure.head.design.blush);
+  std::vector<Shade> shades(kRegionCount, {skin, 0});
+  shades[kInside].srgb = kInkMouth;
+  shades[kHole].srgb = skin * glm::vec3(0.48f, 0.28f, 0.27f);
+  shades[kRed].srgb =
+      look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
+  shades[kBearded].srgb = glm::mix(find_ink_hair(compute_beard_colour(look)), skin, 0.45f);
+  shades[kHaired].srgb = glm::mix(find_ink_hair(look.hair), skin, 0.15f);
+  shades[kFlush].srgb = skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush);
+  return shades;
+}
+
+}  // namespace
+
+InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const std::vector<glm::vec3>& positions) {
+  constexpr float kMouthBorder = 0.5f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
+  constexpr float kRim = 0.2f;  // so little of the mask about an opening is its rim still
+  const FineSkin& fine = figure.folds.skin;
+  const SkinMasks masks = paint_skin_masks(figure.head);
+  const auto find_field = [&](SkinMask mask, float border) {
+    std::vector<float> field = spread_to_fine(fine, masks[mask]);
+    for (float& value : field) value -= border;
+    return field;
+  };
+  Cutting cutting{fine.triangles, std::vector<std::vector<float>>(kPlain), {}};
+  cutting.fields[kInside] = find_field(kMouth, kMouthBorder);
+  cutting.fields[kHole] = find_field(kNostril, kNostrilBorder);
+  cutting.fields[kRed] = find_field(kLips, kLipBorder);
+  cutting.fields[kBearded] = find_border(
+      fine, spec.look.beard == "none" ? std::vector<float>{} : paint_beard(figure.head, spec.look.beard));
+  cutting.fields[kHaired] = find_border(fine, paint_scalp(figure.head, spec.hair));
+  cutting.fields[kFlush] = paint_flush(figure, positions);
+
+  InkRegions regions;
+  for (std::size_t v = 0; v < fine.vertex_count(); ++v)
+    regions.is_opening.push_back(cutting.fields[kInside][v] >= -kRim || cutting.fields[kHole][v] >= -kRim);
+  for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);
+  for (const Triangle& t : cutting.triangles) {
+    std::uint16_t region = 0;
+    const auto is_in = [&](std::uint16_t r) {
+      const std::vector<float>& field = cutting.fields[r];
+      return field[t[0]] + field[t[1]] + field[t[2]] > 0;
+    };
+    while (region < kPlain && !is_in(region)) ++region;
+    regions.shade.push_back(region);
+  }
+  regions.cuts = std::move(cutting.cuts);
+  regions.triangles = std::move(cutting.triangles);
+  regions.palette = list_shades(figure, spec.look);
+  return regions;
+}
+
+}  // namespace mien

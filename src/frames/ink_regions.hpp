@@ -1,0 +1,29 @@
+// The regions of a skin that is drawn in ink: flat colours with crisp borders, which the skin's triangles are
+// cut along.
+#pragma once
+
+#include <vector>
+
+#include "frames/figure.hpp"
+
+namespace mien {
+
+// A vertex between two others, on the border of a region.
+struct CutVertex {
+  std::uint32_t from = 0, to = 0;
+  float share = 0;  // of the way
+};
+
+struct InkRegions {
+  std::vector<CutVertex> cuts;       // behind the skin's own vertices; each between two before it
+  std::vector<Triangle> triangles;   // of the cut skin
+  std::vector<std::uint16_t> shade;  // of each of them, an index into `palette`
+  std::vector<Shade> palette;
+  std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
+};
+
+// Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at
+// `positions`. `spec` tells hair, beard and colours, these as they are at its age.
+InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const std::vector<glm::vec3>& positions);
+
+}  // namespace mien
