@@ -66,6 +66,15 @@ Part make_outline(const std::string& name) {
   return part;
 }
 
+// The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
+// theirs on their neighbours.
+Part make_caster(const Figure& figure) {
+  Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
+  part.rest.positions.resize(figure.head.skin.positions.size());
+  part.rest.triangles = figure.head.skin.triangles;
+  return part;
+}
+
 // What the parts of a real head become; their own tones where nothing is said.
 void set_material(const Look& look, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
@@ -161,7 +170,7 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
 // Hair is toned as the ball that it covers: the locks' own ways would make flecks of its shade and of its
 // ring of light.
 void round_hair(const glm::vec3& middle, PartShape& hair) {
-  constexpr float kOwn = 0.12f;
+  constexpr float kOwn = 0.04f;
   for (std::size_t v = 0; v < hair.positions.size(); ++v) {
     const glm::vec3 out = glm::normalize(hair.positions[v] - middle + glm::vec3(0, 0, 1e-6f));
     hair.normals[v] = glm::normalize(kOwn * hair.normals[v] + (1 - kOwn) * out);
@@ -200,6 +209,9 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
+  ink.tone = build_ink_tone(figure);
+  ink.caster = ink.model.parts.size();
+  ink.model.parts.push_back(make_caster(figure));
   ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin")};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
@@ -213,15 +225,19 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
 }
 
 void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
-  constexpr int kHullRounds = 4, kToneRounds = 40;
+  constexpr int kHullRounds = 4;
+  constexpr float kBelow_mm = 0.9f;
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
-  buffers.softer = buffers.soft;
-  soften(ink, kToneRounds, buffers.softer, buffers.turn);
   make_unit(buffers.soft);
-  make_unit(buffers.softer);
+  compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
+
+  PartShape& caster = drawing.parts[ink.caster];
+  caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
+  for (std::size_t v = 0; v < caster.positions.size(); ++v)
+    caster.positions[v] = skin.positions[v] - kBelow_mm * ink.eye_size * buffers.tones[v];
 
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
@@ -230,14 +246,14 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
     buffers.turn.resize(skin.positions.size());
     for (std::size_t v = 0; v < skin.positions.size(); ++v)
       buffers.turn[v] =
-          skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.softer[v]) * buffers.soft[v];
+          skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
   }
   const glm::vec3 hair_middle =
       ink.outlined.empty() ? glm::vec3(0) : find_middle(drawing.parts[ink.outlined.front()].positions);
   for (const std::size_t part : ink.outlined) {
     // A lock has no outline before another one: the hull lies so far behind.
-    constexpr float kHair = 1.1f, kBehind_mm = 5;  // of a line
+    constexpr float kHair = 1.1f, kBehind_mm = 9;  // of a line
     const PartShape& shape = drawing.parts[part];
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
@@ -255,7 +271,7 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
     append_stroke(stroke, skin.positions, buffers.soft, view.line_mm, ink.eye_size,
                   (stroke.rule->is_brow ? brows : lines).positions);
 
-  skin.normals = buffers.softer;
+  skin.normals = buffers.tones;
   for (const auto& [from, to, share] : ink.cuts) {
     skin.positions.push_back(glm::mix(skin.positions[from], skin.positions[to], share));
     skin.normals.push_back(glm::normalize(glm::mix(skin.normals[from], skin.normals[to], share)));

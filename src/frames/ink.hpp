@@ -13,6 +13,7 @@
 #include "core/model.hpp"
 #include "frames/figure.hpp"
 #include "frames/ink_regions.hpp"
+#include "frames/ink_tone.hpp"
 
 namespace mien {
 
@@ -32,6 +33,8 @@ struct Ink {
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
+  InkTonePointer tone;
+  std::size_t caster = 0;         // in `model`: what the skin's shadow is cast by
   std::size_t first_outline = 0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes
   std::vector<std::size_t> outlined;  // parts of the figure besides the skin that have outlines
   std::vector<InkStroke> strokes;
@@ -49,7 +52,8 @@ struct InkView {
 
 // The buffers of one thread; contents mean nothing between calls.
 struct InkBuffers {
-  std::vector<glm::vec3> soft, softer, turn;
+  std::vector<glm::vec3> soft, tones, turn;
+  InkToneBuffers tone;
   std::vector<std::uint32_t> used;
 };
 

@@ -225,6 +225,33 @@ TEST(ink, is_the_same_on_both_sides_and_in_every_turn) {
   }
 }
 
+// The tones' border is calm: what tells them turns little between neighbours, however sharp the skin is
+// there.
+TEST(ink, tones_turn_less_than_the_skin_and_the_shadow_is_cast_from_below_it) {
+  const Subject& subject = comic();
+  DeformBuffers deform;
+  Drawing plain;
+  const Pose pose = make_pose({{"corner.up", 1}});
+  deform_figure(subject.figure, pose, TurnKey{}, deform, plain);
+  const Drawing drawing = draw(subject, pose, TurnKey{}, InkView{});
+  const PartShape &skin = drawing.parts.front(), &before = plain.parts.front();
+  const auto measure_turn = [&](const std::vector<glm::vec3>& normals) {
+    double sum = 0;
+    for (const Triangle& t : subject.figure.folds.skin.triangles)
+      for (int i = 0; i < 3; ++i)
+        sum += static_cast<double>(glm::distance(normals[t[i]], normals[t[(i + 1) % 3]]));
+    return sum;
+  };
+  EXPECT_LT(measure_turn(skin.normals), 0.6 * measure_turn(before.normals));
+  for (const glm::vec3& tone : skin.normals) ASSERT_NEAR(glm::length(tone), 1, 1e-4);
+  const std::vector<glm::vec3>& caster = drawing.parts[find_part(subject.ink.model, "shadow")].positions;
+  ASSERT_EQ(caster.size(), subject.figure.head.skin.positions.size());
+  std::size_t below = 0;
+  for (std::size_t v = 0; v < caster.size(); ++v)
+    below += glm::dot(skin.positions[v] - caster[v], before.normals[v]) > 0 ? 1 : 0;
+  EXPECT_GT(static_cast<double>(below), 0.85 * static_cast<double>(caster.size()));
+}
+
 TEST(ink, a_scene_takes_all_of_it) {
   const Subject& subject = comic();
   RenderSpec render;

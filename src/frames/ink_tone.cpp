@@ -1,0 +1,76 @@
+#include "frames/ink_tone.hpp"
+
+#include <Eigen/Sparse>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <tuple>
+
+#include "core/error.hpp"
+#include "head/surface.hpp"
+
+namespace mien {
+
+struct InkTone {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> step;  // of the heat
+  Eigen::VectorXd areas;                                    // of each point of the cage, mm2
+  std::shared_ptr<const Surface> surface;
+  std::vector<std::array<std::uint32_t, 2>> parents;  // of the fine skin's vertices behind the surface's
+};
+
+InkTonePointer build_ink_tone(const Figure& figure) {
+  constexpr double kSpread_mm = 5;  // how far, on an adult's head
+  const Cage& cage = figure.head.cage;
+  const std::vector<glm::vec3>& places = figure.head.skin.positions;
+  const auto size = figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm;
+  auto tone = std::make_shared<InkTone>();
+  tone->surface = figure.head.surface;
+  tone->parents = figure.folds.skin.parents;
+
+  const auto count = static_cast<Eigen::Index>(cage.points.size());
+  tone->areas = Eigen::VectorXd::Constant(count, 1e-6);
+  std::map<std::array<std::uint32_t, 2>, double>
+      shares;  // of an edge: the width that heat crosses, over its length
+  for (const Quad& quad : cage.quads) {
+    const auto at = [&](int i) { return glm::dvec3(places[quad[i % 4]]); };
+    const double area = 0.5 * glm::length(glm::cross(at(2) - at(0), at(3) - at(1)));
+    for (int i = 0; i < 4; ++i) {
+      tone->areas[quad[i]] += area / 4;
+      const std::uint32_t from = quad[i], to = quad[(i + 1) % 4];
+      const glm::dvec3 way = at(i + 1) - at(i);
+      shares[{std::min(from, to), std::max(from, to)}] += 0.5 * area / std::max(1e-6, glm::dot(way, way));
+    }
+  }
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
+  const double time = 0.5 * kSpread_mm * kSpread_mm * size;
+  for (const auto& [edge, share] : shares) {
+    const auto a = static_cast<int>(edge[0]), b = static_cast<int>(edge[1]);
+    for (const auto& [row, column, value] :
+         {std::tuple(a, a, share), {b, b, share}, {a, b, -share}, {b, a, -share}})
+      entries.emplace_back(row, column, time * value);
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  tone->step.compute(matrix);
+  if (tone->step.info() != Eigen::Success) throw RunError("internal: tones cannot be spread over this head");
+  return tone;
+}
+
+void compute_tones(const InkTone& tone, const std::vector<glm::vec3>& normals, InkToneBuffers& buffers,
+                   std::vector<glm::vec3>& tones) {
+  constexpr int kSteps = 2;
+  const Eigen::Index count = tone.areas.size();
+  Eigen::MatrixX3d heat(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i)
+    for (int axis = 0; axis < 3; ++axis) heat(i, axis) = normals[static_cast<std::size_t>(i)][axis];
+  for (int i = 0; i < kSteps; ++i) heat = tone.step.solve(tone.areas.asDiagonal() * heat).eval();
+  buffers.points.resize(static_cast<std::size_t>(count));
+  for (Eigen::Index i = 0; i < count; ++i)
+    buffers.points[static_cast<std::size_t>(i)] = pack(glm::vec3(heat(i, 0), heat(i, 1), heat(i, 2)));
+  deform_surface(*tone.surface, buffers.points, tones);
+  for (glm::vec3& direction : tones) direction = glm::normalize(direction + glm::vec3(0, 0, 1e-9f));
+  for (const auto& [a, b] : tone.parents) tones.push_back(glm::normalize(tones[a] + tones[b]));
+}
+
+}  // namespace mien

@@ -1,0 +1,28 @@
+// Where ink is light and where it is dark: the directions of the skin, smoothed so far that the border
+// between its two tones is one calm line. They spread like heat for a while over the cage (Desbrun et al.,
+// "Implicit Fairing of Irregular Meshes", 1999: one step, however fine the rings about eyes and mouth are)
+// and come back to the skin as the subdivision surface of what the cage has then.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "frames/figure.hpp"
+
+namespace mien {
+
+struct InkTone;  // of one figure at rest; built once
+using InkTonePointer = std::shared_ptr<const InkTone>;
+
+struct InkToneBuffers {
+  std::vector<Float4> points;
+};
+
+InkTonePointer build_ink_tone(const Figure& figure);
+
+// For every vertex of the fine skin, whose unit normals are given: the direction that its tone is told by, of
+// length 1.
+void compute_tones(const InkTone& tone, const std::vector<glm::vec3>& normals, InkToneBuffers& buffers,
+                   std::vector<glm::vec3>& tones);
+
+}  // namespace mien
