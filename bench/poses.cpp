@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <numeric>
 
 #include "frames/pose_sweep.hpp"
 
@@ -12,8 +11,7 @@ namespace mien {
 void measure_poses() {
   constexpr SweepSize kSize{500, 100};
   const std::vector<SweepHead> all = list_sweep_heads();
-  std::vector<std::size_t> heads(all.size());
-  std::iota(heads.begin(), heads.end(), std::size_t{0});
+  const std::vector<std::size_t> heads = list_sweep_indices(false);
   const std::array<SweepTable, 2> tables = run_sweep(heads, 1, kSize);
   for (const bool is_exaggerated : {false, true}) {
     fmt::print("\nposes {}: {} on each of {} heads\n", is_exaggerated ? "exaggerated" : "within the limits",

@@ -49,7 +49,7 @@ void append_actors(const Heads& heads, double time_s, const std::optional<Pose>&
     deform_figure(*heads.figures[i], moment.pose, moment.turn, buffers.deform, buffers.drawing);
     place_drawing(heads.places[i], buffers.drawing);
     const DrawnFigure& figure = *heads.figures[i];
-    if (figure.ink) draw_ink(*figure.ink, view, buffers.ink, buffers.drawing);
+    if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, buffers.drawing);
     append_povray_figure(buffers.text, figure.get_drawn_model(), buffers.drawing);
   }
 }

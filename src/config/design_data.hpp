@@ -33,8 +33,8 @@ struct DesignNumbers {
   double lens_height = 1;                   // how much taller the eye is
   double lens_full = 1.05, lens_end = 3.3;  // until where it is all of that, and where it has died out: radii
   double lens_flat = 0;                     // how much of what stands forth of the ball is taken away
-  double brow_rise_gain = 1, brow_gain = 1,
-         corner_gain = 1;                    // how far areas go, times a real head's; brows up and else
+  double brow_rise_gain = 1, brow_gain = 1, corner_gain = 1,
+         lips_gain = 1;                      // how far areas go, times a real head's; brows up and else
   double jaw_stretch = 0, brow_stretch = 0;  // of the head's height when the jaw is open, the brows are up
   double folds = 1;                          // of the skin
   // Eyes as ink draws them: angles at the centre of the ball.
@@ -76,6 +76,7 @@ inline constexpr std::array kDesignDials{
     DesignDial{"moves", "brow_rise", &DesignNumbers::brow_rise_gain, 0.3, 3},
     DesignDial{"moves", "brow", &DesignNumbers::brow_gain, 0.3, 4},
     DesignDial{"moves", "corner", &DesignNumbers::corner_gain, 0.3, 2},
+    DesignDial{"moves", "lips", &DesignNumbers::lips_gain, 0.3, 2},
     DesignDial{"moves", "jaw_stretch", &DesignNumbers::jaw_stretch, 0, 0.1},
     DesignDial{"moves", "brow_stretch", &DesignNumbers::brow_stretch, 0, 0.1},
     DesignDial{"skin", "folds", &DesignNumbers::folds, 0, 1.5},

@@ -297,6 +297,7 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
 
 double get_gain(const DesignNumbers& design, std::string_view area, std::string_view move, int sign) {
   if (area == "brow") return move == "up" && sign > 0 ? design.brow_rise_gain : design.brow_gain;
+  if (area == "lips") return design.lips_gain;
   return area == "corner" ? design.corner_gain : 1;
 }
 

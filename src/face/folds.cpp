@@ -57,14 +57,6 @@ double compute_rest(const FoldData& data, const HeadSpec& spec) {
   return std::min(rest, 1.0);
 }
 
-double compute_strength(const FoldData& data, const HeadSpec& spec) {
-  const double ages = mix_ages(data.ages, 1, spec);
-  double mixed = spec.mix.empty() ? 1 : 0;
-  for (const HeadShare& share : spec.mix) mixed += share.weight * compute_strength(data, share.head);
-  const double other = spec.character < 0 ? data.female : data.male;
-  return ages * mixed * (1 + std::abs(spec.character) * (other - 1));
-}
-
 double read_driver(const Driver& driver, const Pose& pose, Side side) {
   auto move = find_move(driver.area, side, driver.move);
   if (!move) move = find_move(driver.area, Side::none, driver.move);
@@ -99,6 +91,14 @@ void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
 
 }  // namespace
 
+double compute_fold_strength(const FoldData& data, const HeadSpec& spec) {
+  const double ages = mix_ages(data.ages, 1, spec);
+  double mixed = spec.mix.empty() ? 1 : 0;
+  for (const HeadShare& share : spec.mix) mixed += share.weight * compute_fold_strength(data, share.head);
+  const double other = spec.character < 0 ? data.female : data.male;
+  return ages * mixed * (1 + std::abs(spec.character) * (other - 1));
+}
+
 Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   const FoldData& data = head.data->folds;
   Mesh adult{{}, {}, head.skin.triangles};
@@ -112,7 +112,7 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
   append_fine_points(folds.skin, adult.positions, adult.normals);
   const double scale =
-      head.design.folds * compute_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
+      head.design.folds * compute_fold_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
   const double rest = compute_rest(data, spec);
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (const FoldSet& set : data.sets) {

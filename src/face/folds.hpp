@@ -43,6 +43,9 @@ using FoldBuffers = FoldPlaces;
 // data that do not fit it.
 Folds build_folds(const NeutralHead& head, const HeadSpec& spec);
 
+// How deep a head's folds are against an adult's, by its age and character.
+double compute_fold_strength(const FoldData& data, const HeadSpec& spec);
+
 // How much of a set's folds there is on one side: from what is there at rest to 1, of slope 0 where it begins
 // and ends.
 double compute_fold_amount(const FoldField& field, const Pose& pose, Side side);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 #include "core/smooth.hpp"
 #include "frames/ink_regions.hpp"
@@ -75,6 +74,18 @@ Part make_caster(const Figure& figure) {
   return part;
 }
 
+// Those who look into a mouth see the lower teeth's sides as two fangs beside the tongue.
+void darken_sides(Part& teeth) {
+  constexpr float kFront = 0.62f;  // of the half width that is white
+  const float half_mm = compute_bounds(teeth.rest.positions).high.x;
+  teeth.palette.push_back({kInkMouth, 0});
+  for (const Triangle& t : teeth.rest.triangles) {
+    const float x =
+        (teeth.rest.positions[t[0]].x + teeth.rest.positions[t[1]].x + teeth.rest.positions[t[2]].x) / 3;
+    teeth.triangle_shade.push_back(std::abs(x) > kFront * half_mm ? 1 : 0);
+  }
+}
+
 // What the parts of a real head become; their own tones where nothing is said.
 void set_material(const Look& look, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
@@ -83,6 +94,7 @@ void set_material(const Look& look, Part& part) {
     part.shade.clear();
   };
   if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
+  if (part.name == "teeth_lower") darken_sides(part);
   if (part.name.starts_with("gum") || part.name == "lip_veil") flat(kInkMouth);
   if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
   const bool is_beard = part.name.starts_with("beard");
@@ -94,27 +106,15 @@ void set_material(const Look& look, Part& part) {
   part.wear = 0;
 }
 
-void add_strokes(const Figure& figure, const Look& look, Ink& ink) {
+void add_strokes(const Figure& figure, const HeadSpec& spec, Ink& ink) {
   Part lines = make_flat_part("lines", "ink_line", kInk);
-  Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * look.brow);
-  const auto add = [&](const StrokeRule& rule, float side) {
-    const auto find = [&](const char* name) {
-      const bool is_image = std::string_view(name).starts_with("R:");
-      const std::uint32_t point = find_point(figure.head.cage, is_image ? name + 2 : name);
-      return is_image != (side < 0) ? figure.head.cage.mirror[point] : point;
-    };
-    InkStroke stroke{&rule, {}, {}, side};
-    for (const char* name : rule.points) stroke.points.push_back(find(name));
-    for (const char* name : rule.facing) stroke.facing.push_back(find(name));
-    Mesh& mesh = (rule.is_brow ? brows : lines).rest;
+  Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
+  ink.strokes = list_strokes(figure, spec, ink.folds);
+  for (const InkStroke& stroke : ink.strokes) {
+    Mesh& mesh = (stroke.rule.is_brow ? brows : lines).rest;
     for (const Triangle& t : list_stroke_triangles(static_cast<std::uint32_t>(mesh.positions.size())))
       mesh.triangles.push_back(t);
     mesh.positions.resize(mesh.positions.size() + kStrokeVertices);
-    ink.strokes.push_back(std::move(stroke));
-  };
-  for (const StrokeRule& rule : list_stroke_rules()) {
-    add(rule, 1);
-    if (rule.is_sided) add(rule, -1);
   }
   ink.model.parts.push_back(std::move(lines));
   ink.model.parts.push_back(std::move(brows));
@@ -210,6 +210,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
   list_neighbours(figure.folds.skin, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
+  ink.limits = figure.limits;
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure));
   ink.first_outline = ink.model.parts.size();
@@ -220,11 +221,11 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
       ink.outlined.push_back(i);
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
-  add_strokes(figure, spec.look, ink);
+  add_strokes(figure, spec, ink);
   return ink;
 }
 
-void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
+void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
   constexpr float kBelow_mm = 0.9f;
   drawing.parts.resize(ink.model.parts.size());
@@ -267,9 +268,14 @@ void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing&
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
+  const Pose pose = apply_limits(ink.limits, asked);
+  const auto measure_amount = [&](const InkStroke& stroke) {
+    const Side side = stroke.side < 0 ? Side::right : Side::left;
+    return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;
+  };
   for (const InkStroke& stroke : ink.strokes)
-    append_stroke(stroke, skin.positions, buffers.soft, view.line_mm, ink.eye_size,
-                  (stroke.rule->is_brow ? brows : lines).positions);
+    append_stroke(stroke, measure_amount(stroke), skin.positions, buffers.soft, view.line_mm, ink.eye_size,
+                  (stroke.rule.is_brow ? brows : lines).positions);
 
   skin.normals = buffers.tones;
   for (const auto& [from, to, share] : ink.cuts) {

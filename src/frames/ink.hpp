@@ -13,18 +13,10 @@
 #include "core/model.hpp"
 #include "frames/figure.hpp"
 #include "frames/ink_regions.hpp"
+#include "frames/ink_strokes.hpp"
 #include "frames/ink_tone.hpp"
 
 namespace mien {
-
-struct StrokeRule;
-
-// A stroke on one side, or across the middle.
-struct InkStroke {
-  const StrokeRule* rule = nullptr;
-  std::vector<std::uint32_t> points, facing;  // of the skin
-  float side = 1;                             // -1: of the right half
-};
 
 // Built once for a figure of FigureUse::ink.
 struct Ink {
@@ -38,6 +30,8 @@ struct Ink {
   std::size_t first_outline = 0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes
   std::vector<std::size_t> outlined;  // parts of the figure besides the skin that have outlines
   std::vector<InkStroke> strokes;
+  std::vector<FoldField> folds;  // that strokes are drawn of, without their vertices
+  LimitShares limits;
   float eye_size = 1;  // of the ball against an adult's
 };
 
@@ -57,7 +51,7 @@ struct InkBuffers {
   std::vector<std::uint32_t> used;
 };
 
-// Makes the drawing of the figure into one of ink.model, where it stands in the world.
-void draw_ink(const Ink& ink, const InkView& view, InkBuffers& buffers, Drawing& drawing);
+// Makes the drawing of the figure in a pose into one of ink.model, where it stands in the world.
+void draw_ink(const Ink& ink, const Pose& pose, const InkView& view, InkBuffers& buffers, Drawing& drawing);
 
 }  // namespace mien

@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string_view>
 
+#include "core/smooth.hpp"
+#include "head/cage.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
+
+namespace {
 
 const std::vector<StrokeRule>& list_stroke_rules() {
   static const std::vector<StrokeRule> rules{
@@ -57,7 +62,22 @@ const std::vector<StrokeRule>& list_stroke_rules() {
   return rules;
 }
 
-namespace {
+std::uint32_t find_sided(const Cage& cage, std::string_view name, float side) {
+  const bool is_image = name.starts_with("R:");
+  const std::uint32_t point = find_point(cage, is_image ? name.substr(2) : name);
+  return is_image != (side < 0) ? cage.mirror[point] : point;
+}
+
+// Depths at even steps along a line of a fold, as the widths of its stroke.
+StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength) {
+  constexpr double kEnd = 0.02;
+  StrokeRule rule{.name = set.name.c_str(), .points = {}, .widths = {}, .lift_mm = 0.35, .flat = 0.4};
+  for (std::size_t i = 0; i < line.depths.size(); ++i)
+    rule.widths.push_back(
+        {static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(2, line.depths.size()) - 1),
+         std::max(kEnd, set.ink * strength * line.depths[i])});
+  return rule;
+}
 
 constexpr double kBrowEye_mm = 16;  // the eye that brows and wings are told on: a drawn adult's, nearly
 
@@ -69,6 +89,41 @@ double find_width(const std::vector<StrokeWidth>& widths, double at) {
 }
 
 }  // namespace
+
+std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
+                                    std::vector<FoldField>& folds) {
+  constexpr double kMostStrength = 1.3;
+  const Cage& cage = figure.head.cage;
+  std::vector<InkStroke> strokes;
+  for (const StrokeRule& rule : list_stroke_rules())
+    for (const float side : {1.0f, -1.0f}) {
+      if (side < 0 && !rule.is_sided) continue;
+      InkStroke stroke{rule, {}, {}, side, {}};
+      for (const char* name : rule.points) {
+        const std::uint32_t point = find_sided(cage, name, side);
+        stroke.points.push_back({point, point, 0});
+      }
+      for (const char* name : rule.facing) stroke.facing.push_back(find_sided(cage, name, side));
+      strokes.push_back(std::move(stroke));
+    }
+  const FoldData& data = figure.head.data->folds;
+  const double strength = std::min(kMostStrength, compute_fold_strength(data, spec));
+  for (std::size_t f = 0; f < data.sets.size(); ++f) {
+    if (data.sets[f].ink == 0) continue;
+    FoldField field = figure.folds.fields[f];
+    field.vertices.clear();
+    for (const FoldLine& line : data.sets[f].lines)
+      for (const float side : {1.0f, -1.0f}) {
+        InkStroke stroke{make_crease(data.sets[f], line, strength), {}, {}, side, folds.size()};
+        for (const FoldPoint& point : line.through)
+          stroke.points.push_back({find_sided(cage, point.from, side), find_sided(cage, point.to, side),
+                                   static_cast<float>(point.share)});
+        strokes.push_back(std::move(stroke));
+      }
+    folds.push_back(std::move(field));
+  }
+  return strokes;
+}
 
 std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
   std::vector<Triangle> triangles;
@@ -83,15 +138,23 @@ std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
   return triangles;
 }
 
-void append_stroke(const InkStroke& stroke, const std::vector<glm::vec3>& positions,
+void append_stroke(const InkStroke& stroke, double amount, const std::vector<glm::vec3>& positions,
                    const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
                    std::vector<glm::vec3>& vertices) {
-  const StrokeRule& rule = *stroke.rule;
+  // A fold's stroke dives into the skin where it gets thinner than that, in lines: it grows from its middle,
+  // and never is a row of dots.
+  constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
+  const StrokeRule& rule = stroke.rule;
+  const auto find_lift_mm = [&](double at) {
+    if (!stroke.fold) return rule.lift_mm;
+    return std::lerp(kDived_mm, rule.lift_mm,
+                     smooth_step(kThin, kDrawn, amount * find_width(rule.widths, at)));
+  };
   const auto eye = static_cast<float>(eye_size * 13 / kBrowEye_mm);
   std::vector<glm::vec3> line, ups;
-  for (const std::uint32_t point : stroke.points) {
-    line.push_back(positions[point]);
-    ups.push_back(normals[point]);
+  for (const auto& [from, to, share] : stroke.points) {
+    line.push_back(glm::mix(positions[from], positions[to], share));
+    ups.push_back(glm::normalize(glm::mix(normals[from], normals[to], share)));
   }
   if (!stroke.facing.empty()) {
     glm::vec3 facing(0);
@@ -110,12 +173,12 @@ void append_stroke(const InkStroke& stroke, const std::vector<glm::vec3>& positi
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = std::lerp(rule.from, rule.to, static_cast<double>(i) / (kStrokeSteps - 1));
     lifts[i] = glm::normalize(sample_curve(ups, at * last));
-    centres[i] = sample_curve(line, at * last) + static_cast<float>(rule.lift_mm) * eye * lifts[i];
+    centres[i] = sample_curve(line, at * last) + static_cast<float>(find_lift_mm(at)) * eye * lifts[i];
   }
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
     const double unit = rule.is_brow ? eye_size * 13 / kBrowEye_mm : line_mm;
-    const auto half = static_cast<float>(std::max(0.02, unit * find_width(rule.widths, at)));
+    const auto half = static_cast<float>(std::max(0.02, unit * amount * find_width(rule.widths, at)));
     const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
     const glm::vec3 across = glm::cross(along, lifts[i]);
     const float length = glm::length(across);

@@ -1,9 +1,12 @@
 // The strokes of a drawn face: along which points of the skin they go, and how thick they are.
 #pragma once
 
+#include <array>
+#include <optional>
 #include <vector>
 
-#include "frames/ink.hpp"
+#include "core/model.hpp"
+#include "frames/figure.hpp"
 
 namespace mien {
 
@@ -23,7 +26,25 @@ struct StrokeRule {
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
 };
 
-const std::vector<StrokeRule>& list_stroke_rules();
+// A place of the skin between two of the cage's points.
+struct StrokePoint {
+  std::uint32_t from = 0, to = 0;
+  float share = 0;  // of the way
+};
+
+// A stroke on one side, or across the middle.
+struct InkStroke {
+  StrokeRule rule;
+  std::vector<StrokePoint> points;
+  std::vector<std::uint32_t> facing;
+  float side = 1;                   // -1: of the right half
+  std::optional<std::size_t> fold;  // whose amount its thickness is multiplied by, in Ink::folds
+};
+
+// The strokes that every drawn head has, and those of the folds that ink draws, as thick as they are deep on
+// this head. `folds` gets what tells how much there is of each.
+std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
+                                    std::vector<FoldField>& folds);
 
 inline constexpr int kStrokeSteps = 40, kStrokeSpokes = 8;
 
@@ -32,8 +53,8 @@ inline constexpr std::size_t kStrokeVertices = std::size_t{kStrokeSteps} * kStro
 std::vector<Triangle> list_stroke_triangles(std::uint32_t first);
 
 // Appends the vertices of a stroke on a skin; `line_mm` is a line's width there, `eye_size` that of the
-// head's eye.
-void append_stroke(const InkStroke& stroke, const std::vector<glm::vec3>& positions,
+// head's eye; `amount` is how much there is of it, 0..1.
+void append_stroke(const InkStroke& stroke, double amount, const std::vector<glm::vec3>& positions,
                    const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
                    std::vector<glm::vec3>& vertices);
 

@@ -134,6 +134,35 @@ void warp_eyes(const DesignNumbers& d, const Measures& m, std::string_view name,
                             -d.eye_back * smooth_step(0.0, 25.0, v.z));
 }
 
+double compute_lift(const glm::dvec3& p, const Eye& eye) {
+  return std::atan2(p.y - eye.centre.y, p.z - eye.centre.z);
+}
+
+// Lids that open further leave the fold over them less room, and an old one has hardly any: where less is
+// left than `before` had, the fold goes up, and the hood over it too.
+void keep_lid_room(const Cage& cage, double opening, const HeadForm& before, HeadForm& form) {
+  constexpr double kRoom_rad = 0.06;
+  constexpr std::array kCarried{RingShare{"E3_", 1}, RingShare{"E4_", 1}, RingShare{"E5_", 0.5}};
+  if (opening <= 1) return;
+  for (int i = 1; i < 8; ++i) {
+    const auto find = [&](const char* ring) { return find_point(cage, ring + std::to_string(i)); };
+    const std::uint32_t lid = find("E2_"), fold = find("E3_");
+    const auto measure_room = [&](const HeadForm& one) {
+      return compute_lift(one.points[fold], one.eye) - compute_lift(one.points[lid], one.eye);
+    };
+    const double wanted = std::min(kRoom_rad, measure_room(before) + kRoom_rad * (opening - 1));
+    const double lift = wanted - measure_room(form);
+    if (lift <= 0) continue;
+    for (const RingShare& ring : kCarried) {
+      glm::dvec3& p = form.points[find(ring.ring.data())];
+      const double angle = compute_lift(p, form.eye) + ring.share * lift,
+                   radius = std::hypot(p.y - form.eye.centre.y, p.z - form.eye.centre.z);
+      p.y = form.eye.centre.y + radius * std::sin(angle);
+      p.z = form.eye.centre.z + radius * std::cos(angle);
+    }
+  }
+}
+
 // The least uneven moves that come near to those asked for: lids and lips are held to theirs, all else may
 // follow.
 std::vector<glm::dvec3> smooth_moves(const Cage& cage, const std::vector<glm::dvec3>& moves) {
@@ -216,6 +245,7 @@ void apply_design(const Cage& adult, const DesignNumbers& design, const HeadForm
     changed.brow_thickness = form.brow_thickness;
     form = std::move(changed);
   }
+  const HeadForm before = form;
   const Measures m = measure(cage, form);
   const glm::dvec3 middle(0, form.eye.centre.y, 0);
   std::vector<glm::dvec3> moves(form.points.size());
@@ -245,6 +275,8 @@ void apply_design(const Cage& adult, const DesignNumbers& design, const HeadForm
   calm_skin(adult, design.calm, form.points);
   form.eye.centre += m.size * glm::dvec3(design.eye_out, design.eye_up, -design.eye_back);
   form.eye.radius_mm *= design.eye_size;
+  keep_lid_room(adult, design.eye_opening, before, form);
+  mirror_half(adult, form.points);
 }
 
 }  // namespace mien

@@ -102,7 +102,7 @@ void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, 
     deform_figure(figure, cell.pose, {}, buffers, drawing);
     std::string scene;
     const PartShape skin = drawing.parts.front();
-    if (figure.ink) draw_ink(*figure.ink, compute_ink_view(view, render), ink_buffers, drawing);
+    if (figure.ink) draw_ink(*figure.ink, cell.pose, compute_ink_view(view, render), ink_buffers, drawing);
     append_povray_frame(scene, figure.get_drawn_model(), drawing, view);
     if (cell.has_guides)
       append_povray_overlay(

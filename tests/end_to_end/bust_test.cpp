@@ -234,6 +234,9 @@ TEST(bust, an_openscad_that_fails_is_told) {
   for (const auto& [script, message] : {Case{"echo hm; exit 1", "openscad failed (exit status 1)"},
                                         Case{"echo 'ERROR: The given mesh is not closed!'; exit 0",
                                              "openscad complains: ERROR: The given mesh is not closed!"},
+                                        Case{"for word; do case $word in *.stl) : >$word;; esac; done; "
+                                             "echo 'WARNING: undefined operation'",
+                                             "openscad complains: WARNING: undefined operation"},
                                         Case{"kill -9 $$", "openscad was ended by signal 9 (Killed)"},
                                         Case{"exit 0", "openscad has written nothing"}}) {
     std::filesystem::remove_all(folder / "out");
@@ -348,6 +351,27 @@ ProgramRun pose_in_openscad(const std::filesystem::path& folder, const std::stri
              fmt::format("{{\"fileFormatVersion\": \"1\", \"parameterSets\": {{\"a\": {{{}}}}}}}", set));
   return run_shell(
       folder, "openscad --hardwarnings -p sets.json -P a --export-format binstl -o a.stl bust.scad 2>&1");
+}
+
+// Each colour but the skin's is where its part is and no further.
+TEST(bust, colours_end_where_their_parts_end) {
+  const Figure figure = build_figure(shipped().heads, HeadSpec{});
+  BustCache cache{figure, {{"neutral", Pose{}}}, "A test", {}};
+  BustSpec spec;
+  spec.expression.name = "neutral";
+  const MadeBust made = make_bust(cache, spec);
+  const Box whole = compute_bounds(made.mesh.positions);
+  ASSERT_GT(made.colours.size(), 3u);
+  for (const ColourRange& range : made.colours) {
+    if (range.name == "skin") continue;
+    std::vector<glm::vec3> corners;
+    for (std::size_t t = range.first; t < range.first + range.count; ++t)
+      for (const std::uint32_t v : made.mesh.triangles[t]) corners.push_back(made.mesh.positions[v]);
+    ASSERT_FALSE(corners.empty()) << range.name;
+    const Box part = compute_bounds(corners);
+    EXPECT_LT(part.high.z - part.low.z, 0.25f * (whole.high.z - whole.low.z)) << range.name;
+    EXPECT_LT(part.high.y - part.low.y, 0.5f * (whole.high.y - whole.low.y)) << range.name;
+  }
 }
 
 TEST(bust, openscad_poses_the_face_as_mien_does) {

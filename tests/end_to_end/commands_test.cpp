@@ -166,6 +166,18 @@ clip:
 render: {size: 48x60, quality: draft}
 )";
 
+TEST(commands, tell_what_was_held_once_however_many_busts_have_it) {
+  const auto folder = make_folder("held_busts");
+  write_file(folder / "a.yaml",
+             "mien: 1\nexpressions: {wide: {brows: {up: 1.6}}}\n"
+             "busts: [{express: wide, triangles: 8000}, {express: wide, height: 60mm, triangles: 8000}]\n");
+  const ProgramRun run = run_shell(folder, "mien bust a.yaml --no-stl -o out");
+  const std::string note = "note: brows.up asked for 1.6";
+  const std::size_t first = run.out.find(note);
+  ASSERT_NE(first, std::string::npos) << run.out;
+  EXPECT_EQ(run.out.find(note, first + 1), std::string::npos) << run.out;
+}
+
 TEST(commands, tell_what_limits_held_without_failing) {
   const auto folder = make_folder("held");
   write_file(folder / "a.yaml", kHeldClip);

@@ -71,6 +71,15 @@ TEST(commands, check_warns_of_what_will_not_read_well_and_does_not_fail) {
   EXPECT_NE(run.out.find("a.yaml:7:7: warning: 'surprise' is held for 3 frames; a hold is read from 6 on"),
             std::string::npos)
       << run.out;
+  // Both ways of a move count, each as far as it goes.
+  write_file(folder / "b.yaml",
+             "mien: 1\nclip:\n  keys:\n    - {at: 1s, areas: {corners: {up: 1, out: 1}}}\n"
+             "    - {at: 25f, areas: {corners: {up: -1}}}\n    - {at: 2s, express: neutral}\n");
+  run = run_shell(folder, "mien check b.yaml");
+  const std::string_view moves = "the corner moves ";
+  const std::size_t at = run.out.find(moves);
+  ASSERT_NE(at, std::string::npos) << run.out;
+  EXPECT_GT(std::stod(run.out.substr(at + moves.size())), 16) << run.out;
   run = run_shell(folder, "mien check a.yaml --json");
   EXPECT_TRUE(run.out.starts_with("{\"kind\":\"warning\",\"file\":\"a.yaml\",\"line\":6,\"column\":7,"))
       << run.out;

@@ -57,7 +57,7 @@ Drawing draw(const Subject& subject, const Pose& pose, const TurnKey& turn, cons
   InkBuffers buffers;
   Drawing drawing;
   deform_figure(subject.figure, pose, turn, deform, drawing);
-  draw_ink(subject.ink, view, buffers, drawing);
+  draw_ink(subject.ink, pose, view, buffers, drawing);
   return drawing;
 }
 
@@ -250,6 +250,57 @@ TEST(ink, tones_turn_less_than_the_skin_and_the_shadow_is_cast_from_below_it) {
   for (std::size_t v = 0; v < caster.size(); ++v)
     below += glm::dot(skin.positions[v] - caster[v], before.normals[v]) > 0 ? 1 : 0;
   EXPECT_GT(static_cast<double>(below), 0.85 * static_cast<double>(caster.size()));
+}
+
+// How thick the thickest stroke of folds is that stands on the skin, in lines.
+double measure_creases(const Subject& subject, const Pose& pose) {
+  const Drawing drawing = draw(subject, pose, TurnKey{}, InkView{});
+  const std::vector<glm::vec3>& lines = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+  const PartShape& skin = drawing.parts.front();
+  double most = 0;
+  std::size_t first = 0;
+  for (const InkStroke& stroke : subject.ink.strokes) {
+    if (stroke.rule.is_brow) continue;
+    for (std::size_t ring = first; ring < first + kStrokeVertices; ring += kStrokeSpokes) {
+      const glm::vec3 middle = 0.5f * (lines[ring] + lines[ring + kStrokeSpokes / 2]);
+      if (!stroke.fold) continue;
+      std::size_t nearest = 0;
+      for (std::size_t v = 0; v < subject.figure.head.skin.positions.size(); ++v)
+        if (glm::distance(skin.positions[v], middle) < glm::distance(skin.positions[nearest], middle))
+          nearest = v;
+      if (glm::dot(middle - skin.positions[nearest], skin.normals[nearest]) > -0.4f)
+        most =
+            std::max(most, static_cast<double>(glm::distance(lines[ring], lines[ring + kStrokeSpokes / 2])));
+    }
+    first += kStrokeVertices;
+  }
+  return most;
+}
+
+TEST(ink, creases_come_with_the_move_and_stay_with_age) {
+  const Pose frown = make_pose({{"brow.out", -1}, {"brow.up", -1}});
+  EXPECT_LT(measure_creases(comic(), Pose{}), 0.3) << "an adult at rest has no line";
+  EXPECT_GT(measure_creases(comic(), frown), 0.9);
+  HeadSpec old = make_spec("comic"), infant = old;
+  old.age = {{"old", 1.0}};
+  infant.age = {{"infant", 1.0}};
+  EXPECT_GT(measure_creases(build_subject(old), Pose{}), 0.4);
+  EXPECT_LT(measure_creases(build_subject(infant), frown), 0.3);
+}
+
+TEST(ink, lower_teeth_are_white_in_front_only) {
+  const Ink& ink = comic().ink;
+  const Part& teeth = ink.model.parts[find_part(ink.model, "teeth_lower")];
+  ASSERT_EQ(teeth.triangle_shade.size(), teeth.rest.triangles.size());
+  const float half_mm = compute_bounds(teeth.rest.positions).high.x;
+  std::size_t white = 0;
+  for (std::size_t t = 0; t < teeth.rest.triangles.size(); ++t) {
+    if (teeth.triangle_shade[t] != 0) continue;
+    ++white;
+    for (const std::uint32_t v : teeth.rest.triangles[t])
+      EXPECT_LT(std::abs(teeth.rest.positions[v].x), 0.8f * half_mm);
+  }
+  EXPECT_GT(4 * white, teeth.rest.triangles.size());
 }
 
 TEST(ink, a_scene_takes_all_of_it) {

@@ -9,6 +9,8 @@
 #include "config/pose_mix.hpp"
 #include "core/data.hpp"
 #include "core/pool.hpp"
+#include "head/cage.hpp"
+#include "head/form.hpp"
 #include "head/random_heads.hpp"
 #include "head/soundness.hpp"
 #include "shipped.hpp"
@@ -27,7 +29,31 @@ std::vector<SweepHead> list_sweep_heads() {
       spec.skull = {{skull, 1.0}};
       heads.push_back({fmt::format("{} {}{}", age, skull, index % 2 == 1 ? ", features" : ""), spec});
     }
+  for (const std::string design : {"comic", "manga", "caricature"})
+    for (const std::string& age : kAges) {
+      const auto index = static_cast<unsigned>(heads.size());
+      if (design != "comic" && index % 3 != 0) continue;
+      HeadSpec spec;
+      if (index % 2 == 1) spec = build_random_spec(index, shapes);
+      spec.age = {{age, 1.0}};
+      spec.design = {{design, 1.0}};
+      heads.push_back({fmt::format("{} {}{}", design, age, index % 2 == 1 ? ", features" : ""), spec});
+    }
   return heads;
+}
+
+namespace {
+
+bool is_drawn(const HeadSpec& spec) { return spec.design != HeadSpec{}.design; }
+
+}  // namespace
+
+std::vector<std::size_t> list_sweep_indices(bool wants_drawn) {
+  const std::vector<SweepHead> heads = list_sweep_heads();
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < heads.size(); ++i)
+    if (is_drawn(heads[i].spec) == wants_drawn) indices.push_back(i);
+  return indices;
 }
 
 Pose build_sweep_pose(unsigned seed, bool is_exaggerated) {
@@ -63,6 +89,46 @@ std::string describe_pose(const Pose& pose) {
 
 namespace {
 
+// The shipped stock, but no design has a lens, nor stretch.
+const HeadStock& plain_stock() {
+  static const HeadStock stock = [] {
+    HeadData data = *shipped().stock.head;
+    for (Design& design : data.designs)
+      for (auto& [age, numbers] : design.ages) {
+        numbers.lens_height = 1;
+        numbers.lens_flat = numbers.jaw_stretch = numbers.brow_stretch = 0;
+      }
+    HeadStock copy = shipped().heads;
+    copy.data = std::make_shared<const HeadData>(std::move(data));
+    return copy;
+  }();
+  return stock;
+}
+
+// What a drawn head's findings are divided by: its eyes and its mouth against the real head's.
+struct DrawnSizes {
+  double eye = 1, mouth = 1;
+};
+
+DrawnSizes measure_sizes(const HeadSpec& spec) {
+  HeadSpec real = spec;
+  real.design = HeadSpec{}.design;
+  const auto measure = [](const HeadSpec& one) {
+    const HeadForm form = build_form(plain_stock(), one);
+    return DrawnSizes{form.eye.radius_mm, form.points[find_point(plain_stock().adult, "M1_6")].x};
+  };
+  const DrawnSizes drawn = measure(spec), undrawn = measure(real);
+  return {drawn.eye / undrawn.eye, drawn.mouth / undrawn.mouth};
+}
+
+void scale_findings(const DrawnSizes& sizes, PoseFindings& findings) {
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
+    const std::string_view name = kPoseChecks[check].name;
+    if (name.find("lid") != name.npos || name.find("eye") != name.npos) findings[check].value /= sizes.eye;
+    if (name.find("lips") != name.npos) findings[check].value /= sizes.mouth;
+  }
+}
+
 void keep_worst(SweepTable& table, const PoseFindings& findings, std::size_t head, unsigned seed,
                 const NeutralHead& neutral) {
   for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
@@ -85,7 +151,9 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
   std::vector<PoseFindings> findings(size.within + size.exaggerated);
   std::array<SweepTable, 2> tables;
   for (const std::size_t head : heads) {
-    const Figure figure = build_figure(shipped().heads, all[head].spec);
+    const HeadSpec& spec = all[head].spec;
+    const Figure figure = build_figure(is_drawn(spec) ? plain_stock() : shipped().heads, spec);
+    const DrawnSizes sizes = is_drawn(spec) ? measure_sizes(spec) : DrawnSizes{};
     const PoseProbe probe = build_pose_probe(figure);
     const auto pose_of = [&](std::size_t i) {
       return std::pair(first + static_cast<unsigned>(i < size.within ? i : i - size.within),
@@ -95,6 +163,7 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
       const auto [seed, is_exaggerated] = pose_of(i);
       findings[i] =
           measure_pose(probe, build_sweep_pose(seed, is_exaggerated), buffers[worker], drawings[worker]);
+      scale_findings(sizes, findings[i]);
     });
     for (std::size_t i = 0; i < findings.size(); ++i) {
       const auto [seed, is_exaggerated] = pose_of(i);

@@ -8,12 +8,17 @@
 
 namespace mien {
 
-// Five ages times four skulls; every other head has every feature somewhere in its range.
+// Six ages times four skulls, and drawn heads of six ages; every other head has every feature somewhere in
+// its range. What is measured on a drawn head are shares of its own eyes and mouth, as millimetres of the
+// real head that it is drawn after, without the lens, which moves skin and parts alike.
 struct SweepHead {
   std::string name;
   HeadSpec spec;
 };
 std::vector<SweepHead> list_sweep_heads();
+
+// Those of real heads among them, or those of drawn ones, by their indices.
+std::vector<std::size_t> list_sweep_indices(bool is_drawn);
 
 // A pose within the limits: a third of them with a few areas, a third with some at their limits, a third with
 // all anywhere. One eye in three is shut. Poses with `is_exaggerated` go up to twice as far, as `exaggerate`

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "core/error.hpp"
+#include "core/monotone.hpp"
 #include "core/text.hpp"
 #include "head/cage.hpp"
 #include "places.hpp"
@@ -44,6 +45,19 @@ TEST(shapes, moved_guide_lines_are_measured_where_they_were_moved) {
 }
 
 // At half its strength, on the adult: no feature pulls against another, and none yields.
+// A ball that is made smaller looks out of its socket as far as before.
+TEST(shapes, the_front_of_the_eye_stays_where_it_is) {
+  const Cage& cage = shipped().heads.adult;
+  for (const double share : {0.7, 1.0, 1.2}) {
+    Warp warp;
+    warp.height = build_monotone_curve({{-300, -300}, {300, 300}});
+    warp.eye = share;
+    const HeadForm warped = apply_warp(cage, Eye{}, warp);
+    EXPECT_NEAR(warped.eye.radius_mm, share * Eye{}.radius_mm, 1e-9);
+    EXPECT_NEAR(warped.eye.centre.z + warped.eye.radius_mm, Eye{}.centre.z + Eye{}.radius_mm, 1e-9) << share;
+  }
+}
+
 TEST(shapes, features_move_their_points_by_what_the_table_says) {
   const HeadStock& stock = shipped().heads;
   const HeadShapes& shapes = shipped().stock.head->shapes.heads;
