@@ -52,6 +52,12 @@ struct HairTail {
   double radius_mm = 0, length_mm = 0, out_mm = 0;
 };
 
+// What a cut's locks are in ink: fewer and broader. 0 or less: as they are.
+struct HairInk {
+  int count = 0;
+  double width_mm = 0, longer = 1, mass = 0, jitter_deg = -1;
+};
+
 // templates/head/hair.yaml says what each number means.
 struct HairCut {
   std::string meaning;
@@ -66,6 +72,7 @@ struct HairCut {
   HairDown down;
   double bun_radius_mm = 0;
   HairTail tail;
+  HairInk ink;
 };
 
 // Part of a beard: how dense it is at named points of the cage's left half (0..1; nothing at all others), and

@@ -97,6 +97,16 @@ HairDown read_down(const DataTable& table) {
   return down;
 }
 
+HairInk read_ink(const DataTable& table) {
+  HairInk ink;
+  table.read_if("count", ink.count);
+  table.read_if("width", ink.width_mm);
+  table.read_if("longer", ink.longer);
+  table.read_if("mass", ink.mass);
+  table.read_if("jitter", ink.jitter_deg);
+  return ink;
+}
+
 HairCut read_cut(const DataTable& table, const PointNames& points) {
   HairCut cut;
   table.read("meaning", cut.meaning);
@@ -129,6 +139,7 @@ HairCut read_cut(const DataTable& table, const PointNames& points) {
     tail.read("length", cut.tail.length_mm);
     tail.read("out", cut.tail.out_mm);
   }
+  if (const YamlValue* ink = table.find("ink")) cut.ink = read_ink(DataTable(*ink));
   return cut;
 }
 

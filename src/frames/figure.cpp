@@ -213,7 +213,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
       [&] {
         if (!is_print && !is_ink) made[5] = build_skin_spots(figure.head, spec.look);
       },
-      [&] { made[4] = build_hair(figure.head, spec.hair, spec.look); },
+      [&] { made[4] = build_hair(figure.head, spec.hair, spec.look, is_ink); },
       [&] {
         if (!is_print && !is_ink) tints = list_hair_tints(figure.head, spec);
       },
@@ -226,7 +226,6 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
         made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
       }};
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
-  if (is_ink) std::erase_if(made[4], [](const HeadPart& part) { return part.part.name == "hair_fine"; });
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));

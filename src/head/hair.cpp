@@ -65,11 +65,26 @@ const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
   return found->second;
 }
 
+HairCut draw_cut(HairCut cut) {
+  const HairInk& ink = cut.ink;
+  if (ink.count > 0) cut.locks.count = ink.count;
+  if (ink.width_mm > 0) cut.locks.width_mm = ink.width_mm;
+  if (ink.mass > 0) cut.mass = ink.mass;
+  if (ink.jitter_deg >= 0) cut.comb.jitter_deg = ink.jitter_deg;
+  for (std::vector<double>* lengths :
+       {&cut.locks.length_mm.front, &cut.locks.length_mm.side, &cut.locks.length_mm.back})
+    for (double& length : *lengths) length *= ink.longer;
+  cut.down.count = 0;
+  return cut;
+}
+
 }  // namespace
 
-std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look) {
+std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look,
+                                 bool is_drawn) {
   if (name == "none") return {};
-  const HairScene scene = build_hair_scene(head, find_cut(head, name));
+  const HairCut& worn = find_cut(head, name);
+  const HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
   const glm::vec3 colour = compute_colour(scene, look);
   std::vector<HeadPart> parts;
   if (scene.cut.mass > 0) {

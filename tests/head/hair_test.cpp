@@ -83,11 +83,11 @@ TEST(hair, words_are_those_of_the_file_and_none) {
 }
 
 TEST(hair, is_none_unless_asked_for) {
-  EXPECT_TRUE(build_hair(adult(), HeadSpec{}.hair, Look{}).empty());
+  EXPECT_TRUE(build_hair(adult(), HeadSpec{}.hair, Look{}, false).empty());
   EXPECT_TRUE(build_beard(adult(), Look{}).empty());
   EXPECT_TRUE(paint_scalp(adult(), "none").empty());
   try {
-    build_hair(adult(), "mohawk", Look{});
+    build_hair(adult(), "mohawk", Look{}, false);
     FAIL();
   } catch (const RunError& e) {
     EXPECT_STREQ(e.what(), "templates/head/hair.yaml has no cut 'mohawk'");
@@ -107,7 +107,7 @@ TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
     const NeutralHead head = build(age, age == std::string_view("child") ? "square" : "average");
     for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
       const std::string what = std::string(age) + " " + name;
-      const std::vector<HeadPart> parts = build_hair(head, name, Look{});
+      const std::vector<HeadPart> parts = build_hair(head, name, Look{}, false);
       ASSERT_FALSE(parts.empty()) << what;
       for (const HeadPart& part : parts) expect_sound(head, part, what + " " + part.part.name);
       const HeadPart* mass = find_part(parts, "hair_mass");
@@ -120,10 +120,41 @@ TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
   }
 }
 
+// Of a lock: its ring that is broadest.
+double find_broadest_mm(const HeadPart& locks, const Binding& binding) {
+  double broadest = 0;
+  for (std::uint32_t i = 0; i + 1 < binding.count; i += 2)
+    broadest = std::max<double>(broadest, glm::distance(locks.part.rest.positions[binding.first + i],
+                                                        locks.part.rest.positions[binding.first + i + 1]));
+  return broadest;
+}
+
+TEST(hair, that_is_drawn_has_fewer_and_broader_locks) {
+  const auto list_widths = [](const HeadPart& locks) {
+    std::vector<double> widths;
+    for (const Binding& binding : locks.bindings) widths.push_back(find_broadest_mm(locks, binding));
+    std::ranges::sort(widths);
+    return widths;
+  };
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+    const std::vector<HeadPart> worn = build_hair(adult(), name, Look{}, false);
+    const std::vector<HeadPart> drawn = build_hair(adult(), name, Look{}, true);
+    for (const HeadPart& part : drawn) expect_sound(adult(), part, name + " " + part.part.name);
+    EXPECT_EQ(find_part(drawn, "hair_fine"), nullptr) << name;
+    if (cut.locks.count == 0) continue;
+    const std::vector<double> few = list_widths(*find_part(drawn, "hair")),
+                              many = list_widths(*find_part(worn, "hair"));
+    EXPECT_LT(2 * few.size(), many.size() + 240) << name;  // a knot's own locks are as they were
+    EXPECT_GT(few[few.size() / 2], 1.5 * many[many.size() / 2]) << name;
+    EXPECT_NE(find_part(drawn, "hair_mass"), nullptr) << name;
+  }
+}
+
 TEST(hair, keeps_within_its_share_of_a_frame) {
   for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
     std::size_t count = 0;
-    for (const HeadPart& part : build_hair(adult(), name, Look{})) count += part.part.rest.positions.size();
+    for (const HeadPart& part : build_hair(adult(), name, Look{}, false))
+      count += part.part.rest.positions.size();
     EXPECT_LT(count, 45000u) << name;
   }
 }
@@ -131,7 +162,7 @@ TEST(hair, keeps_within_its_share_of_a_frame) {
 TEST(hair, mirrors_itself_to_the_bit_where_it_is_not_parted) {
   int mirrored = 0;
   for (const auto& [name, cut] : shipped().stock.head->hair.cuts)
-    for (const HeadPart& part : build_hair(adult(), name, Look{})) {
+    for (const HeadPart& part : build_hair(adult(), name, Look{}, false)) {
       const bool is_mass = part.part.name == "hair_mass";
       const bool is_coil = cut.bun_radius_mm > 0 && part.part.name == "hair";  // a coil turns one way
       if ((!cut.is_mirrored && !is_mass) || is_coil) continue;
@@ -148,18 +179,19 @@ TEST(hair, never_falls_over_the_face) {
     const glm::vec3 brow = find_named_point(head, "E5_4"), corner = find_named_point(head, "E1_8");
     const glm::vec3 chin = find_named_point(head, "m12_D1");
     for (const auto& [name, cut] : shipped().stock.head->hair.cuts)
-      for (const HeadPart& part : build_hair(head, name, Look{})) {
-        int count = 0;
-        for (const glm::vec3& p : part.part.rest.positions)
-          if (p.z > corner.z - 5 && std::abs(p.x) < corner.x && p.y < brow.y && p.y > chin.y) ++count;
-        EXPECT_EQ(count, 0) << age << " " << name << " " << part.part.name;
-      }
+      for (const bool is_drawn : {false, true})
+        for (const HeadPart& part : build_hair(head, name, Look{}, is_drawn)) {
+          int count = 0;
+          for (const glm::vec3& p : part.part.rest.positions)
+            if (p.z > corner.z - 5 && std::abs(p.x) < corner.x && p.y < brow.y && p.y > chin.y) ++count;
+          EXPECT_EQ(count, 0) << age << " " << name << " " << part.part.name << " " << is_drawn;
+        }
   }
 }
 
 TEST(hair, ends_near_the_border_that_its_cut_names) {
   const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at("bob"));
-  const std::vector<HeadPart> parts = build_hair(adult(), "bob", Look{});
+  const std::vector<HeadPart> parts = build_hair(adult(), "bob", Look{}, false);
   const double chin = find_named_point(adult(), "m12_D1").y;
   float low = 1000;
   for (const glm::vec3& p : find_part(parts, "hair")->part.rest.positions) low = std::min(low, p.y);
@@ -190,7 +222,8 @@ TEST(hair, moves_little_when_age_moves_little) {
   const NeutralHead a = build_neutral_head(shipped().heads, young);
   const NeutralHead b = build_neutral_head(shipped().heads, older);
   for (const char* name : {"crop", "long", "ponytail"}) {
-    const std::vector<HeadPart> one = build_hair(a, name, Look{}), two = build_hair(b, name, Look{});
+    const std::vector<HeadPart> one = build_hair(a, name, Look{}, false),
+                                two = build_hair(b, name, Look{}, false);
     const Mesh &first = find_part(one, "hair_mass")->part.rest,
                &second = find_part(two, "hair_mass")->part.rest;
     ASSERT_EQ(first.positions.size(), second.positions.size());
