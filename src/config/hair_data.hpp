@@ -40,6 +40,7 @@ struct HairLocks {
   double width_mm = 5, tips_mm = 0, ragged = 0.3, root_band = 0, stand = 0, rise_mm = 10;
   double wave_mm = 0, wave_length_mm = 40, curl_mm = 0, curl_length_mm = 20;
   int rings = 9;
+  double widest = 0;  // of its length: no lock is wider; 0: as wide as they are
 };
 
 // Single hairs.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <map>
@@ -94,16 +95,55 @@ DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, 
 }
 
 // What a design makes the move larger by. The lids keep to the eye, and what lies between goes part of the
-// way.
-double find_point_gain(double gain, std::string_view name) {
-  const auto near_lid = [&](std::string_view ring) { return has_prefix(name, ring); };
-  if (near_lid("EB_") || near_lid("E0_") || near_lid("E1_") || near_lid("E2_")) return 1;
-  if (near_lid("E3_")) return 1 + 0.15 * (gain - 1);
-  return 1 + (near_lid("E4_") ? 0.55 : 1) * (gain - 1);
+// way; the mouth goes all of it, and the cheeks hardly: they would be pushed out of the drawn face.
+double find_point_gain(double gain, std::string_view area, std::string_view name) {
+  struct Share {
+    std::string_view beginning;
+    double share;
+  };
+  constexpr std::array kBrow{Share{"EB_", 0},    Share{"E0_", 0},    Share{"E1_", 0}, Share{"E2_", 0},
+                             Share{"E3_", 0.15}, Share{"E4_", 0.35}, Share{"", 1}};
+  constexpr std::array kMouth{Share{"MA", 0.85},  Share{"M5", 0.8},   Share{"M6", 0.6},
+                              Share{"M", 1},      Share{"E", 0},      Share{"q13", 0.4},
+                              Share{"q12", 0.35}, Share{"q11", 0.25}, Share{"", 0.15}};
+  const auto find = [&](const auto& shares) {
+    return std::ranges::find_if(shares, [&](const Share& one) { return has_prefix(name, one.beginning); })
+        ->share;
+  };
+  return 1 + (area == "brow" ? find(kBrow) : find(kMouth)) * (gain - 1);
 }
 
-void scale_field(const Cage& cage, double gain, Field& field) {
-  for (std::size_t i = 0; i < field.size(); ++i) field[i] *= find_point_gain(gain, cage.names[i]);
+void scale_field(const Cage& cage, double gain, std::string_view area, Field& field) {
+  for (std::size_t i = 0; i < field.size(); ++i) field[i] *= find_point_gain(gain, area, cage.names[i]);
+}
+
+// Flat lips have less room for their rings to move against each other: what each does beyond the line where
+// the lips meet shrinks as they did.
+struct LipRoom {
+  std::uint32_t point = 0, line = 0;
+  double share = 1;
+};
+
+std::vector<LipRoom> list_lip_rooms(const Cage& cage, const DesignNumbers& design) {
+  constexpr std::array<std::pair<std::string_view, double>, 3> kRings{
+      {{"M2_", 1}, {"M3_", 1}, {"M4_", 0.75}}};
+  std::vector<LipRoom> rooms;
+  if (design.lip_height == 1) return rooms;
+  for (std::uint32_t i = 0; i < cage.names.size(); ++i)
+    for (const auto& [ring, flat] : kRings)
+      if (has_prefix(cage.names[i], ring)) {
+        const std::string_view name = strip_side(cage.names[i]);
+        const std::uint32_t line = find_point(cage, "M1_" + std::string(name.substr(ring.size())));
+        rooms.push_back({i, name.size() == cage.names[i].size() ? line : cage.mirror[line],
+                         1 - (1 - design.lip_height) * flat});
+      }
+  return rooms;
+}
+
+void keep_lip_rooms(const std::vector<LipRoom>& rooms, Field& field) {
+  if (field.empty()) return;
+  for (const auto& [point, line, share] : rooms)
+    field[point] = field[line] + share * (field[point] - field[line]);
 }
 
 // Where a design lifts the corners of the mouth further, an open jaw takes it back: the mouth would tear.
@@ -116,7 +156,7 @@ std::optional<DrivenField> build_jaw_relief(const Cage& cage, const MoveTable& t
   if (!relief.mirror_drivers.empty()) relief.mirror_drivers.push_back(jaw);
   for (Field* field : {&relief.field, &relief.mirror_field})
     for (std::size_t i = 0; i < field->size(); ++i) {
-      const double own = find_point_gain(gain, cage.names[i]);
+      const double own = find_point_gain(gain, table.area, cage.names[i]);
       (*field)[i] *= -(own - 1) / own;
     }
   return relief;
@@ -147,7 +187,8 @@ std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& d
           DrivenField driven = build_move_field(solver, anchors, scales, table, sign);
           const double gain = get_gain(head.design, table.area, table.move, sign);
           if (gain != 1)
-            for (Field* field : {&driven.field, &driven.mirror_field}) scale_field(cage, gain, *field);
+            for (Field* field : {&driven.field, &driven.mirror_field})
+              scale_field(cage, gain, table.area, *field);
           return driven;
         });
   for (const CorrectiveTable& corrective : data.correctives)
@@ -168,6 +209,9 @@ std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& d
     if (!solver) solver = build_field_solver(cage);
     fields[i] = works[i](*solver);
   });
+  const std::vector<LipRoom> rooms = list_lip_rooms(cage, head.design);
+  for (DrivenField& field : fields)
+    for (Field* one : {&field.field, &field.mirror_field}) keep_lip_rooms(rooms, *one);
   std::size_t next = 0;
   std::vector<DrivenField> reliefs;
   for (const MoveTable& table : data.moves)
@@ -296,9 +340,13 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
 }
 
 double get_gain(const DesignNumbers& design, std::string_view area, std::string_view move, int sign) {
-  if (area == "brow") return move == "up" && sign > 0 ? design.brow_rise_gain : design.brow_gain;
-  if (area == "lips") return design.lips_gain;
-  return area == "corner" ? design.corner_gain : 1;
+  // What is drawn larger is the way up and down: sideways brows and corners have little room.
+  constexpr double kSideways = 0.35;
+  const double gain = area == "brow"     ? move == "up" && sign > 0 ? design.brow_rise_gain : design.brow_gain
+                      : area == "lips"   ? design.lips_gain
+                      : area == "corner" ? design.corner_gain
+                                         : 1;
+  return move == "out" ? 1 + kSideways * (gain - 1) : gain;
 }
 
 Face build_face(const NeutralHead& head) {

@@ -17,7 +17,8 @@ namespace mien {
 namespace {
 
 constexpr std::array kEdgeRings{"E0", "E1"};
-constexpr double kClear_mm = 0.1;  // of the inner edge off ball and cornea; at rest it may lie nearer
+constexpr double kClear_mm = 0.1;      // of the inner edge off ball and cornea; at rest it may lie nearer
+constexpr double kWideClear_mm = 0.4;  // of lids that a design opens wide: their columns lie further apart
 
 std::vector<LidRing> build_rings(const NeutralHead& head, const LidData& data) {
   const double size = head.eye.radius_mm / head.adult_eye.radius_mm;
@@ -63,7 +64,8 @@ void measure_edge(const LidRig& rig, const RingPoints& points, LidEdge& edge) {
   for (int column = 0; column < kLidColumns; ++column) {
     const glm::dvec3 on_skin = compute_on_skin(edge, column, points);
     const LidPlace place = find_place(rig, on_skin);
-    edge.clear_mm[column] = std::min(kClear_mm, compute_standoff_mm(rig.eye_numbers, rig.eye, on_skin));
+    edge.clear_mm[column] = std::min(std::lerp(kClear_mm, kWideClear_mm, rig.pairing),
+                                     compute_standoff_mm(rig.eye_numbers, rig.eye, on_skin));
     const auto set = [&](int row, LidRow& height, LidRow& along, LidRow& radius) {
       height[row] = place.height_rad;
       along[row] = place.along_mm;
@@ -82,6 +84,16 @@ LidRig build_lid_rig(const NeutralHead& head, const LidData& data) {
   rig.eye = head.eye;
   rig.eye_numbers = head.data->parts.eye;
   rig.rings = build_rings(head, data);
+  // Lids that a design opens wide meet on a line that falls steeply beside the corners: what differs a little
+  // in its place along it would miss the other.
+  constexpr double kWide = 0.5;
+  rig.pairing = std::clamp((head.design.eye_opening - 1) / kWide, 0.0, 1.0);
+  rig.least_gap_rad = data.least_gap_deg * kRadiansPerDegree;
+  rig.wide_rad = data.wide_deg * kRadiansPerDegree;
+  rig.raised_rad = data.raised_deg * kRadiansPerDegree;
+  rig.follow_up = data.follow_up;
+  rig.follow_down = data.follow_down;
+  rig.follow_lower = data.follow_lower;
   RingPoints rest;
   for (const LidRing& ring : rig.rings) rest.push_back(ring.rest);
   for (std::size_t e = 0; e < 2; ++e) rig.edges[e] = build_edge(head, rig.rings, kEdgeRings[e]);
@@ -100,12 +112,6 @@ LidRig build_lid_rig(const NeutralHead& head, const LidData& data) {
   rig.fold_forward = data.fold_forward;
   rig.taper = data.column_taper;
   rig.meeting = data.meeting;
-  rig.least_gap_rad = data.least_gap_deg * kRadiansPerDegree;
-  rig.wide_rad = data.wide_deg * kRadiansPerDegree;
-  rig.raised_rad = data.raised_deg * kRadiansPerDegree;
-  rig.follow_up = data.follow_up;
-  rig.follow_down = data.follow_down;
-  rig.follow_lower = data.follow_lower;
   return rig;
 }
 

@@ -28,6 +28,7 @@ double sample_row(const LidRow& along, const LidRow& row, double at) {
 struct EdgeAim {
   LidRow upper_turn{}, lower_turn{};
   LidRow upper_radius_mm{}, lower_radius_mm{};
+  LidRow upper_along_mm{}, lower_along_mm{};  // that it gains along the axis
 };
 
 // Gaze and the two lids first, then shutting as a share of the way to the line where the lids meet. Both
@@ -51,15 +52,20 @@ EdgeAim compute_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
     line[i] = glm::mix(low[i], sample_row(rest.upper_along_mm, up, at), rig.meeting);
     radius[i] = 0.5 * (radius[i] + sample_row(rest.upper_along_mm, rest.upper_radius_mm, at));
   }
-  EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm};
+  EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm, {}, {}};
   for (int i = 1; i < 8; ++i) {
-    const double at = rest.upper_along_mm[i];
-    const double height = sample_row(rest.lower_along_mm, line, at) + 0.5 * find_gap(i);
-    aim.upper_turn[i] = glm::mix(up[i], height, shut) - rest.upper_rad[i];
-    aim.lower_turn[i] = glm::mix(low[i], line[i] - 0.5 * find_gap(i), shut) - rest.lower_rad[i];
+    const double apart = 0.5 * rig.pairing * (rest.lower_along_mm[i] - rest.upper_along_mm[i]);
+    aim.upper_along_mm[i] = shut * apart;
+    aim.lower_along_mm[i] = -shut * apart;
+    const double at = rest.upper_along_mm[i] + apart, low_at = rest.lower_along_mm[i] - apart;
+    const double height = sample_row(rest.lower_along_mm, line, at),
+                 low_height = apart == 0 ? line[i] : sample_row(rest.lower_along_mm, line, low_at),
+                 low_radius = apart == 0 ? radius[i] : sample_row(rest.lower_along_mm, radius, low_at);
+    aim.upper_turn[i] = glm::mix(up[i], height + 0.5 * find_gap(i), shut) - rest.upper_rad[i];
+    aim.lower_turn[i] = glm::mix(low[i], low_height - 0.5 * find_gap(i), shut) - rest.lower_rad[i];
     aim.upper_radius_mm[i] =
         glm::mix(aim.upper_radius_mm[i], sample_row(rest.lower_along_mm, radius, at), shut);
-    aim.lower_radius_mm[i] = glm::mix(aim.lower_radius_mm[i], radius[i], shut);
+    aim.lower_radius_mm[i] = glm::mix(aim.lower_radius_mm[i], low_radius, shut);
   }
   return aim;
 }
@@ -105,6 +111,10 @@ LidPlace compute_shortfall(const LidRig& rig, std::size_t e, const EdgeAim& aim,
   shortfall.height_rad =
       (is_upper ? edge.upper_rad[row] + aim.upper_turn[row] : edge.lower_rad[row] + aim.lower_turn[row]) -
       now.height_rad;
+  if (rig.pairing > 0)
+    shortfall.along_mm = (is_upper ? edge.upper_along_mm[row] + aim.upper_along_mm[row]
+                                   : edge.lower_along_mm[row] + aim.lower_along_mm[row]) -
+                         now.along_mm;
   shortfall.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
   if (e == 0) {
     const glm::dvec3 looked = rig.eye.centre + eye_from_head * (on_skin - rig.eye.centre);
@@ -146,6 +156,7 @@ void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm:
         LidPlace place = find_place(rig, point);
         place.height_rad += kGain * shortfalls[e][i].height_rad;
         place.radius_mm += kGain * shortfalls[e][i].radius_mm;
+        place.along_mm += kGain * shortfalls[e][i].along_mm;
         point = compute_point_at(rig, place);
       }
   }
@@ -175,13 +186,15 @@ void keep_over(const LidRig& rig, const LidRing& lower, const LidRing& upper, co
 // The fold of the upper lid stays over the lid; the hood under the brow may hang down before the fold, but no
 // further than the skin between them reaches.
 void keep_fold(const LidRig& rig, Side side, std::vector<glm::dvec3>& points) {
-  constexpr double kHang_rad = 0.07;  // more turns the skin between hood and fold over, less lifts the brow
+  // More turns the skin between hood and fold over, less lifts the brow; where lids are opened wide they have
+  // drawn it tight.
+  const double hang_rad = std::lerp(0.07, 0.0, rig.pairing);
   const LidRing &fold = rig.rings[rig.fold_ring], &hood = rig.rings[rig.fold_ring + 1];  // E3, E4: by name
   keep_over(
       rig, rig.rings[rig.lid_ring], fold, [&](double room) { return room > 0 ? rig.fold_least * room : -1; },
       rig.fold_forward, side, points);
   keep_over(
-      rig, fold, hood, [](double room) { return std::min(room, 0.0) - kHang_rad; }, 0, side, points);
+      rig, fold, hood, [&](double room) { return std::min(room, 0.0) - hang_rad; }, 0, side, points);
 }
 
 }  // namespace

@@ -95,7 +95,8 @@ void set_material(const Look& look, Part& part) {
   };
   if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
   if (part.name == "teeth_lower") darken_sides(part);
-  if (part.name.starts_with("gum") || part.name == "lip_veil") flat(kInkMouth);
+  if (part.name == "gum_upper") flat({1, 0.985f, 0.95f});  // teeth are one white band
+  if (part.name == "gum_lower" || part.name == "lip_veil") flat(kInkMouth);
   if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;
@@ -273,9 +274,10 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;
   };
+  const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm), view.line_mm,
+                            ink.eye_size};
   for (const InkStroke& stroke : ink.strokes)
-    append_stroke(stroke, measure_amount(stroke), skin.positions, buffers.soft, view.line_mm, ink.eye_size,
-                  (stroke.rule.is_brow ? brows : lines).positions);
+    append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);
 
   skin.normals = buffers.tones;
   for (const auto& [from, to, share] : ink.cuts) {

@@ -65,6 +65,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "R:m10_D1", "R:m9_D1", "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",
                   "R:s2_D1",  "R:s3_C9", "R:s4_C7", "R:s4_C6"},
        .is_sided = false,
+       .is_ridge = true,
        .widths = {{0, 0.3}, {0.1, 0.6}, {0.5, 0.75}, {0.9, 0.6}, {1, 0.3}},
        .lift_mm = 0.2,
        .flat = 0.4}};
@@ -147,27 +148,27 @@ std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
   return triangles;
 }
 
-void append_stroke(const InkStroke& stroke, double amount, const std::vector<glm::vec3>& positions,
-                   const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
+void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& ground,
                    std::vector<glm::vec3>& vertices) {
   // A fold's stroke dives into the skin where it gets thinner than that, in lines: it grows from its middle,
   // and never is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
+  constexpr float kAside = 0.2f, kFaced = 0.4f;  // of a ridge: cosines of its normal's angle to the view
   const StrokeRule& rule = stroke.rule;
   const auto find_lift_mm = [&](double at) {
     if (!stroke.fold) return rule.lift_mm;
     return std::lerp(kDived_mm, rule.lift_mm,
                      smooth_step(kThin, kDrawn, amount * find_width(rule.widths, at)));
   };
-  const auto eye = static_cast<float>(eye_size * 13 / kBrowEye_mm);
+  const auto eye = static_cast<float>(ground.eye_size * 13 / kBrowEye_mm);
   std::vector<glm::vec3> line, ups;
   for (const auto& [from, to, share] : stroke.points) {
-    line.push_back(glm::mix(positions[from], positions[to], share));
-    ups.push_back(glm::normalize(glm::mix(normals[from], normals[to], share)));
+    line.push_back(glm::mix(ground.positions[from], ground.positions[to], share));
+    ups.push_back(glm::normalize(glm::mix(ground.normals[from], ground.normals[to], share)));
   }
   if (!stroke.facing.empty()) {
     glm::vec3 facing(0);
-    for (const std::uint32_t point : stroke.facing) facing += normals[point];
+    for (const std::uint32_t point : stroke.facing) facing += ground.normals[point];
     for (glm::vec3& up : ups) up = glm::normalize(0.3f * up + 0.8f * glm::normalize(facing));
   }
   if (rule.wing != glm::vec3(0)) {
@@ -186,8 +187,12 @@ void append_stroke(const InkStroke& stroke, double amount, const std::vector<glm
   }
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
-    const double unit = rule.is_brow ? eye_size * 13 / kBrowEye_mm : line_mm;
-    const auto half = static_cast<float>(std::max(0.02, unit * amount * find_width(rule.widths, at)));
+    const double unit = rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm;
+    const float shown =
+        rule.is_ridge
+            ? smooth_step(kAside, kFaced, glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])))
+            : 1.0f;
+    const auto half = static_cast<float>(std::max(0.02, unit * amount * shown * find_width(rule.widths, at)));
     const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
     const glm::vec3 across = glm::cross(along, lifts[i]);
     const float length = glm::length(across);

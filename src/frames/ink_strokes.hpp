@@ -18,7 +18,8 @@ struct StrokeRule {
   const char* name;
   std::vector<const char*> points;  // of the left half, or "R:..." of the right one; inner to outer
   bool is_sided = true;             // drawn on both sides
-  bool is_brow = false;             // in the brow's colour, its widths mm on an adult's eye of 16 mm
+  bool is_ridge = false;  // drawn where the skin faces the camera: beside an outline it would double it
+  bool is_brow = false;   // in the brow's colour, its widths mm on an adult's eye of 16 mm
   std::vector<StrokeWidth> widths;
   double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
   glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
@@ -52,10 +53,16 @@ inline constexpr int kStrokeSteps = 40, kStrokeSpokes = 8;
 inline constexpr std::size_t kStrokeVertices = std::size_t{kStrokeSteps} * kStrokeSpokes;
 std::vector<Triangle> list_stroke_triangles(std::uint32_t first);
 
-// Appends the vertices of a stroke on a skin; `line_mm` is a line's width there, `eye_size` that of the
-// head's eye; `amount` is how much there is of it, 0..1.
-void append_stroke(const InkStroke& stroke, double amount, const std::vector<glm::vec3>& positions,
-                   const std::vector<glm::vec3>& normals, double line_mm, double eye_size,
+// Where a stroke is drawn: on a skin of these points and unit normals, seen from `camera_mm`; `line_mm` is a
+// line's width there, `eye_size` that of the head's eye.
+struct StrokeGround {
+  const std::vector<glm::vec3>&positions, &normals;
+  glm::vec3 camera_mm{0, 0, 900};
+  double line_mm = 1, eye_size = 1;
+};
+
+// Appends the vertices of a stroke; `amount` is how much there is of it, 0..1.
+void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& ground,
                    std::vector<glm::vec3>& vertices);
 
 }  // namespace mien

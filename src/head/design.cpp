@@ -59,7 +59,7 @@ Measures measure(const Cage& cage, const HeadForm& form) {
 // Lower and flatter lips: their rings toward the mouth's line and back to the face.
 void warp_lips(const DesignNumbers& d, const Measures& m, std::string_view name, const glm::dvec3& v,
                glm::dvec3& p) {
-  constexpr std::array kLower{RingShare{"M0_", 0.3}, RingShare{"M1_", 0.5},  RingShare{"M2_", 1},
+  constexpr std::array kLower{RingShare{"M0_", 0.7}, RingShare{"M1_", 1},    RingShare{"M2_", 1},
                               RingShare{"M3_", 1},   RingShare{"M4_", 0.75}, RingShare{"M5_", 0.35}};
   constexpr std::array kBack{RingShare{"M1_", 0.5}, RingShare{"M2_", 0.9}, RingShare{"M3_", 1},
                              RingShare{"M4_", 0.6}};
@@ -182,15 +182,24 @@ std::vector<glm::dvec3> smooth_moves(const Cage& cage, const std::vector<glm::dv
   return solve_least_squares(problem, moves.size());
 }
 
+// Round as it is, and its points lie far apart: drawn tight it would get corners.
+bool is_cranium(std::string_view name) {
+  constexpr std::array kBack{"s5_", "s6_", "s7_", "s8_", "s9_"};
+  constexpr std::array kTop{"_F2", "_F3", "_F4"};
+  return std::ranges::any_of(kBack, [&](const char* column) { return has_prefix(name, column); }) ||
+         std::ranges::any_of(kTop, [&](const char* row) { return name.ends_with(row); });
+}
+
 // The skin between the features, drawn tight: each point some way toward the middle of its neighbours,
 // several times.
 void calm_skin(const Cage& adult, double calm, std::vector<glm::dvec3>& points) {
-  constexpr std::array kFeatures{
-      RingShare{"EB_", 0},   RingShare{"E0_", 0},  RingShare{"E1_", 0},   RingShare{"E2_", 0},
-      RingShare{"E3_", 0.3}, RingShare{"MB", 0},   RingShare{"M0_", 0},   RingShare{"M1_", 0},
-      RingShare{"M2_", 0},   RingShare{"M3_", 0},  RingShare{"M4_", 0.3}, RingShare{"MA_", 0.6},
-      RingShare{"n", 0},     RingShare{"k_", 0},   RingShare{"er", 0},    RingShare{"p_tip", 0},
-      RingShare{"p_it", 0},  RingShare{"p_cb", 0}, RingShare{"c1_", 0.3}, RingShare{"p_", 0.3}};
+  constexpr std::array kFeatures{RingShare{"EB_", 0},   RingShare{"E0_", 0},   RingShare{"E1_", 0},
+                                 RingShare{"E2_", 0},   RingShare{"E3_", 0.3}, RingShare{"MB", 0},
+                                 RingShare{"M0_", 0},   RingShare{"M1_", 0},   RingShare{"M2_", 0},
+                                 RingShare{"M3_", 0},   RingShare{"M4_", 0.3}, RingShare{"MA_", 0.6},
+                                 RingShare{"n", 0},     RingShare{"k_", 0},    RingShare{"er", 0},
+                                 RingShare{"p_tip", 0}, RingShare{"p_it", 0},  RingShare{"p_cb", 0},
+                                 RingShare{"c1_", 0.3}, RingShare{"p_", 0.3},  RingShare{"s4_", 0.3}};
   constexpr int kRounds = 5;
   if (calm <= 0) return;
   Cage cage = adult;
@@ -199,7 +208,8 @@ void calm_skin(const Cage& adult, double calm, std::vector<glm::dvec3>& points) 
   for (int round = 0; round < kRounds; ++round) {
     const std::vector<glm::dvec3> before = points;
     for (std::size_t i = 0; i < points.size(); ++i)
-      points[i] += 0.5 * calm * find_share(kFeatures, adult.names[i], 1) * sample_row(umbrellas[i], before);
+      if (!is_cranium(adult.names[i]))
+        points[i] += 0.5 * calm * find_share(kFeatures, adult.names[i], 1) * sample_row(umbrellas[i], before);
   }
   mirror_half(adult, points);
 }

@@ -66,6 +66,7 @@ const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
 }
 
 HairCut draw_cut(HairCut cut) {
+  constexpr double kWidest = 0.4;  // or the short ones beside the ears are blots
   const HairInk& ink = cut.ink;
   if (ink.count > 0) cut.locks.count = ink.count;
   if (ink.width_mm > 0) cut.locks.width_mm = ink.width_mm;
@@ -75,6 +76,7 @@ HairCut draw_cut(HairCut cut) {
        {&cut.locks.length_mm.front, &cut.locks.length_mm.side, &cut.locks.length_mm.back})
     for (double& length : *lengths) length *= ink.longer;
   cut.down.count = 0;
+  cut.locks.widest = kWidest;
   return cut;
 }
 

@@ -104,7 +104,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand strand = grow_strand(scene, roots[index], index);
     if (strand.points.empty()) continue;
-    const double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
+    double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
+    if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
     append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
                 index);
   }

@@ -281,5 +281,48 @@ TEST(face, gaze_and_jaw_turn_the_way_the_words_say) {
   EXPECT_LT(chin.z, 80);
 }
 
+// A drawn face and the same one with one dial as a real head has it.
+Subject build_comic(double DesignNumbers::*dial = nullptr) {
+  HeadSpec spec;
+  spec.design = {{"comic", 1}};
+  Subject subject;
+  subject.head = build_neutral_head(shipped().heads, spec);
+  if (dial != nullptr) subject.head.design.*dial = 1;
+  subject.face = build_face(subject.head);
+  return subject;
+}
+
+TEST(face, a_design_moves_the_mouth_further_and_the_cheeks_hardly) {
+  const Subject drawn = build_comic(), plain = build_comic(&DesignNumbers::corner_gain);
+  Pose pose;
+  set(pose, "corner", Side::left, "up", 1);
+  const auto measure_gain = [&](const char* point) {
+    return glm::length(travel(drawn, pose, point)) / glm::length(travel(plain, pose, point));
+  };
+  const double gain = drawn.head.design.corner_gain;
+  EXPECT_NEAR(measure_gain("M1_6"), gain, 0.1);
+  for (const char* cheek : {"q11_C3", "q10_C4", "s1_C5"}) {
+    EXPECT_GT(measure_gain(cheek), 1) << cheek;
+    EXPECT_LT(measure_gain(cheek), 1 + 0.3 * (gain - 1)) << cheek;
+  }
+}
+
+TEST(face, rings_of_flat_lips_move_against_each_other_as_much_less) {
+  const Subject flat = build_comic(), full = build_comic(&DesignNumbers::lip_height);
+  Pose pose;
+  set(pose, "lips", Side::none, "upper", 1);
+  const double share = flat.head.design.lip_height;
+  for (const char* column : {"_1", "_3", "_9"}) {
+    const auto measure = [&](const Subject& subject, const char* ring) {
+      return travel(subject, pose, (std::string(ring) + column).c_str());
+    };
+    for (const char* ring : {"M2", "M3"}) {
+      const glm::dvec3 own = measure(flat, ring) - measure(flat, "M1"),
+                       without = measure(full, ring) - measure(full, "M1");
+      EXPECT_LT(glm::distance(own, share * without), 0.02) << ring << column;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mien

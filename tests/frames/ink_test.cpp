@@ -210,6 +210,25 @@ TEST(ink, lines_are_as_wide_as_the_view_says) {
   EXPECT_NEAR(measure(other, brows), measure(one, brows), 1e-5);  // brows are as thick as they are
 }
 
+// How broad a stroke of the lines is in its middle.
+double measure_middle(const Subject& subject, const Drawing& drawing, std::string_view name) {
+  std::size_t first = 0;
+  for (const InkStroke& stroke : subject.ink.strokes) {
+    if (stroke.rule.name == name) break;
+    if (!stroke.rule.is_brow) first += kStrokeVertices;
+  }
+  const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+  const std::size_t ring = first + kStrokeSteps / 2 * kStrokeSpokes;
+  return glm::distance(p.at(ring), p.at(ring + kStrokeSpokes / 2));
+}
+
+TEST(ink, the_line_of_the_jaw_gives_way_to_the_outline) {
+  const Subject& subject = comic();
+  const InkView before{{0, 0, 900}, {0, 0, 1}, 1}, above{{0, 900, 300}, {0, 0, 1}, 1};
+  EXPECT_GT(measure_middle(subject, draw(subject, Pose{}, TurnKey{}, before), "jaw"), 0.6);
+  EXPECT_LT(measure_middle(subject, draw(subject, Pose{}, TurnKey{}, above), "jaw"), 0.05);
+}
+
 TEST(ink, is_the_same_on_both_sides_and_in_every_turn) {
   const Subject& subject = comic();
   const InkView view{{0, 0, 900}, {0, 0.6, 0.8}, 1};

@@ -158,8 +158,10 @@ TEST(head, random_heads_are_finite_and_not_folded) {
     const NeutralHead head = build_neutral_head(shipped().heads, spec);
     std::size_t flipped = 0;
     for (std::size_t f = 0; f < head.surface->quads.size(); ++f) {
-      const auto [a, b, c, d] = head.surface->quads[f];
-      const auto area = [&](const std::vector<glm::vec3>& p) { return glm::cross(p[c] - p[a], p[d] - p[b]); };
+      const auto& quad = head.surface->quads[f];
+      const auto area = [&](const std::vector<glm::vec3>& p) {
+        return glm::cross(p[quad[2]] - p[quad[0]], p[quad[3]] - p[quad[1]]);
+      };
       const glm::vec3 now = area(head.skin.positions);
       ASSERT_TRUE(std::isfinite(now.x + now.y + now.z));
       const glm::vec3 then = area(adult().skin.positions);
