@@ -77,6 +77,14 @@ struct BustMouth {
   glm::vec2 jaw_forward{0};  // (z, forward) at its limit
 };
 
+// The lens of head/lens.hpp on the print; a drawn head's.
+struct BustLens {
+  glm::dvec3 middle{0};  // of the left eye
+  double radius_mm = 1;
+  double taller = 0, full = 1, end = 2, flat = 0;
+  bool is_on = false;
+};
+
 // How far a cavity may reach for some thicknesses of its wall, the same in every pose: rows of places, one
 // above the other, in columns around each row's middle.
 struct CavityPlan {
@@ -110,7 +118,7 @@ struct PosableBust {
 
   std::vector<Triangle> triangles;  // open at the foot alone
   Loop foot;                        // the open edge; at rest its z is 0
-  std::vector<glm::vec3> rest;      // the neutral pose on its own stand
+  std::vector<glm::vec3> rest;      // the neutral pose on its own stand, before its lens
   std::vector<BustState> states;
   std::vector<BustMove> moves;
   std::vector<BustExpression> expressions;
@@ -119,6 +127,7 @@ struct PosableBust {
   std::array<BustEye, 2> eyes;  // left, right
   double gaze_side_rad = 0, gaze_up_rad = 0, gaze_down_rad = 0;  // at the limits
   BustMouth mouth;
+  BustLens lens;
 };
 
 }  // namespace mien

@@ -21,6 +21,14 @@ inline constexpr float kLeastSine = 1e-6f;  // of the angle to the gaze: on it t
 inline constexpr glm::vec2 kLightFrom{-0.16f, 0.34f}, kLightTo{-0.42f, 0.92f};
 inline constexpr float kLightSoft = 0.12f;  // from its width to nothing; less is a step that no layer shows
 
+// --- Lens of a drawn head (head/lens.cpp, templates/openscad/lens.scad) ---
+
+// In radii of the ball, from the middle of the eye.
+inline constexpr double kLensWide = 0.9, kLensAside = 2.1;     // to the side: all of the stretch, and none
+inline constexpr double kLensBehind = -1.2, kLensFront = 0.2;  // in depth: the back of the head stays
+inline constexpr double kLensForth = 0.55;                     // what stands further forth is flattened
+inline constexpr double kLensFar = 2.2;                        // in height: no further
+
 // --- Mouth (frames/bust_mouth.cpp, templates/openscad/bust.scad) ---
 
 inline constexpr float kDepthPerGap =

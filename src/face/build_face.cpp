@@ -341,12 +341,14 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
 
 double get_gain(const DesignNumbers& design, std::string_view area, std::string_view move, int sign) {
   // What is drawn larger is the way up and down: sideways brows and corners have little room.
-  constexpr double kSideways = 0.35;
+  // Sunken corners soon meet the chin.
+  constexpr double kSideways = 0.35, kFalling = 0.5;
   const double gain = area == "brow"     ? move == "up" && sign > 0 ? design.brow_rise_gain : design.brow_gain
                       : area == "lips"   ? design.lips_gain
                       : area == "corner" ? design.corner_gain
                                          : 1;
-  return move == "out" ? 1 + kSideways * (gain - 1) : gain;
+  const double share = move == "out" ? kSideways : area == "corner" && sign < 0 ? kFalling : 1;
+  return 1 + share * (gain - 1);
 }
 
 Face build_face(const NeutralHead& head) {

@@ -250,6 +250,7 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size) {
   const Loop& chest = edges[compute_chest(figure.head.skin, edges)];
   const ChestBox foot = measure_chest(chest, figure.head.skin.positions);
   body.stand = size.stand;
+  body.lens = build_lens(figure.head);
   body.origin = foot.middle;
   if (size.stand == Stand::flat) body.origin.y = compute_flat_y(foot);
   body.print_per_head = float(size.figure_mm) / (box.high.y - body.origin.y);
@@ -257,6 +258,7 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size) {
   measure_carving(figure, size.whole_mm, mm_of_print, body);
   const Mesh all = build_all(figure, mm_of_print, body);
   thin_body(figure, size.triangles, all.triangles, body);
+  if (body.lens.is_on()) body.relax = build_bust_relax(body.triangles, list_fixed(body));
   return body;
 }
 
@@ -271,8 +273,33 @@ std::vector<bool> list_fixed(const BustBody& body) {
   return is_fixed;
 }
 
+std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose,
+                                      Stand stand) {
+  std::vector<glm::vec3> print = compute_print(body, place_all(body, figure, pose, stand));
+  if (body.lens.is_on())
+    relax_crossings(
+        body.relax, body.triangles, [&](std::vector<glm::vec3>& bent) { bend_print(body, bent); }, print);
+  return print;
+}
+
+std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose) {
+  return place_straight(body, figure, pose, body.stand);
+}
+
+void bend_print(const BustBody& body, std::vector<glm::vec3>& print) {
+  if (!body.lens.is_on()) return;
+  const double scale = body.print_per_head;
+  for (glm::vec3& p : print) {
+    const glm::dvec3 at = glm::dvec3(p.x, p.z, -p.y) / scale + glm::dvec3(body.origin),
+                     bent = (bend(body.lens, at) - glm::dvec3(body.origin)) * scale;
+    p = {bent.x, -bent.z, bent.y};
+  }
+}
+
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {
-  return compute_print(body, place_all(body, figure, pose, stand));
+  std::vector<glm::vec3> print = place_straight(body, figure, pose, stand);
+  bend_print(body, print);
+  return print;
 }
 
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose) {

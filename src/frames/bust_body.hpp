@@ -13,8 +13,10 @@
 #include "frames/bust_foot.hpp"
 #include "frames/bust_mouth.hpp"
 #include "frames/bust_patch.hpp"
+#include "frames/bust_relax.hpp"
 #include "frames/bust_slit.hpp"
 #include "frames/figure.hpp"
+#include "head/lens.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -41,7 +43,10 @@ struct BustBody {
   glm::vec3 origin{0};
   float print_per_head = 1;
 
-  std::vector<glm::vec3> thicker;  // of each kept vertex, mm of the print: what every pose adds; or empty
+  BustRelax relax;  // of a drawn head's
+  Lens lens;        // that all of it goes through at last
+  std::vector<glm::vec3>
+      thicker;  // of each kept vertex, mm of the print: what every pose adds before the lens; or empty
 
   std::shared_ptr<const Surface> surface;  // of the skin, as far as kept vertices need it
 
@@ -67,6 +72,14 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size);
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose);
 // The same on another stand than the body's, at the body's scale and from its origin.
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand);
+
+// The same before the lens: what formulas and sums of moves make.
+std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose,
+                                      Stand stand);
+std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose);
+
+// Through the lens: vertices of the print.
+void bend_print(const BustBody& body, std::vector<glm::vec3>& print);
 
 // Which kept vertices stay where formulas look for them: patches, their rims and the foot.
 std::vector<bool> list_fixed(const BustBody& body);

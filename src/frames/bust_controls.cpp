@@ -64,7 +64,7 @@ void add_moves(Work& work, double tolerance_mm) {
   ShapeRequest request;
   request.tolerance_mm = tolerance_mm;
   request.is_left_out = work.is_placed;
-  const PlaceVertices place = [&](const Pose& pose) { return place_bust(work.body, work.figure, pose); };
+  const PlaceVertices place = [&](const Pose& pose) { return place_straight(work.body, work.figure, pose); };
   const std::vector<double> nothing = list_slight_mm(work, kNothing_mm);
   for (MoveShapes& sampled : sample_move_shapes(place, work.controls.rest, request)) {
     BustMove& move = work.controls.moves.emplace_back();
@@ -98,7 +98,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
     for (std::size_t m = 0; m < kMoveCount; ++m)
       expression.values.push_back(std::clamp(pose.values[m], kMoves[m].low, kMoves[m].high));
     const Shape sum = sum_bust_states(work.controls, expression.values);
-    shapes[i] = place_bust(work.body, work.figure, pose);
+    shapes[i] = place_straight(work.body, work.figure, pose);
     states[i] = compute_offsets(sum, shapes[i], slight);
     const Pose held = apply_limits(work.figure.limits, pose);
     const std::size_t chin = find_move(Area::chin, Side::none, "down").value();
@@ -161,6 +161,18 @@ BustMouth compute_mouth(const BustBody& body, const Joint& jaw) {
   return mouth;
 }
 
+BustLens compute_lens(const BustBody& body) {
+  const Lens& lens = body.lens;
+  const glm::dvec3 middle = (lens.centre - glm::dvec3(body.origin)) * double(body.print_per_head);
+  return {{middle.x, -middle.z, middle.y},
+          lens.radius_mm * body.print_per_head,
+          lens.taller,
+          lens.full,
+          lens.end,
+          lens.flat,
+          true};
+}
+
 }  // namespace
 
 std::vector<glm::vec3> sum_bust_states(const PosableBust& controls, const std::vector<double>& values) {
@@ -187,12 +199,12 @@ std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
   bust.triangles = body.triangles;
   bust.foot = body.foot;
   bust.mm_per_head_mm = body.print_per_head;
-  bust.rest = place_bust(body, figure, Pose{});
+  bust.rest = place_straight(body, figure, Pose{});
   work.shapes.push_back(bust.rest);
   add_moves(work, tolerance_mm);
   add_expressions(work, expressions, slight_mm);
   const Stand other = body.stand == Stand::foot ? Stand::flat : Stand::foot;
-  Shape shape = place_bust(body, figure, Pose{}, other);
+  Shape shape = place_straight(body, figure, Pose{}, other);
   bust.other_stand = add_state(work, compute_offsets(bust.rest, shape, list_slight_mm(work, kNothing_mm)));
   bust.other_foot_mm = shape[body.foot.front()].z;
   work.shapes.push_back(std::move(shape));
@@ -203,6 +215,8 @@ std::vector<Shape> add_bust_controls(const BustBody& body, const Figure& figure,
   bust.gaze_side_rad = side.plus_rad;
   bust.gaze_up_rad = up.plus_rad;
   bust.gaze_down_rad = up.minus_rad;
+  if (body.lens.is_on()) bust.lens = compute_lens(body);
+  for (Shape& one : work.shapes) bend_print(body, one);
   return std::move(work.shapes);
 }
 

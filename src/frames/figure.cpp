@@ -238,7 +238,10 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
   figure.redraw = build_redraw(figure.head, figure.face);
-  if (is_print) figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;  // a print has one height
+  if (is_print) {  // has one height, and goes through its lens when all of it is carved
+    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;
+    figure.redraw.lens = {};
+  }
   if (figure.redraw.is_on()) redraw_rest(figure);
   return figure;
 }

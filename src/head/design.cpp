@@ -63,10 +63,12 @@ void warp_lips(const DesignNumbers& d, const Measures& m, std::string_view name,
                               RingShare{"M3_", 1},   RingShare{"M4_", 0.75}, RingShare{"M5_", 0.35}};
   constexpr std::array kBack{RingShare{"M1_", 0.5}, RingShare{"M2_", 0.9}, RingShare{"M3_", 1},
                              RingShare{"M4_", 0.6}};
+  constexpr double kCorner = 0.5;  // less at the very corner: its skin must not fold into it
   const double across = std::clamp(v.x / m.corner_x, 0.0, 1.0);
   const double line = glm::mix(m.mouth_y, m.corner_y, across);
-  p.y -= (v.y - line) * find_share(kLower, name) * (1 - d.lip_height);
-  p.z -= find_share(kBack, name) * (1 - d.lip_fullness) *
+  const double share = 1 - kCorner * smooth_step(0.7, 1.0, across);
+  p.y -= (v.y - line) * find_share(kLower, name) * (1 - d.lip_height) * share;
+  p.z -= find_share(kBack, name) * (1 - d.lip_fullness) * share *
          std::max(0.0, v.z - glm::mix(m.lips_z, m.corner_z, across));
 }
 

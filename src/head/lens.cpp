@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/print_numbers.hpp"
 #include "core/smooth.hpp"
 
 namespace mien {
@@ -14,20 +15,17 @@ Lens build_lens(const NeutralHead& head) {
 }
 
 glm::dvec3 bend(const Lens& lens, const glm::dvec3& point) {
-  constexpr double kWide = 0.9, kAside = 2.1;     // radii: all of the stretch, and none
-  constexpr double kBehind = -1.2, kFront = 0.2;  // the same in depth: the back of the head stays
-  constexpr double kForth = 0.55;                 // what stands further forth is flattened
   const double radius = lens.radius_mm;
   const double x = std::abs(std::abs(point.x) - lens.centre.x) / radius;
   const double y = (point.y - lens.centre.y) / radius, z = (point.z - lens.centre.z) / radius;
   const double up = std::abs(y);
-  if (x >= kAside || z <= kBehind || up >= lens.end) return point;
-  const double share = (1 - smooth_step(kWide, kAside, x)) * smooth_step(kBehind, kFront, z);
+  if (x >= kLensAside || z <= kLensBehind || up >= lens.end) return point;
+  const double share = (1 - smooth_step(kLensWide, kLensAside, x)) * smooth_step(kLensBehind, kLensFront, z);
   const double shift =
       lens.taller * (up < lens.full ? up : lens.full * (1 - smooth_step(lens.full, lens.end, up)));
-  const double near = share * (1 - smooth_step(kWide, 2.2, up));
+  const double near = share * (1 - smooth_step(kLensWide, kLensFar, up));
   return {point.x, point.y + std::copysign(radius * shift * share, y),
-          point.z - radius * lens.flat * std::max(0.0, z - kForth) * near};
+          point.z - radius * lens.flat * std::max(0.0, z - kLensForth) * near};
 }
 
 }  // namespace mien

@@ -189,6 +189,7 @@ std::string build_openscad_bust(const PosableBust& bust, const Templates& templa
   ScadValues base = list_scad_base();
   base["letters"] = bust.letters;
   ScadValues values = list_scad_carving();
+  const bool is_bent = bust.lens.is_on;
   values.merge(ScadValues{
       {"title", clean_title(bust.title, kUnsafe, kMaxTitleBytes)},
       {"height_mm", number(bust.height_mm)},
@@ -234,6 +235,9 @@ std::string build_openscad_bust(const PosableBust& bust, const Templates& templa
       {"skin_rows", list_scad_vertices(bust, 0, bust.eyes[0].grid.first)},
       {"chest_rows", list_scad_vertices(bust, chest, bust.rest.size())},
       {"triangles", list_scad_triangles(bust.triangles)},
+      {"straight", is_bent ? "q" : "p"},
+      {"bent", is_bent ? "let (p = bend(q)) " : ""},
+      {"lens", is_bent ? fill_template(templates, "openscad/lens.scad", list_scad_lens(bust.lens)) : ""},
       {"cavity", list_scad_cavity(bust.cavity)}});
   return fill_template(templates, "openscad/bust.scad", values);
 }

@@ -101,4 +101,20 @@ ScadValues list_scad_carving() {
           {"behind_lips", of_head(kBehindLips_mm)}};
 }
 
+ScadValues list_scad_lens(const BustLens& lens) {
+  return {{"lens_middle",
+           fmt::format("[{}, {}, {}]", number(lens.middle.x), number(lens.middle.y), number(lens.middle.z))},
+          {"lens_radius", number(lens.radius_mm)},
+          {"lens_taller", number(lens.taller)},
+          {"lens_full", number(lens.full)},
+          {"lens_end", number(lens.end)},
+          {"lens_flat", number(lens.flat)},
+          {"lens_wide", number(kLensWide)},
+          {"lens_aside", number(kLensAside)},
+          {"lens_behind", number(kLensBehind)},
+          {"lens_front", number(kLensFront)},
+          {"lens_forth", number(kLensForth)},
+          {"lens_far", number(kLensFar)}};
+}
+
 }  // namespace mien

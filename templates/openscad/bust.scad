@@ -186,11 +186,11 @@ module body() {
       let (high = rim_point(rims[0], c), low = rim_point(rims[1], c), gap = norm(high - low))
       for (t = mouth_rows(high, low, gap)) mouth_point(high, low, gap, t)];
 
-  // --- The body
+{{lens}}  // --- The body
 
-  figure = [for (p = concat(skin, eye_points(eyes[0], gaze_angle(0, left_gaze_move)),
+  figure = [for ({{straight}} = concat(skin, eye_points(eyes[0], gaze_angle(0, left_gaze_move)),
                             eye_points(eyes[1], gaze_angle(1, right_gaze_move)), mouth_points(mouth), chest))
-    [p[0] * growth, p[1] * growth, (p[2] - foot_mm) * growth + stand_mm]];
+    {{bent}}[p[0] * growth, p[1] * growth, (p[2] - foot_mm) * growth + stand_mm]];
   // --- One ring after the other: from the foot down the base, under it, up the drain, to the top of the hollow
 
   sides = len(foot);

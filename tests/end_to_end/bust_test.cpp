@@ -374,9 +374,7 @@ TEST(bust, colours_end_where_their_parts_end) {
   }
 }
 
-TEST(bust, openscad_poses_the_face_as_mien_does) {
-  const auto folder = make_folder("bust_pose");
-  const Figure figure = build_figure(shipped().heads, HeadSpec{});
+void expect_posed_alike(const Figure& figure, const std::filesystem::path& folder) {
   Pose laugh;
   for (const auto& [area, move, value] :
        {std::tuple{"chin", "down", 0.6}, std::tuple{"corner", "up", 0.9}, std::tuple{"lid", "lower", 0.6}})
@@ -414,6 +412,17 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
               c.bound_mm)
         << c.set;
   }
+}
+
+TEST(bust, openscad_poses_the_face_as_mien_does) {
+  expect_posed_alike(build_figure(shipped().heads, HeadSpec{}), make_folder("bust_pose"));
+}
+
+// Its lens too, with the gaze carved before it.
+TEST(bust, openscad_poses_a_drawn_face_as_mien_does) {
+  HeadSpec spec;
+  spec.design = {{"comic", 1.0}};
+  expect_posed_alike(build_figure(shipped().heads, spec, FigureUse::print), make_folder("bust_drawn"));
 }
 
 TEST(bust, openscad_hollows_it_and_labels_it_as_mien_does) {

@@ -4,8 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <random>
 
+#include "config/load_spec.hpp"
+#include "core/crossings.hpp"
 #include "frames/bust_controls.hpp"
 #include "places.hpp"
 #include "poses.hpp"
@@ -178,6 +181,81 @@ TEST(bust_body, other_heads_at_other_heights_are_closed) {
       EXPECT_GT(compute_volume_mm3(mesh), 0);
     }
   }
+}
+
+// Drawn heads.
+
+HeadSpec make_spec(const std::string& design) {
+  HeadSpec spec;
+  spec.design = {{design, 1.0}};
+  return spec;
+}
+
+TEST(bust_body, of_drawn_heads_never_passes_through_itself) {
+  const auto expressions =
+      load_expression_libraries(std::filesystem::path(source_folder()) / "configs/expressions");
+  HeadSpec woman = make_spec("comic"), child = woman, infant = make_spec("manga");
+  woman.character = -1;  // her lips cross at rest before they are relaxed
+  child.age = {{"child", 1.0}};
+  infant.age = {{"infant", 1.0}};
+  for (const HeadSpec& spec : {woman, child, infant}) {
+    const Figure figure = build_figure(shipped().heads, spec, FigureUse::print);
+    BustSize size;
+    size.triangles = 30000;
+    const BustBody body = build_bust_body(figure, size);
+    for (const Expression& expression : expressions) {
+      if (expression.library != "mien") continue;
+      EXPECT_TRUE(find_crossings(place_bust(body, figure, expression.pose), body.triangles).empty())
+          << spec.age.begin()->first << ' ' << expression.name;
+    }
+  }
+}
+
+TEST(bust_body, goes_through_the_lens_when_all_is_carved) {
+  const Figure figure = build_figure(shipped().heads, make_spec("comic"), FigureUse::print);
+  const BustBody body = build_bust_body(figure, {});
+  const Pose pose = build_pose({{"eye", "side", 0.5}});
+  const std::vector<glm::vec3> straight = place_straight(body, figure, pose),
+                               print = place_bust(body, figure, pose);
+  const auto measure = [](const std::vector<glm::vec3>& points, const Patch& patch) {
+    Box box{glm::vec3(1e9f), glm::vec3(-1e9f)};
+    for (std::uint32_t v = patch.first; v < patch.first + patch.vertex_count(); ++v) {
+      box.low = glm::min(box.low, points[v]);
+      box.high = glm::max(box.high, points[v]);
+    }
+    return box.high.z - box.low.z;
+  };
+  for (const Patch& eye : body.eyes) EXPECT_GT(measure(print, eye), 1.25 * measure(straight, eye));
+  for (const std::uint32_t v : body.foot) EXPECT_EQ(print[v], straight[v]);
+  EXPECT_EQ(place_bust(adult_body(), adult(), pose), place_straight(adult_body(), adult(), pose));
+}
+
+TEST(bust_relax, moves_what_crosses_and_nothing_else) {
+  // A strip of a sheet, one vertex of which was pulled through it, far from a corner that stays.
+  Mesh mesh;
+  constexpr std::uint32_t kSide = 12;
+  for (std::uint32_t y = 0; y < kSide; ++y)
+    for (std::uint32_t x = 0; x < kSide; ++x)
+      mesh.positions.emplace_back(float(x), float(y), 0.02f * float((x * 7 + y * 3) % 5));
+  for (std::uint32_t y = 0; y + 1 < kSide; ++y)
+    for (std::uint32_t x = 0; x + 1 < kSide; ++x) {
+      const std::uint32_t a = y * kSide + x;
+      mesh.triangles.push_back({a, a + 1, a + kSide + 1});
+      mesh.triangles.push_back({a, a + kSide + 1, a + kSide});
+    }
+  const std::uint32_t pulled = 3 * kSide + 3, fixed = 1 * kSide + 3;
+  mesh.positions[pulled] = {5.6f, 3.3f, 0.04f};
+  std::vector<bool> is_fixed(mesh.positions.size(), false);
+  is_fixed[fixed] = true;
+  const BustRelax relax = build_bust_relax(mesh.triangles, is_fixed);
+  std::vector<glm::vec3> positions = mesh.positions;
+  ASSERT_FALSE(find_crossings(positions, mesh.triangles).empty());
+  relax_crossings(
+      relax, mesh.triangles, [](std::vector<glm::vec3>&) {}, positions);
+  EXPECT_TRUE(find_crossings(positions, mesh.triangles).empty());
+  EXPECT_EQ(positions[fixed], mesh.positions[fixed]);
+  for (const std::uint32_t far : {kSide * kSide - 1, kSide - 1, 11 * kSide})
+    EXPECT_EQ(positions[far], mesh.positions[far]);
 }
 
 // Controls.
