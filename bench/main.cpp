@@ -21,6 +21,7 @@
 #include "core/pool.hpp"
 #include "core/text.hpp"
 #include "frames/figure.hpp"
+#include "frames/ink.hpp"
 #include "frames/resources.hpp"
 #include "poses.hpp"
 #include "render/process.hpp"
@@ -116,6 +117,21 @@ void measure_heads_and_scenes(const fs::path& data, const fs::path& folder) {
       "heads deformed", fmt::format("{:.0f} /s", heads),
       fmt::format("one core; {} vertices of skin, {} with hairs, all moves, normals included (target 400)",
                   figure.folds.skin.vertex_count(), all));
+
+  HeadSpec comic;
+  comic.design = {{"comic", 1}};
+  const Figure drawn = build_figure(resources.heads, comic, FigureUse::ink);
+  const Ink ink = build_ink(drawn, comic);
+  InkBuffers ink_buffers;
+  const double bent =
+      measure_rate([&](int i) { deform_figure(drawn, poses[i % kPoses], {}, buffers, drawing); });
+  const double inked = measure_rate([&](int i) {
+    deform_figure(drawn, poses[i % kPoses], {}, buffers, drawing);
+    draw_ink(ink, poses[i % kPoses], {}, ink_buffers, drawing);
+  });
+  print_row(
+      "drawn heads deformed", fmt::format("{:.0f} /s", bent),
+      fmt::format("through lens and gains (target 500); {:.0f} with outlines, tones and strokes", inked));
 
   measure_blender(folder, figure.folds.skin.vertex_count());
 

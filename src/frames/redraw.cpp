@@ -22,7 +22,8 @@ double get_value(const Pose& pose, std::string_view area, Side side, std::string
 }
 
 glm::dvec3 stretch_point(const Redraw& redraw, double stretch, const glm::dvec3& p) {
-  const double share = stretch * smooth_step(redraw.floor_mm, redraw.chin_mm, p.y);
+  const double share =
+      p.y >= redraw.chin_mm ? stretch : stretch * smooth_step(redraw.floor_mm, redraw.chin_mm, p.y);
   return {p.x * (1 - kThinner * share), redraw.floor_mm + (p.y - redraw.floor_mm) * (1 + stretch),
           p.z * (1 - kFlatter * share)};
 }
@@ -106,11 +107,17 @@ void redraw_part(const Redraw& redraw, double stretch, const Mesh& rest, const g
                  const glm::dmat4& turned, PartShape& shape) {
   constexpr double kStep_mm = 0.05;  // along the surface, to see how its normal turns
   const glm::dmat3 axes(head_from_rest), world(turned);
+  const glm::dvec3 evenly(1 - kThinner * stretch, 1 + stretch, 1 - kFlatter * stretch);
   shape.positions.resize(rest.positions.size());
   shape.normals.resize(rest.positions.size());
   for (std::size_t i = 0; i < rest.positions.size(); ++i) {
     const glm::dvec3 p(head_from_rest * glm::dvec4(glm::dvec3(rest.positions[i]), 1));
     const glm::dvec3 normal = axes * glm::dvec3(rest.normals[i]);
+    if (p.y >= redraw.chin_mm && bend(redraw.lens, p) == p) {  // out of its reach, and stretched evenly
+      shape.positions[i] = glm::vec3(turned * glm::dvec4(stretch_point(redraw, stretch, p), 1));
+      shape.normals[i] = glm::vec3(world * glm::normalize(normal / evenly));
+      continue;
+    }
     const glm::dvec3 aside = std::abs(normal.x) < 0.7 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     const glm::dvec3 one = glm::normalize(glm::cross(aside, normal)), other = glm::cross(normal, one);
     const glm::dvec3 at = redraw_point(redraw, stretch, p);

@@ -9,6 +9,7 @@ namespace mien {
 struct Lens {
   glm::dvec3 centre{0};  // of the left eye, mm; the right one's is its mirror image
   double radius_mm = 1;
+  double per_radius = 1;
   double taller = 0, full = 1, end = 2, flat = 0;  // dials of DesignNumbers; 0 changes nothing
 
   bool is_on() const { return taller > 1e-9 || flat > 1e-9; }
