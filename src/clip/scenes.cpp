@@ -2,13 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "clip/staging.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
 #include "core/text.hpp"
-#include "frames/place.hpp"
 #include "render/process.hpp"
-#include "timeline/parts.hpp"
 
 namespace mien {
 
@@ -31,8 +30,7 @@ std::string hash_settings(const std::string& include, const RenderSpec& render) 
 }
 
 struct SceneBuffers {
-  DeformBuffers deform;
-  InkBuffers ink;
+  DrawBuffers draw;
   Drawing drawing;
   std::string text;
 };
@@ -41,35 +39,9 @@ struct SceneBuffers {
 void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose, const InkView& view,
                    SceneBuffers& buffers) {
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
-    Moment moment{};
-    if (pose)
-      moment.pose = *pose;
-    else
-      moment = sample_performance(heads.performances[i], time_s);
-    deform_figure(*heads.figures[i], moment.pose, moment.turn, buffers.deform, buffers.drawing);
-    place_drawing(heads.places[i], buffers.drawing);
-    const DrawnFigure& figure = *heads.figures[i];
-    if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, buffers.drawing);
-    append_povray_figure(buffers.text, figure.get_drawn_model(), buffers.drawing);
+    draw_actor(heads, i, time_s, pose, view, buffers.draw, buffers.drawing);
+    append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawing);
   }
-}
-
-// What of templates/povray the clip's keys name.
-StageSets list_sets(const ClipSpec& clip) {
-  StageSets sets;
-  for (const LightKey& key : clip.light) sets.lights.insert(key.set);
-  for (const BackgroundKey& key : clip.background)
-    if (!key.colour) sets.backgrounds.insert(key.name);
-  return sets;
-}
-
-FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
-                       const StageMoment& stage) {
-  const bool is_ink = clip.spec.render.style == Style::ink;  // which has one lamp of its own
-  return {{},
-          is_ink ? std::vector<LightShare>{} : stage.lights,
-          stage.backgrounds,
-          compute_view(cast.framing, camera, stage, clip.spec.render)};
 }
 
 // The heads of one group of drawings, and the file of those parts that are not in head.inc.
@@ -176,11 +148,7 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
   append_povray_start(buffers.text, start);
   append_actors(heads, still.time_s, still.pose, compute_ink_view(start.view, clip.spec.render), buffers);
   scene.text = std::move(buffers.text);
-  for (const Performance& performance : heads.performances) {
-    if (still.pose) break;
-    const std::vector<Held> held = list_held_at(performance, still.time_s);
-    scene.held.insert(scene.held.end(), held.begin(), held.end());
-  }
+  scene.held = list_still_held(heads, still);
   return scene;
 }
 

@@ -2,11 +2,10 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "clip/cast.hpp"
+#include "clip/staging.hpp"
 #include "render/driver.hpp"
 
 namespace mien {
@@ -26,15 +25,7 @@ struct WrittenScene {
 std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
                                        int jobs, const SceneWritten& written);
 
-// One picture: the heads of a time, what they do, and the camera.
-struct Still {
-  double time_s = 0;
-  std::optional<Pose> pose;  // instead of what they do then
-  CameraKey camera;
-  StageMoment stage;
-};
-
-// Its scene as one text, which includes a head.inc with the other text, and what limits hold back in it: not
+// A still's scene as one text, which includes a head.inc with the other text, and what limits hold back in it: not
 // of `pose`.
 struct StillScene {
   std::string text, include;

@@ -56,10 +56,13 @@ std::string read_size(const std::string& text, Options& options) {
 }
 
 std::string read_quality(const std::string& text, Options& options) {
+  if (text == "sketch") options.quality = Quality::sketch;
   if (text == "draft") options.quality = Quality::draft;
   if (text == "good") options.quality = Quality::good;
   if (text == "best") options.quality = Quality::best;
-  return options.quality ? "" : "is not draft, good or best" + suggest(text, {"draft", "good", "best"});
+  return options.quality
+             ? ""
+             : "is not sketch, draft, good or best" + suggest(text, {"sketch", "draft", "good", "best"});
 }
 
 std::string read_jobs(const std::string& text, Options& options) {

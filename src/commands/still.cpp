@@ -2,6 +2,7 @@
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
+#include "clip/sketches.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
@@ -39,28 +40,49 @@ Still stage_still(const Options& options, Clip& clip, std::vector<Held>& held) {
   return still;
 }
 
+void report_still(const Options& options, const Clip& clip, const Resources& resources, std::vector<Held> held,
+                  const std::vector<Held>& more) {
+  held.insert(held.end(), more.begin(), more.end());
+  report_starts(options, list_heads(clip), resources.heads);
+  report_held(options, std::move(held));
+}
+
+void render_still(const Options& options, const Clip& clip, const Cast& cast, const Still& still,
+                  const Resources& resources, std::vector<Held> held, const std::filesystem::path& picture) {
+  const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
+  const StillScene scene = build_still_scene(clip, cast, still, resources);
+  report_still(options, clip, resources, std::move(held), scene.held);
+  write_file(work.path / "still.pov", scene.text);
+  write_file(work.path / "head.inc", scene.include);
+  render_frames({{1, work.path / "still.pov", picture, ""}}, list_settings(clip.spec.render, {work.path}, 1),
+                [](int, bool) {});
+}
+
+void write_sketch(const Options& options, const Clip& clip, const Cast& cast, const Still& still,
+                  const Resources& resources, std::vector<Held> held, const std::filesystem::path& picture) {
+  const SketchedStill sketched = sketch_still(clip, cast, still, resources);
+  report_still(options, clip, resources, std::move(held), sketched.held);
+  write_file(picture, build_png(sketched.picture));
+}
+
 void run_still(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   Clip clip = open_clip(options, *resources.stock.language);
   std::vector<Held> held;
   const Still still = stage_still(options, clip, held);
   const OutputFile output =
-      find_output_file(options, std::filesystem::path("out") / clip.spec.name / "still.png");
+      find_output_file(options, std::filesystem::path("out") / clip.spec.name /
+                                    (is_sketch(clip.spec.render) ? "still_sketch.png" : "still.png"));
   check_ending(output, "picture", {".png"});
   check_output_files({output}, clip.spec);
-  require_programs({{"povray", "povray"}});
+  if (!is_sketch(clip.spec.render)) require_programs({{"povray", "povray"}});
   const Cast cast = build_cast(clip, resources.heads);
   const std::filesystem::path& picture = output.path;
   remove_left_parts_of(picture);
-  const WorkFolder work(picture.has_parent_path() ? picture.parent_path() : ".");
-  const StillScene scene = build_still_scene(clip, cast, still, resources);
-  held.insert(held.end(), scene.held.begin(), scene.held.end());
-  report_starts(options, list_heads(clip), resources.heads);
-  report_held(options, std::move(held));
-  write_file(work.path / "still.pov", scene.text);
-  write_file(work.path / "head.inc", scene.include);
-  render_frames({{1, work.path / "still.pov", picture, ""}}, list_settings(clip.spec.render, {work.path}, 1),
-                [](int, bool) {});
+  if (is_sketch(clip.spec.render))
+    write_sketch(options, clip, cast, still, resources, std::move(held), picture);
+  else
+    render_still(options, clip, cast, still, resources, std::move(held), picture);
   report_result(options, "picture", picture);
 }
 

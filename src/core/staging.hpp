@@ -7,7 +7,7 @@
 
 namespace mien {
 
-enum class Quality { draft, good, best };
+enum class Quality { sketch, draft, good, best };
 
 // How a picture is drawn: lit as in a studio, in ink, or as a plaster cast.
 enum class Style { studio, ink, plaster };
@@ -20,6 +20,9 @@ struct RenderSpec {
   double line = 1;  // how thick ink's lines are
   bool is_background_given = false, is_style_given = false;
 };
+
+// Whether mien draws it itself instead of POV-Ray.
+inline bool is_sketch(const RenderSpec& render) { return render.quality == Quality::sketch; }
 
 // What lies behind ink where nothing is said of it.
 inline constexpr const char* kInkGround = "sun";

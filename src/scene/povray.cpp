@@ -125,13 +125,6 @@ void check_part(const Part& part) {
   if (part.is_rigid && part.rest.normals.size() != count) fail_part(part, "has not one normal a vertex");
 }
 
-// A shade as a call of its material's macro.
-std::string format_texture(const Part& part, const Shade& shade) {
-  std::string colour;
-  append_numbers(colour, shade.srgb, kColourDecimals);
-  return fmt::format("{}_texture(srgb <{}>, {})", part.material, colour, format_number(shade.gloss, 3));
-}
-
 // The grain as uv_vectors: POV-Ray's uv_mapping then bends a pattern with the skin. z is not in it.
 void append_grain(std::string& text, const std::vector<glm::vec2>& grain) {
   text += fmt::format("uv_vectors {{ {}", grain.size());
@@ -154,7 +147,7 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
   const bool is_shaded = is_faced || (!part.shade.empty() && part.palette.size() > 1);
   if (is_shaded) {
     text += fmt::format("texture_list {{ {}", part.palette.size());
-    for (const Shade& shade : part.palette) text += fmt::format(",\n{}", format_texture(part, shade));
+    for (const Shade& shade : part.palette) text += fmt::format(",\n{}", format_povray_texture(part, shade));
     text += " }\n";
   }
   if (!part.is_outline) text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
@@ -171,7 +164,7 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
   }
   if (!part.is_outline) text += " }\n";
   if (!is_shaded)
-    text += fmt::format("{}\n", format_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
+    text += fmt::format("{}\n", format_povray_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
   if (part.wear > 0) text += "#declare Wear = 0;\n";
   if (has_object_macro) text += fmt::format("{}_object()\n", part.material);
 }
@@ -222,6 +215,12 @@ void append_camera(std::string& text, const CameraView& view) {
 }
 
 }  // namespace
+
+std::string format_povray_texture(const Part& part, const Shade& shade) {
+  std::string colour;
+  append_numbers(colour, shade.srgb, kColourDecimals);
+  return fmt::format("{}_texture(srgb <{}>, {})", part.material, colour, format_number(shade.gloss, 3));
+}
 
 double compute_camera_distance_mm(const CameraView& view) {
   return kLensDistance_mm * (view.lens_mm / kPortraitLens_mm) * view.frame_height_mm /

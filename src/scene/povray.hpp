@@ -57,6 +57,9 @@ struct Overlay {
 // How far the camera stands from the middle of the framed box at distance 1, mm.
 double compute_camera_distance_mm(const CameraView& view);
 
+// A colour of a part's palette as a call of its material's macro.
+std::string format_povray_texture(const Part& part, const Shade& shade);
+
 // Each part's shades, faces and (for rigid parts) vertices, as frames refer to them by the parts' names. A
 // material is the macro NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds
 // words to the object, such as no_shadow. Throws RunError on an unknown material and a part that does not fit

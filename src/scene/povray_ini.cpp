@@ -19,6 +19,7 @@ std::string quote_ini(const std::filesystem::path& path) {
 // Measured at 480 x 600 on one core, reading the scene included: 1.4, 3.8 and 10.3 seconds a frame.
 PovrayQuality find_povray_quality(Quality quality) {
   switch (quality) {
+    case Quality::sketch:  // which is not POV-Ray's; its text is read, and these numbers are not
     case Quality::draft:
       return {1, 0, "0.2", 2};
     case Quality::good:

@@ -1,0 +1,48 @@
+#include "clip/staging.hpp"
+
+#include "frames/place.hpp"
+#include "timeline/parts.hpp"
+
+namespace mien {
+
+std::vector<Held> list_still_held(const Heads& heads, const Still& still) {
+  std::vector<Held> all;
+  for (const Performance& performance : heads.performances) {
+    if (still.pose) break;
+    const std::vector<Held> held = list_held_at(performance, still.time_s);
+    all.insert(all.end(), held.begin(), held.end());
+  }
+  return all;
+}
+
+StageSets list_sets(const ClipSpec& clip) {
+  StageSets sets;
+  for (const LightKey& key : clip.light) sets.lights.insert(key.set);
+  for (const BackgroundKey& key : clip.background)
+    if (!key.colour) sets.backgrounds.insert(key.name);
+  return sets;
+}
+
+FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
+                       const StageMoment& stage) {
+  const bool is_ink = clip.spec.render.style == Style::ink;  // which has one lamp of its own
+  return {{},
+          is_ink ? std::vector<LightShare>{} : stage.lights,
+          stage.backgrounds,
+          compute_view(cast.framing, camera, stage, clip.spec.render)};
+}
+
+void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,
+                const InkView& view, DrawBuffers& buffers, Drawing& drawing) {
+  const DrawnFigure& figure = *heads.figures[actor];
+  Moment moment{};
+  if (pose)
+    moment.pose = *pose;
+  else
+    moment = sample_performance(heads.performances[actor], time_s);
+  deform_figure(figure, moment.pose, moment.turn, buffers.deform, drawing);
+  place_drawing(heads.places[actor], drawing);
+  if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, drawing);
+}
+
+}  // namespace mien

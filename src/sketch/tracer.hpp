@@ -1,0 +1,59 @@
+// The triangles of one picture, and where rays meet them.
+#pragma once
+
+#include <embree3/rtcore.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "sketch/light.hpp"
+#include "sketch/sketch.hpp"
+
+namespace mien {
+
+struct SketchRay {
+  glm::vec3 from{0}, direction{0};  // of length 1
+  float near = 0;                   // mm: what is nearer is not met
+};
+
+struct SketchHit {
+  static constexpr std::uint32_t kNone = RTC_INVALID_GEOMETRY_ID;
+  std::uint32_t part = kNone, triangle = 0;
+  float u = 0, v = 0, along_mm = 0;
+};
+
+struct TracedPart {
+  const Part* part = nullptr;
+  const SketchPart* look = nullptr;
+  const std::vector<Triangle>* triangles = nullptr;
+  std::vector<glm::vec3> positions, normals;  // POV-Ray's space; positions have one more, which is none
+};
+
+struct SketchTracer {
+  SketchTracer();
+  SketchTracer(const SketchTracer&) = delete;
+  SketchTracer& operator=(const SketchTracer&) = delete;
+  ~SketchTracer();
+
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+  std::vector<TracedPart> parts;  // of all figures, one after the other
+  std::vector<float> visible;     // of the lamps, for one surface at a time
+};
+
+// Makes the scene anew.
+void set_figures(SketchTracer& tracer, const std::vector<SketchFigure>& figures);
+
+SketchHit find_hit(const SketchTracer& tracer, const SketchRay& ray);
+
+// Eight at once; their directions should be near each other.
+void find_hits(const SketchTracer& tracer, const SketchRay* rays, SketchHit* hits);
+
+// Whether something stands between a surface and a place.
+bool is_hidden(const SketchTracer& tracer, const SketchSurface& surface, const glm::vec3& place);
+
+// Place and normal alone, and all of it.
+SketchSurface find_shape(const SketchTracer& tracer, const SketchRay& ray, const SketchHit& hit);
+SketchSurface find_surface(const SketchTracer& tracer, const SketchRay& ray, const SketchHit& hit);
+
+}  // namespace mien
