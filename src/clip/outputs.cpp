@@ -163,6 +163,11 @@ void check_output_folder(const Options& options, const fs::path& folder, const s
   }
 }
 
+void check_sketch_folder(const Options& options, const Clip& clip) {
+  check_output_folder(options, clip.files.folder, {kSketchManifest, find_video_path(clip).filename()},
+                      clip.spec);
+}
+
 void check_clip_folder(const Options& options, const Clip& clip, bool has_pictures) {
   const ClipFiles files{{}, clip.files.name};
   std::vector<fs::path> all{files.scenes() / "head.inc", files.scenes() / "loop.pov",

@@ -42,4 +42,8 @@ void check_output_folder(const Options& options, const std::filesystem::path& fo
 // The same of a clip's folder with its scenes, and of its pictures and video too where they are to be made.
 void check_clip_folder(const Options& options, const Clip& clip, bool has_pictures);
 
+// The same of what a sketched clip leaves.
+inline constexpr const char* kSketchManifest = "manifest_sketch.json";
+void check_sketch_folder(const Options& options, const Clip& clip);
+
 }  // namespace mien

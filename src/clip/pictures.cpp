@@ -64,9 +64,9 @@ std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& sc
 fs::path find_video_path(const Clip& clip) {
   const std::vector<int>& frames = clip.plan.frames;
   const bool is_whole = static_cast<int>(frames.size()) == clip.frame_count;
+  const std::string name = clip.files.name + (is_sketch(clip.spec.render) ? "_sketch" : "");
   return clip.files.folder /
-         (is_whole ? clip.files.name + ".mp4"
-                   : fmt::format("{}_{}-{}.mp4", clip.files.name, frames.front(), frames.back()));
+         (is_whole ? name + ".mp4" : fmt::format("{}_{}-{}.mp4", name, frames.front(), frames.back()));
 }
 
 void write_clip_video(const Clip& clip) {

@@ -26,7 +26,8 @@ void repeat_pictures(const Clip& clip);
 // What was made, for other programs: the text of manifest.json.
 std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& scenes);
 
-// The files that end a clip: NAME.mp4, of all frames, or NAME_A-B.mp4 of those asked for.
+// The files that end a clip: NAME.mp4, of all frames, or NAME_A-B.mp4 of those asked for; of sketches
+// NAME_sketch.mp4.
 std::filesystem::path find_video_path(const Clip& clip);
 
 // Joins the frames asked for into find_video_path, and copies the one nearest to the poster's.

@@ -25,8 +25,8 @@ struct WrittenScene {
 std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
                                        int jobs, const SceneWritten& written);
 
-// A still's scene as one text, which includes a head.inc with the other text, and what limits hold back in it: not
-// of `pose`.
+// A still's scene as one text, which includes a head.inc with the other text, and what limits hold back in
+// it: not of `pose`.
 struct StillScene {
   std::string text, include;
   std::vector<Held> held;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "clip/scenes.hpp"
 #include "render/picture.hpp"
+#include "render/video.hpp"
 
 namespace mien {
 
@@ -17,11 +19,28 @@ struct SketchedStill {
 SketchedStill sketch_still(const Clip& clip, const Cast& cast, const Still& still,
                            const Resources& resources);
 
+// A clip with its cast: one, or several of one plan that are shown side by side.
+struct Staged {
+  const Clip* clip = nullptr;
+  const Cast* cast = nullptr;
+};
+
 // Told of each drawing, in the order of time, by one thread at a time: its place in the plan's `drawings`.
 using SketchTaken = std::function<void(std::size_t drawing, const Pixels& picture)>;
 
 // Every drawing of the plan, on up to `jobs` threads; the same pixels whatever their number.
-void sketch_drawings(const Clip& clip, const Cast& cast, const Resources& resources, int jobs,
+void sketch_drawings(const std::vector<Staged>& parts, const Resources& resources, int jobs,
                      const SketchTaken& taken);
+
+// What was made, for other programs: the text of manifest_sketch.json.
+std::string build_sketch_manifest(const Clip& clip);
+
+// Joins drawings, as sketch_drawings gives them, to the video of the frames asked for.
+struct SketchVideo {
+  const Clip* clip = nullptr;
+  VideoStream stream;
+};
+SketchVideo start_sketch_video(const Clip& clip);
+void append_drawing(SketchVideo& video, std::size_t drawing, const Pixels& picture);
 
 }  // namespace mien

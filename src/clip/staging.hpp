@@ -1,5 +1,5 @@
-// What a picture of a clip is staged with, whoever draws it: lights, ground and camera of a moment, and everybody's
-// drawing.
+// What a picture of a clip is staged with, whoever draws it: lights, ground and camera of a moment, and
+// everybody's drawing.
 #pragma once
 
 #include <optional>

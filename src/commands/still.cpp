@@ -40,8 +40,8 @@ Still stage_still(const Options& options, Clip& clip, std::vector<Held>& held) {
   return still;
 }
 
-void report_still(const Options& options, const Clip& clip, const Resources& resources, std::vector<Held> held,
-                  const std::vector<Held>& more) {
+void report_still(const Options& options, const Clip& clip, const Resources& resources,
+                  std::vector<Held> held, const std::vector<Held>& more) {
   held.insert(held.end(), more.begin(), more.end());
   report_starts(options, list_heads(clip), resources.heads);
   report_held(options, std::move(held));

@@ -91,10 +91,11 @@ inline constexpr std::array kLookWords{Word{"ahead", "straight out of the head, 
 inline constexpr std::array kDrawWords{Word{"ones", "a new drawing each frame: smooth"},
                                        Word{"twos", "each drawing for two frames"},
                                        Word{"threes", "each drawing for three frames: choppy"}};
-inline constexpr std::array kQualityWords{Word{"sketch", "drawn by mien itself, ten times as quick as draft or more"},
-                                          Word{"draft", "POV-Ray at its quickest: to see the timing"},
-                                          Word{"good", "about 2.5 times as long as draft: the default"},
-                                          Word{"best", "about 6 times as long as draft: for the last run"}};
+inline constexpr std::array kQualityWords{
+    Word{"sketch", "drawn by mien itself, ten times as quick as draft or more"},
+    Word{"draft", "POV-Ray at its quickest: to see the timing"},
+    Word{"good", "about 2.5 times as long as draft: the default"},
+    Word{"best", "about 6 times as long as draft: for the last run"}};
 inline constexpr std::array kBackgroundWords{Word{"studio", "cool grey, lighter behind the head"},
                                              Word{"light", "a bright wall"},
                                              Word{"dark", "a black room"},

@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -70,8 +71,8 @@ std::vector<std::string> build_environment(const std::vector<std::string>& addit
 
 // What the child does between fork and exec: only calls that are safe there (signal-safety(7)). Reports an
 // error number through `report` if it cannot become the program.
-[[noreturn]] void become_program(char** arguments, char** environment, const char* folder, int output,
-                                 int report, pid_t parent) {
+[[noreturn]] void become_program(char** arguments, char** environment, const char* folder, int input,
+                                 int output, int report, pid_t parent) {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (::getppid() != parent) ::_exit(127);  // the parent died before the line above
   ::setpgid(0, 0);
@@ -79,8 +80,8 @@ std::vector<std::string> build_environment(const std::vector<std::string>& addit
   ::sigemptyset(&none);
   ::sigprocmask(SIG_SETMASK, &none, nullptr);
   ::signal(SIGPIPE, SIG_DFL);
-  const int nothing = ::open("/dev/null", O_RDONLY);
-  if (::chdir(folder) == 0 && nothing >= 0 && ::dup2(nothing, 0) >= 0 && ::dup2(output, 1) >= 0 &&
+  const int read = input >= 0 ? input : ::open("/dev/null", O_RDONLY);
+  if (::chdir(folder) == 0 && read >= 0 && ::dup2(read, 0) >= 0 && ::dup2(output, 1) >= 0 &&
       ::dup2(output, 2) >= 0)
     ::execvpe(arguments[0], arguments, environment);
   const int error = errno;
@@ -281,6 +282,7 @@ Process::Process(Process&& other) noexcept { *this = std::move(other); }
 Process& Process::operator=(Process&& other) noexcept {
   std::swap(id, other.id);
   std::swap(output_file, other.output_file);
+  std::swap(input_file, other.input_file);
   std::swap(started_s, other.started_s);
   std::swap(result, other.result);
   std::swap(limit_s, other.limit_s);
@@ -294,13 +296,17 @@ Process& Process::operator=(Process&& other) noexcept {
 }
 
 Process::~Process() {
+  close_input(*this);
   if (id == 0) return;
   ::kill(-id, SIGKILL);
   reap(*this, 0);
 }
 
-Process start_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
-                      const std::vector<std::string>& environment) {
+namespace {
+
+// `input` is the child's, or -1.
+Process start_child(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                    const std::vector<std::string>& environment, int input) {
   std::vector<std::string> arguments = command, variables = build_environment(environment);
   std::vector<char*> argument_list = list_pointers(arguments), variable_list = list_pointers(variables);
   const std::filesystem::path place = folder.empty() ? "." : folder;
@@ -318,7 +324,8 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
   const pid_t parent = ::getpid();
   const pid_t child = error == 0 ? ::fork() : -1;
   if (child == 0)
-    become_program(argument_list.data(), variable_list.data(), place.c_str(), output[1], report[1], parent);
+    become_program(argument_list.data(), variable_list.data(), place.c_str(), input, output[1], report[1],
+                   parent);
   if (child < 0 && error == 0) error = errno;
   ::close(output[1]);
   if (report[1] >= 0) ::close(report[1]);
@@ -339,6 +346,65 @@ Process start_process(const std::vector<std::string>& command, const std::filesy
   }
   ::fcntl(process.output_file, F_SETFL, O_NONBLOCK);
   return process;
+}
+
+}  // namespace
+
+Process start_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
+                      const std::vector<std::string>& environment) {
+  return start_child(command, folder, environment, -1);
+}
+
+// A socket, not a pipe: writing to one whose reader has gone can be told not to raise a signal.
+Process start_fed_process(const std::vector<std::string>& command, const std::filesystem::path& folder) {
+  std::array<int, 2> ends{-1, -1};
+  if (::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, ends.data()) != 0)
+    throw RunError(fmt::format("cannot start {}: {}", command.front(), std::strerror(errno)));
+  try {
+    Process process = start_child(command, folder, {}, ends[1]);
+    ::close(ends[1]);
+    ::fcntl(ends[0], F_SETFL, O_NONBLOCK);
+    process.input_file = ends[0];
+    return process;
+  } catch (...) {
+    ::close(ends[0]);
+    ::close(ends[1]);
+    throw;
+  }
+}
+
+bool feed_process(Process& process, const void* data, std::size_t size) {
+  const char* next = static_cast<const char*>(data);
+  process.looked_s = read_clock_s();  // while we had nothing to give, it had nothing to do
+  while (size > 0) {
+    throw_if_interrupted();
+    if (process.id == 0 || process.input_file < 0) return false;
+    const ssize_t count = ::send(process.input_file, next, size, MSG_NOSIGNAL);
+    if (count > 0) {
+      next += count;
+      size -= static_cast<std::size_t>(count);
+      continue;
+    }
+    if (count < 0 && errno != EAGAIN && errno != EINTR) {
+      close_input(process);
+      return false;
+    }
+    std::array<pollfd, 2> files{pollfd{process.input_file, POLLOUT, 0},
+                                pollfd{process.output_file, POLLIN, 0}};
+    ::poll(files.data(), files.size(), kPoll_ms);
+    collect_output(process);
+    if (reap(process, WNOHANG)) return false;
+    if (has_stalled(process)) {
+      end_stalled(process);
+      return false;
+    }
+  }
+  return true;
+}
+
+void close_input(Process& process) {
+  if (process.input_file >= 0) ::close(process.input_file);
+  process.input_file = -1;
 }
 
 void wait_for_any(const std::vector<Process*>& running) {

@@ -4,6 +4,7 @@
 
 #include <sys/types.h>
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <utility>
@@ -52,6 +53,7 @@ struct Process {
 
   pid_t id = 0;          // 0: it has ended, `result` is complete
   int output_file = -1;  // where its stdout and stderr come; -1: closed
+  int input_file = -1;   // what it reads, where it was started to be fed; -1: nothing, or closed
   double started_s = 0;
   ProcessResult result;
 
@@ -67,6 +69,16 @@ struct Process {
 // As run_process, without waiting.
 Process start_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                       const std::vector<std::string>& environment = {});
+
+// The same of a program that reads what feed_process gives it.
+Process start_fed_process(const std::vector<std::string>& command, const std::filesystem::path& folder);
+
+// Gives the program `size` bytes to read, waiting for it as long as that takes; false if it has ended, closed
+// its input, or hung and was ended. Throws Interrupted if a signal came.
+bool feed_process(Process& process, const void* data, std::size_t size);
+
+// The program reads no more than it was given.
+void close_input(Process& process);
 
 // Sleeps until at least one of `running` (not empty) has ended, usually noticing it within a millisecond, and
 // collects the output of all meanwhile. Ends those that hang. Throws Interrupted if a signal came; ending the

@@ -2,8 +2,13 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
+
+#include "render/picture.hpp"
+#include "render/process.hpp"
+#include "render/work_folder.hpp"
 
 namespace mien {
 
@@ -12,5 +17,24 @@ namespace mien {
 // RunError if the clip has not pictures.size() frames. Written beside and renamed.
 void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
                  const std::filesystem::path& clip);
+
+// The same of pictures that never lie on a disk: given one after the other, encoded as they come, quicker and
+// a little coarser.
+struct VideoStream {
+  std::filesystem::path clip;
+  PictureSize size;
+  std::size_t frame_count = 0;
+  std::vector<std::string> command;
+  std::unique_ptr<WorkFolder> work;
+  Process encoder;
+};
+
+VideoStream start_video(const PictureSize& size, int fps, const std::filesystem::path& clip);
+
+// Throws RunError with ffmpeg's words if it has ended, or if a picture has another size.
+void append_frame(VideoStream& video, const Pixels& picture);
+
+// Verifies the clip and puts it in its place. Without this nothing is left of it.
+void finish_video(VideoStream& video);
 
 }  // namespace mien

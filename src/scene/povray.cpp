@@ -164,7 +164,8 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
   }
   if (!part.is_outline) text += " }\n";
   if (!is_shaded)
-    text += fmt::format("{}\n", format_povray_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
+    text += fmt::format("{}\n",
+                        format_povray_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
   if (part.wear > 0) text += "#declare Wear = 0;\n";
   if (has_object_macro) text += fmt::format("{}_object()\n", part.material);
 }

@@ -13,15 +13,13 @@
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
-#include "frames/drawn_figure.hpp"
 #include "render/driver.hpp"
 #include "render/picture.hpp"
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
-#include "sheet/camera.hpp"
+#include "sheet/cell_drawing.hpp"
 #include "sheet/layout.hpp"
-#include "sheet/marks.hpp"
 #include "sheet/plans.hpp"
 #include "sheet/subject.hpp"
 
@@ -36,8 +34,9 @@ constexpr double kLargeTitle_px = 50;  // the captions' letters are half as larg
 constexpr const char* kGround = "paper";  // templates/povray/background_paper.inc
 
 fs::path find_sheet_path(const std::string& kind, const Options& options, const Spec& spec) {
-  const OutputFile file =
-      find_output_file(options, fs::path("out") / spec.name / fmt::format("sheet_{}.png", kind));
+  const OutputFile file = find_output_file(
+      options, fs::path("out") / spec.name /
+                   fmt::format("sheet_{}{}.png", kind, is_sketch(spec.render) ? "_sketch" : ""));
   check_ending(file, "picture", {".png"});
   check_output_files({file}, spec);
   return file.path;
@@ -74,49 +73,21 @@ void check_heads(const SheetPlan& plan, const Options& options, const HeadStock&
   });
 }
 
-// How far the skin goes in a cell with arrows: where it shows a limit, at the limit's place, so that all
-// sheets say the same.
-double compute_way_mm(const HeadMeasures& measures, const SheetCell& cell, const DrawnMarks& marks) {
-  for (const Limit& limit : measures.limits)
-    if (cell.pose.values[limit.name->move] == limit.name->sign) return limit.skin_mm;
-  return marks.way_mm;
-}
-
-// The scenes of all cells that show head number `index`, in a folder of their own. What is measured there
-// goes behind their captions.
-void write_cell_scenes(const std::vector<SheetCell*>& cells, std::size_t index, const DrawnFigure& figure,
-                       const std::vector<HeadMeasures>& measures, const RenderSpec& render,
+// The scenes of all cells that show head number `index`, in a folder of their own.
+void write_cell_scenes(const CellHead& head, std::size_t index, const std::vector<SheetCell*>& cells,
                        const fs::path& work, const Templates& templates) {
   const fs::path folder = work / fmt::format("head{}", index);
-  write_file(folder / "head.inc", build_povray_include(figure.get_drawn_model(), render, templates));
-  const FigurePlaces places = build_places(figure);
-  const std::pair size_px(render.width_px, render.height_px);
-  DeformBuffers buffers;
-  InkBuffers ink_buffers;
-  Drawing drawing;
+  const Model& model = head.figure.get_drawn_model();
+  write_file(folder / "head.inc", build_povray_include(model, head.render, templates));
+  CellBuffers buffers;
   for (std::size_t i = 0; i < cells.size(); ++i) {
-    SheetCell& cell = *cells[i];
-    if (cell.head != index) continue;
+    if (cells[i]->head != index) continue;
     throw_if_interrupted();
-    const CameraView view = compute_cell_view(cell, measures.at(index), measures.at(cell.framing.scale_of));
-    deform_figure(figure, cell.pose, {}, buffers, drawing);
+    const CellDrawing drawn = draw_cell(head, *cells[i], buffers);
     std::string scene;
-    const PartShape skin = drawing.parts.front();
-    if (figure.ink) draw_ink(*figure.ink, cell.pose, compute_ink_view(view, render), ink_buffers, drawing);
-    append_povray_frame(scene, figure.get_drawn_model(), drawing, view);
-    if (cell.has_guides)
-      append_povray_overlay(
-          scene,
-          build_guides(measures[index], {skin.positions, skin.normals, figure.head.skin.triangles}, view,
-                       size_px, cell.has_frame),
-          view);
-    const DrawnMarks marks = draw_marks(cell, places, view, size_px);
-    append_povray_overlay(scene, marks.overlay, view);
+    append_povray_frame(scene, model, drawn.drawing, drawn.view);
+    for (const Overlay& overlay : drawn.overlays) append_povray_overlay(scene, overlay, drawn.view);
     write_file(folder / fmt::format("cell{}.pov", i), scene);
-    if (marks.way_mm > 0)
-      cell.caption += fmt::format(", {} mm", format_number(compute_way_mm(measures[index], cell, marks), 1));
-    if (cell.shows_height)
-      cell.caption += fmt::format(", {} mm", format_number(measures[index].height_mm(), 0));
   }
 }
 
@@ -135,10 +106,12 @@ void fill_limits(const std::vector<Limit>& limits, SheetPlan& plan) {
   }
 }
 
-// Builds the heads one after the other: none is kept but its measures.
-void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path& work,
-                      const Resources& resources, Progress& progress) {
+// Builds the heads one after the other: none is kept but its measures. Cells become scenes in `work`, or, of
+// a sketch, `pictures`.
+void draw_all_cells(SheetPlan& plan, const RenderSpec& render, const fs::path& work,
+                    const Resources& resources, int jobs, Progress& progress, std::vector<Pixels>& pictures) {
   const std::vector<SheetCell*> cells = list_cells(plan);
+  if (is_sketch(render)) pictures.resize(cells.size());
   std::vector<HeadMeasures> measures;
   for (std::size_t i = 0; i < plan.heads.size(); ++i) {
     throw_if_interrupted();
@@ -146,7 +119,12 @@ void write_all_scenes(SheetPlan& plan, const RenderSpec& render, const fs::path&
     if (!plan.styles.empty()) own.style = plan.styles[i];
     const DrawnFigure figure = build_drawn_figure(resources.heads, plan.heads[i], own.style);
     measures.push_back(measure_head(figure));
-    write_cell_scenes(cells, i, figure, measures, own, work, resources.stock.templates);
+    const FigurePlaces places = build_places(figure);
+    const CellHead head{figure, places, measures, own};
+    if (is_sketch(render))
+      sketch_cells(head, i, cells, resources.stock.templates, jobs, pictures);
+    else
+      write_cell_scenes(head, i, cells, work, resources.stock.templates);
     progress.advance(false, static_cast<int>(i) + 1);
   }
   progress.finish();
@@ -208,14 +186,15 @@ std::filesystem::path write_sheet(const Options& options, const Resources& resou
   const WorkFolder work(path.has_parent_path() ? path.parent_path() : ".");
   Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), "heads",
                     static_cast<int>(plan.heads.size()));
-  write_all_scenes(plan, render, work.path, resources, progress);
+  std::vector<Pixels> pictures;
+  draw_all_cells(plan, render, work.path, resources, count_jobs(options), progress, pictures);
   const std::vector<SheetCell*> cells = list_cells(plan);
-  render_cells(cells, render, work.path, options);
+  if (!is_sketch(render)) render_cells(cells, render, work.path, options);
   const SheetLayout layout = build_sheet_layout(plan, title, cell_px);
   Pixels page = render_page(layout, work.path, resources.stock.templates);
   for (std::size_t i = 0; i < cells.size(); ++i)
-    paste_pixels(page, read_pixels(find_cell_picture(work.path, i)), layout.places[i].left_px,
-                 layout.places[i].top_px);
+    paste_pixels(page, is_sketch(render) ? pictures[i] : read_pixels(find_cell_picture(work.path, i)),
+                 layout.places[i].left_px, layout.places[i].top_px);
   write_file(path, build_png(page));
   return path;
 }

@@ -46,17 +46,16 @@ glm::vec3 light_surface(const SketchStage& stage, const SketchSurface& surface, 
   for (std::size_t i = 0; i < stage.lamps.size(); ++i) {
     const SketchLamp& lamp = stage.lamps[i];
     const glm::vec3 away = lamp.at - surface.at;
-    const float distance = glm::length(away);
-    const glm::vec3 to_lamp = away / distance;
-    const float cosine = glm::dot(to_lamp, surface.normal);
-    if (cosine <= 0 || visible[i] <= 0) continue;
+    const float height = glm::dot(away, surface.normal);
+    if (height <= 0 || visible[i] <= 0) continue;
+    const float distance = glm::length(away), cosine = height / distance;
     glm::vec3 light = visible[i] * lamp.colour;
     if (lamp.fade_power > 0) light *= 2 / (1 + std::pow(distance / lamp.fade_distance, lamp.fade_power));
     const float turned = finish.brilliance == 1   ? cosine
                          : finish.brilliance == 0 ? 1.0f
                                                   : std::pow(cosine, finish.brilliance);
     sum += turned * light * diffuse;
-    if (lamp.has_shadow) sum += compute_highlight(surface, to_lamp, to_eye, light, cosine);
+    if (lamp.has_shadow) sum += compute_highlight(surface, away / distance, to_eye, light, cosine);
   }
   return sum;
 }

@@ -19,7 +19,8 @@ struct SketchSurface {
   SketchFinish finish;
 };
 
-// Light of lamps and its own. `visible` is how much of each lamp the surface sees, 0..1, in the stage's order.
+// Light of lamps and its own. `visible` is how much of each lamp the surface sees, 0..1, in the stage's
+// order.
 glm::vec3 light_surface(const SketchStage& stage, const SketchSurface& surface, const glm::vec3& to_eye,
                         std::span<const float> visible);
 

@@ -38,7 +38,8 @@ SketchPart build_part(const Part& part, SdlNames& names) {
   }
   if (look.textures.size() != part.palette.size())
     throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
-  look.is_clear = std::ranges::any_of(look.textures, [](const auto& texture) { return lets_through(texture); });
+  look.is_clear =
+      std::ranges::any_of(look.textures, [](const auto& texture) { return lets_through(texture); });
   return look;
 }
 

@@ -230,7 +230,8 @@ std::vector<T> parse_arguments(SdlReader& reader) {
 void call_macro(SdlReader& reader, const std::string& name, const SdlMacro& macro) {
   const std::vector<SdlValue> arguments = parse_arguments<SdlValue>(reader);
   if (arguments.size() != macro.parameters.size())
-    fail_sdl(reader, fmt::format("{} takes {} values, not {}", name, macro.parameters.size(), arguments.size()));
+    fail_sdl(reader,
+             fmt::format("{} takes {} values, not {}", name, macro.parameters.size(), arguments.size()));
   if (reader.sources.size() > kDeepest) fail_sdl(reader, fmt::format("{} calls itself without end", name));
   reader.scopes.emplace_back();
   for (std::size_t i = 0; i < arguments.size(); ++i) reader.scopes.back()[macro.parameters[i]] = arguments[i];

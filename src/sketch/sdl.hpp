@@ -1,6 +1,6 @@
-// POV-Ray's scene description language, read as far as templates/povray uses it: macros, locals, conditions, loops,
-// expressions, and blocks of words and values. A picture that we trace ourselves reads the very text that
-// POV-Ray reads; what a block means is its reader's affair.
+// POV-Ray's scene description language, read as far as templates/povray uses it: macros, locals, conditions,
+// loops, expressions, and blocks of words and values. A picture that we trace ourselves reads the very text
+// that POV-Ray reads; what a block means is its reader's affair.
 //
 // Source: POV-Ray 3.7 reference manual, 3.3 (language directives) and 3.3.1.6 (expressions).
 #pragma once

@@ -18,9 +18,7 @@ struct SdlText {
   std::size_t at = 0;
   int line = 1;
 
-  char look(std::size_t further = 0) const {
-    return at + further < text.size() ? text[at + further] : '\0';
-  }
+  char look(std::size_t further = 0) const { return at + further < text.size() ? text[at + further] : '\0'; }
 };
 
 [[noreturn]] void fail_text(const SdlText& text, const std::string& what) {

@@ -10,11 +10,13 @@ namespace mien {
 
 namespace {
 
-constexpr int kTile = 4;               // the cloth of a lamp is sampled at 4 x 4 places, one a pixel
-constexpr int kFineShadows = 4;        // places of a cloth for a ray that has no neighbours
-constexpr int kLayers = 8;             // of things that let light through, one behind the other
-constexpr float kEdge = 0.05f;         // difference of neighbours, as the eye sees it, that asks for finer rays
-constexpr float kFaint = 0.004f;       // light that comes through less than this is not followed
+constexpr int kTile = 4;         // the cloth of a lamp is sampled at 4 x 4 places, one a pixel
+constexpr int kFineShadows = 4;  // places of a cloth for a ray that has no neighbours
+constexpr int kLayers = 8;       // of things that let light through, one behind the other
+// Difference of neighbours that asks for finer rays: of light, not of what the eye makes of it, else every
+// dark hair asks for them.
+constexpr float kEdge = 0.08f;
+constexpr float kFaint = 0.004f;  // light that comes through less than this is not followed
 
 // Where rays go within a pixel that is traced finer: no two in one row or column.
 constexpr auto kFiner = std::to_array<std::array<float, 2>>(
@@ -23,24 +25,30 @@ constexpr auto kFiner = std::to_array<std::array<float, 2>>(
 // The order in which the places of a cloth go to neighbouring pixels (Bayer's).
 constexpr std::array<int, kTile * kTile> kOrder{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
 
-constexpr std::uint8_t kNotAsked = 2;
+constexpr float kBehind_mm = 0.001f;  // a ray goes on so far behind what it met
 
-// One pixel of the first pass.
+constexpr std::uint8_t kNotAsked = 2;
+constexpr glm::vec3 kUnknown{-1};
+
+// One pixel of the first pass: what it meets, and behind all clear things what stops it.
 struct SketchPixel {
-  SketchHit hit;
-  glm::vec3 normal{0};
+  SketchHit hit, base;
+  glm::vec3 normal{0};  // of the base, toward the eye
 };
 
 struct SketchPage {
   const SketchStage& stage;
   SketchTracer& tracer;
+  std::vector<glm::vec3>& sky;
   PictureSize size;
   std::vector<SketchPixel> pixels;
   std::vector<std::vector<std::uint8_t>> hidden;  // of each lamp: 1 hidden, 0 seen, kNotAsked
+  std::vector<std::vector<float>> visible;        // of each lamp: 0 hidden .. 1, where it was asked
   std::vector<glm::vec3> light;                   // linear
 
   std::size_t index(int x, int y) const {
-    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width_px) + static_cast<std::size_t>(x);
+    return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width_px) +
+           static_cast<std::size_t>(x);
   }
 };
 
@@ -62,15 +70,51 @@ glm::vec3 find_lamp_place(const SketchLamp& lamp, int number) {
   return lamp.at + share(number % kTile) * lamp.side + share(number / kTile) * lamp.other_side;
 }
 
-// How much of each lamp a surface sees that is asked for alone; `turn` varies the places among neighbours.
-void measure_visible(SketchPage& page, const SketchSurface& surface, int turn) {
+bool is_clear(const SketchPage& page, const SketchHit& hit) {
+  return page.tracer.parts[hit.part].look->is_clear;
+}
+
+// Whether a pixel shows the surface that was met beside it.
+bool is_beside(const SketchPixel& pixel, const glm::vec3& normal, float along_mm) {
+  constexpr float kSameWay = 0.85f;  // cosine between normals
+  constexpr float kSameDepth = 0.012f;
+  return pixel.base.part != SketchHit::kNone && glm::dot(pixel.normal, normal) > kSameWay &&
+         std::abs(pixel.base.along_mm - along_mm) < kSameDepth * along_mm;
+}
+
+// The pixel at `near` or one beside it that shows the surface which a ray met; kNowhere if none does. A clear
+// thing, such as a hair of the brow, sees of the lamps what lies close behind it sees.
+constexpr std::size_t kNowhere = static_cast<std::size_t>(-1);
+std::size_t find_beside(const SketchPage& page, const SketchSurface& surface, const SketchHit& hit,
+                        std::size_t near) {
+  constexpr float kClose = 0.005f;  // of the distance
+  const SketchPixel& here = page.pixels[near];
+  if (is_clear(page, hit) && here.base.part != SketchHit::kNone &&
+      std::abs(here.base.along_mm - hit.along_mm) < kClose * hit.along_mm)
+    return near;
+  const auto width = static_cast<std::size_t>(page.size.width_px);
+  for (const std::size_t other : {near, near - 1, near + 1, near - width, near + width})
+    if (other < page.pixels.size() && is_beside(page.pixels[other], surface.normal, hit.along_mm))
+      return other;
+  return kNowhere;
+}
+
+// How much of each lamp a surface sees that a ray through the pixel at `near` met: what a pixel there sees of
+// it if one shows the same surface, else what rays tell; `turn` varies their places among neighbours.
+void measure_visible(SketchPage& page, const SketchSurface& surface, const SketchHit& hit, std::size_t near,
+                     int turn) {
   std::vector<float>& visible = page.tracer.visible;
   visible.assign(page.stage.lamps.size(), 1);
+  const std::size_t beside = find_beside(page, surface, hit, near);
   for (std::size_t i = 0; i < visible.size(); ++i) {
     const SketchLamp& lamp = page.stage.lamps[i];
     if (!lamp.has_shadow || !faces_lamp(lamp, surface)) continue;
     if (!is_cloth(lamp)) {
       visible[i] = is_hidden(page.tracer, surface, lamp.at) ? 0.0f : 1.0f;
+      continue;
+    }
+    if (beside != kNowhere && page.hidden[i][beside] != kNotAsked) {
+      visible[i] = page.visible[i][beside];
       continue;
     }
     int seen = 0;
@@ -94,88 +138,116 @@ glm::vec3 find_mirrored(const SketchPage& page, const SketchSurface& surface, co
   return surface.finish.reflection * sample_cards(page.stage, surface.at, direction);
 }
 
-// All that a ray brings, however many clear things it passes.
-glm::vec3 trace_ray(SketchPage& page, SketchRay ray, int turn) {
-  constexpr float kBehind_mm = 0.001f;
+// All that a ray through the pixel at `near` brings, `hit` first, however many clear things it passes.
+glm::vec3 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t near, int turn) {
   glm::vec3 sum(0), through(1);
   for (int layer = 0; layer < kLayers; ++layer) {
-    const SketchHit hit = find_hit(page.tracer, ray);
     if (hit.part == SketchHit::kNone) return sum + through * sample_sky(page.stage, ray.direction);
     const SketchSurface surface = find_surface(page.tracer, ray, hit);
-    measure_visible(page, surface, turn);
+    measure_visible(page, surface, hit, near, turn);
     sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.visible) +
                       find_mirrored(page, surface, ray));
     through *= find_through(surface);
     if (std::max({through.r, through.g, through.b}) < kFaint) break;
     ray.near = hit.along_mm + kBehind_mm;
+    hit = find_hit(page.tracer, ray);
   }
   return sum;
 }
 
+// Pixels are met in tiles of kPacket.
+constexpr int kWide = 4, kHigh = 4;
+
+// Goes on from `hit` to the first thing that lets no light through.
+void find_base(const SketchPage& page, SketchRay ray, SketchHit& hit) {
+  for (int layer = 0; layer < kLayers && hit.part != SketchHit::kNone && is_clear(page, hit); ++layer) {
+    ray.near = hit.along_mm + kBehind_mm;
+    hit = find_hit(page.tracer, ray);
+  }
+}
+
 // First pass: what each pixel meets.
 void find_pixels(SketchPage& page) {
-  constexpr int kWide = 4, kHigh = 2;
-  std::array<SketchRay, kWide * kHigh> rays;
-  std::array<SketchHit, kWide * kHigh> hits;
+  std::array<SketchRay, kPacket> rays;
+  std::array<SketchHit, kPacket> hits;
   for (int top = 0; top < page.size.height_px; top += kHigh)
     for (int left = 0; left < page.size.width_px; left += kWide) {
       for (int i = 0; i < kWide * kHigh; ++i)
-        rays[static_cast<std::size_t>(i)] =
-            build_ray(page, static_cast<float>(left + i % kWide) + 0.5f, static_cast<float>(top + i / kWide) + 0.5f);
+        rays[static_cast<std::size_t>(i)] = build_ray(page, static_cast<float>(left + i % kWide) + 0.5f,
+                                                      static_cast<float>(top + i / kWide) + 0.5f);
       find_hits(page.tracer, rays.data(), hits.data());
       for (int i = 0; i < kWide * kHigh; ++i) {
         const int x = left + i % kWide, y = top + i / kWide;
         if (x >= page.size.width_px || y >= page.size.height_px) continue;
-        page.pixels[page.index(x, y)].hit = hits[static_cast<std::size_t>(i)];
+        SketchPixel& pixel = page.pixels[page.index(x, y)];
+        pixel.hit = pixel.base = hits[static_cast<std::size_t>(i)];
+        find_base(page, rays[static_cast<std::size_t>(i)], pixel.base);
       }
     }
 }
 
-bool is_simple(const SketchPage& page, const SketchHit& hit) {
-  return hit.part != SketchHit::kNone && !page.tracer.parts[hit.part].look->is_clear;
-}
-
 // Second pass: of each lamp one place is asked for, another one in each pixel of a tile.
 void find_shadows(SketchPage& page) {
-  page.hidden.resize(page.stage.lamps.size());
+  const std::vector<SketchLamp>& lamps = page.stage.lamps;
+  page.hidden.resize(lamps.size());
+  page.visible.resize(lamps.size());
   for (auto& hidden : page.hidden) hidden.assign(page.pixels.size(), kNotAsked);
-  for (int y = 0; y < page.size.height_px; ++y)
-    for (int x = 0; x < page.size.width_px; ++x) {
-      SketchPixel& pixel = page.pixels[page.index(x, y)];
-      if (!is_simple(page, pixel.hit)) continue;
-      const SketchRay ray = build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      SketchSurface surface = find_shape(page.tracer, ray, pixel.hit);
-      if (glm::dot(surface.normal, ray.direction) > 0) surface.normal = -surface.normal;
-      pixel.normal = surface.normal;
-      const int place = kOrder[static_cast<std::size_t>((y % kTile) * kTile + x % kTile)];
-      for (std::size_t i = 0; i < page.stage.lamps.size(); ++i) {
-        const SketchLamp& lamp = page.stage.lamps[i];
-        if (!lamp.has_shadow || !faces_lamp(lamp, surface)) continue;
-        const glm::vec3 at = is_cloth(lamp) ? find_lamp_place(lamp, place) : lamp.at;
-        page.hidden[i][page.index(x, y)] = is_hidden(page.tracer, surface, at) ? 1 : 0;
+  for (auto& visible : page.visible) visible.resize(page.pixels.size());
+  SketchShadows shadows;
+  std::array<std::size_t, kPacket> index{};
+  std::array<int, kPacket> place{};
+  for (int top = 0; top < page.size.height_px; top += kHigh)
+    for (int left = 0; left < page.size.width_px; left += kWide) {
+      std::array<bool, kPacket> is_met{};
+      for (std::size_t i = 0; i < kPacket; ++i) {
+        const int x = left + static_cast<int>(i) % kWide, y = top + static_cast<int>(i) / kWide;
+        if (x >= page.size.width_px || y >= page.size.height_px) continue;
+        index[i] = page.index(x, y);
+        SketchPixel& pixel = page.pixels[index[i]];
+        if (pixel.base.part == SketchHit::kNone) continue;
+        const SketchRay ray = build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const SketchSurface surface = find_shape(page.tracer, ray, pixel.base);
+        is_met[i] = true;
+        pixel.normal = glm::dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
+        shadows.at[i] = surface.at;
+        shadows.normal[i] = pixel.normal;
+        place[i] = kOrder[static_cast<std::size_t>((y % kTile) * kTile + x % kTile)];
+      }
+      for (std::size_t k = 0; k < lamps.size(); ++k) {
+        if (!lamps[k].has_shadow) continue;
+        bool is_any = false;
+        for (std::size_t i = 0; i < kPacket; ++i) {
+          shadows.is_asked[i] = is_met[i] && glm::dot(lamps[k].at - shadows.at[i], shadows.normal[i]) > 0;
+          is_any |= shadows.is_asked[i];
+          shadows.place[i] = is_cloth(lamps[k]) ? find_lamp_place(lamps[k], place[i]) : lamps[k].at;
+        }
+        if (!is_any) continue;
+        find_hidden(page.tracer, shadows);
+        for (std::size_t i = 0; i < kPacket; ++i)
+          if (shadows.is_asked[i]) page.hidden[k][index[i]] = shadows.is_hidden[i] ? 1 : 0;
       }
     }
 }
 
 // How much of a lamp a pixel sees: the mean of its tile, as far as neighbours lie on the same surface.
 float find_visible(const SketchPage& page, std::size_t lamp, int x, int y) {
-  constexpr float kSameWay = 0.85f;  // cosine between normals
-  constexpr float kSameDepth = 0.012f;
   const std::vector<std::uint8_t>& hidden = page.hidden[lamp];
   const std::size_t here = page.index(x, y);
   if (hidden[here] == kNotAsked) return 1;
   if (!is_cloth(page.stage.lamps[lamp])) return hidden[here] == 0 ? 1.0f : 0.0f;
   const SketchPixel& pixel = page.pixels[here];
-  int seen = 0, all = 0;
   const int left = std::max(x - kTile / 2, 0), right = std::min(x + kTile / 2, page.size.width_px),
             top = std::max(y - kTile / 2, 0), bottom = std::min(y + kTile / 2, page.size.height_px);
+  bool is_all_alike = true;
+  for (int ny = top; ny < bottom && is_all_alike; ++ny)
+    for (int nx = left; nx < right; ++nx) is_all_alike &= hidden[page.index(nx, ny)] == hidden[here];
+  if (is_all_alike) return hidden[here] == 0 ? 1.0f : 0.0f;
+  int seen = 0, all = 0;
   for (int ny = top; ny < bottom; ++ny)
     for (int nx = left; nx < right; ++nx) {
       const std::size_t there = page.index(nx, ny);
       const SketchPixel& other = page.pixels[there];
-      if (hidden[there] == kNotAsked || glm::dot(other.normal, pixel.normal) < kSameWay ||
-          std::abs(other.hit.along_mm - pixel.hit.along_mm) > kSameDepth * pixel.hit.along_mm)
-        continue;
+      if (hidden[there] == kNotAsked || !is_beside(other, pixel.normal, pixel.base.along_mm)) continue;
       ++all;
       seen += hidden[there] == 0 ? 1 : 0;
     }
@@ -184,38 +256,32 @@ float find_visible(const SketchPage& page, std::size_t lamp, int x, int y) {
 
 // Third pass: light.
 void light_pixels(SketchPage& page) {
-  std::vector<float>& visible = page.tracer.visible;
+  for (std::size_t i = 0; i < page.stage.lamps.size(); ++i) {
+    if (!page.stage.lamps[i].has_shadow) continue;
+    for (int y = 0; y < page.size.height_px; ++y)
+      for (int x = 0; x < page.size.width_px; ++x)
+        page.visible[i][page.index(x, y)] = find_visible(page, i, x, y);
+  }
   for (int y = 0; y < page.size.height_px; ++y)
     for (int x = 0; x < page.size.width_px; ++x) {
-      const SketchPixel& pixel = page.pixels[page.index(x, y)];
+      const std::size_t index = page.index(x, y);
       const SketchRay ray = build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      glm::vec3& light = page.light[page.index(x, y)];
-      if (pixel.hit.part == SketchHit::kNone) {
-        light = sample_sky(page.stage, ray.direction);
+      if (page.pixels[index].hit.part == SketchHit::kNone) {
+        glm::vec3& sky = page.sky[index];
+        if (sky == kUnknown) sky = sample_sky(page.stage, ray.direction);
+        page.light[index] = sky;
         continue;
       }
-      if (!is_simple(page, pixel.hit)) {
-        light = trace_ray(page, ray, (y % kTile) * kTile + x % kTile);
-        continue;
-      }
-      const SketchSurface surface = find_surface(page.tracer, ray, pixel.hit);
-      visible.assign(page.stage.lamps.size(), 1);
-      for (std::size_t i = 0; i < visible.size(); ++i)
-        if (page.stage.lamps[i].has_shadow) visible[i] = find_visible(page, i, x, y);
-      light = light_surface(page.stage, surface, -ray.direction, visible) + find_mirrored(page, surface, ray);
+      page.light[index] =
+          trace_ray(page, ray, page.pixels[index].hit, index, (y % kTile) * kTile + x % kTile);
     }
 }
 
-// As the eye sees it, nearly.
-glm::vec3 find_tone(const glm::vec3& light) { return glm::sqrt(glm::clamp(light, 0.0f, 1.0f)); }
-
 // Fourth pass: pixels that differ from a neighbour are the mean of several rays.
 void smooth_edges(SketchPage& page) {
-  std::vector<glm::vec3> tones(page.light.size());
-  std::ranges::transform(page.light, tones.begin(), find_tone);
   std::vector<std::uint8_t> is_edge(page.light.size(), 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
-    const glm::vec3 apart = glm::abs(tones[a] - tones[b]);
+    const glm::vec3 apart = glm::abs(glm::min(page.light[a], 1.0f) - glm::min(page.light[b], 1.0f));
     if (std::max({apart.r, apart.g, apart.b}) > kEdge) is_edge[a] = is_edge[b] = 1;
   };
   for (int y = 0; y < page.size.height_px; ++y)
@@ -223,18 +289,32 @@ void smooth_edges(SketchPage& page) {
       if (x + 1 < page.size.width_px) compare(page.index(x, y), page.index(x + 1, y));
       if (y + 1 < page.size.height_px) compare(page.index(x, y), page.index(x, y + 1));
     }
-  for (int y = 0; y < page.size.height_px; ++y)
-    for (int x = 0; x < page.size.width_px; ++x) {
-      if (is_edge[page.index(x, y)] == 0) continue;
-      glm::vec3 sum = glm::clamp(page.light[page.index(x, y)], 0.0f, 1.0f);
-      int turn = (y % kTile) * kTile + x % kTile;
-      for (const auto& [dx, dy] : kFiner) {
-        const SketchRay ray =
-            build_ray(page, static_cast<float>(x) + 0.5f + dx, static_cast<float>(y) + 0.5f + dy);
-        sum += glm::clamp(trace_ray(page, ray, ++turn), 0.0f, 1.0f);
-      }
-      page.light[page.index(x, y)] = sum / static_cast<float>(kFiner.size() + 1);
+  std::vector<std::size_t> edges;
+  for (std::size_t i = 0; i < is_edge.size(); ++i)
+    if (is_edge[i] != 0) edges.push_back(i);
+  constexpr std::size_t kAtOnce = kPacket / kFiner.size();
+  std::array<SketchRay, kPacket> rays;
+  std::array<SketchHit, kPacket> hits;
+  for (std::size_t first = 0; first < edges.size(); first += kAtOnce) {
+    const auto find_edge = [&](std::size_t ray) {
+      return edges[std::min(first + ray / kFiner.size(), edges.size() - 1)];
+    };
+    const auto width = static_cast<std::size_t>(page.size.width_px);
+    for (std::size_t i = 0; i < kPacket; ++i) {
+      const auto& [dx, dy] = kFiner[i % kFiner.size()];
+      const std::size_t edge = find_edge(i);
+      rays[i] = build_ray(page, static_cast<float>(edge % width) + 0.5f + dx,
+                          static_cast<float>(edge / width) + 0.5f + dy);
     }
+    find_hits(page.tracer, rays.data(), hits.data());
+    for (std::size_t i = 0; i < kAtOnce && first + i < edges.size(); ++i) {
+      const std::size_t edge = edges[first + i];
+      glm::vec3 sum = glm::clamp(page.light[edge], 0.0f, 1.0f);
+      for (std::size_t k = i * kFiner.size(); k < (i + 1) * kFiner.size(); ++k)
+        sum += glm::clamp(trace_ray(page, rays[k], hits[k], edge, static_cast<int>(edge + k)), 0.0f, 1.0f);
+      page.light[edge] = sum / static_cast<float>(kFiner.size() + 1);
+    }
+  }
 }
 
 float encode_srgb(float value) {
@@ -265,7 +345,8 @@ void write_pixels(const SketchPage& page, Pixels& picture) {
       for (int c = 0; c < 3; ++c) {
         const float light = std::clamp(page.light[at][c], 0.0f, 1.0f) * SrgbTable::kSteps;
         const float byte = table.bytes[static_cast<std::size_t>(light)];
-        picture.rgb[3 * at + static_cast<std::size_t>(c)] = static_cast<std::uint8_t>(std::min(byte + up, 255.0f));
+        picture.rgb[3 * at + static_cast<std::size_t>(c)] =
+            static_cast<std::uint8_t>(std::min(byte + up, 255.0f));
       }
     }
 }
@@ -277,12 +358,17 @@ SketchDesk::SketchDesk(SketchDesk&&) noexcept = default;
 SketchDesk& SketchDesk::operator=(SketchDesk&&) noexcept = default;
 SketchDesk::~SketchDesk() = default;
 
-Pixels trace_sketch(const SketchStage& stage, const std::vector<SketchFigure>& figures,
-                    const PictureSize& size, SketchDesk& desk) {
+void set_stage(SketchDesk& desk, SketchStage stage) {
+  desk.stage = std::move(stage);
+  desk.sky.clear();
+}
+
+Pixels trace_sketch(SketchDesk& desk, const std::vector<SketchFigure>& figures, const PictureSize& size) {
   set_figures(*desk.tracer, figures);
   const std::size_t count =
       static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px);
-  SketchPage page{stage, *desk.tracer, size, {}, {}, {}};
+  if (desk.sky.size() != count) desk.sky.assign(count, kUnknown);
+  SketchPage page{desk.stage, *desk.tracer, desk.sky, size, {}, {}, {}, {}};
   page.pixels.resize(count);
   page.light.resize(count);
   find_pixels(page);

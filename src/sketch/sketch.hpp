@@ -1,8 +1,9 @@
-// A picture of our own: the drawing that POV-Ray would be given, traced through Embree in a fraction of its time, with
-// the same camera, lamps, materials and ground. Soft shadows are sampled once a pixel and smoothed among neighbours;
-// edges are traced again, finer. Nothing is random: the same input gives the same pixels.
+// A picture of our own: the drawing that POV-Ray would be given, traced through Embree in a fraction of its
+// time, with the same camera, lamps, materials and ground. Soft shadows are sampled once a pixel and smoothed
+// among neighbours; edges are traced again, finer. Nothing is random: the same input gives the same pixels.
 //
-// Sources: I. Wald et al., "Embree", SIGGRAPH 2014; A. Keller, W. Heidrich, "Interleaved Sampling", EGWR 2001.
+// Sources: I. Wald et al., "Embree", SIGGRAPH 2014; A. Keller, W. Heidrich, "Interleaved Sampling", EGWR
+// 2001.
 #pragma once
 
 #include <memory>
@@ -24,17 +25,21 @@ struct SketchFigure {
 
 struct SketchTracer;
 
-// What one thread traces with, again and again.
+// What one thread traces with, again and again: a stage, and what is known of it.
 struct SketchDesk {
   SketchDesk();
   SketchDesk(SketchDesk&&) noexcept;
   SketchDesk& operator=(SketchDesk&&) noexcept;
   ~SketchDesk();
+  SketchStage stage;
+  std::vector<glm::vec3> sky;  // what lies behind each pixel, where it has been asked; or empty
   std::unique_ptr<SketchTracer> tracer;
 };
 
-// Throws RunError if a drawing does not fit its model or Embree fails.
-Pixels trace_sketch(const SketchStage& stage, const std::vector<SketchFigure>& figures,
-                    const PictureSize& size, SketchDesk& desk);
+void set_stage(SketchDesk& desk, SketchStage stage);
+
+// A picture of the desk's stage with these figures. Throws RunError if a drawing does not fit its model or
+// Embree fails.
+Pixels trace_sketch(SketchDesk& desk, const std::vector<SketchFigure>& figures, const PictureSize& size);
 
 }  // namespace mien

@@ -77,7 +77,8 @@ SketchCamera build_camera(const SdlBlock& block) {
 
 // How far along a ray a card is met, in the ray's own length; negative if it is not.
 float find_card(const SketchCard& card, const glm::vec3& from, const glm::vec3& direction) {
-  const glm::vec3 o = card.card_from_place * glm::vec4(from, 1), d = card.card_from_place * glm::vec4(direction, 0);
+  const glm::vec3 o = card.card_from_place * glm::vec4(from, 1),
+                  d = card.card_from_place * glm::vec4(direction, 0);
   if (card.is_ball) {
     const float a = glm::dot(d, d), b = glm::dot(o, d), c = glm::dot(o, o) - 1, root = b * b - a * c;
     return root < 0 ? -1 : (-b - std::sqrt(root)) / a;

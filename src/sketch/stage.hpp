@@ -1,5 +1,5 @@
-// What stands about a sketched head: camera, lamps, what eyes mirror, and what lies behind; read from the text
-// that POV-Ray would read.
+// What stands about a sketched head: camera, lamps, what eyes mirror, and what lies behind; read from the
+// text that POV-Ray would read.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,8 +14,8 @@ namespace mien {
 struct SketchLamp {
   glm::vec3 at{0};
   glm::vec3 colour{0};
-  glm::vec3 side{0}, other_side{0};  // of a cloth; of a point 0
-  bool has_shadow = true;            // one without makes no highlights either
+  glm::vec3 side{0}, other_side{0};         // of a cloth; of a point 0
+  bool has_shadow = true;                   // one without makes no highlights either
   float fade_distance = 0, fade_power = 0;  // 0: as bright far off as near
 };
 
@@ -28,7 +28,7 @@ struct SketchCard {
 };
 
 struct SketchCamera {
-  glm::vec3 at{0}, forward{0, 0, 1};  // `forward` reaches to the picture's plane
+  glm::vec3 at{0}, forward{0, 0, 1};      // `forward` reaches to the picture's plane
   glm::vec3 right{1, 0, 0}, up{0, 1, 0};  // as long as the picture is wide and high there
   bool is_orthographic = false;
 };

@@ -130,15 +130,20 @@ SketchFinish build_finish(const SdlBlock* block) {
   if (const SdlValue* const emission = find_value(*block, "emission"))
     finish.emission = glm::vec3(emission->vector());
   if (const SdlBlock* const reflection = find_block(*block, "reflection"))
-    if (!reflection->items.empty()) finish.reflection = static_cast<float>(reflection->items[0].value.number());
+    if (!reflection->items.empty())
+      finish.reflection = static_cast<float>(reflection->items[0].value.number());
   return finish;
 }
 
-// "normal { uv_mapping bumps DEPTH scale S }"; others (wrinkles, crackle) are finer than a sketch is.
+// "normal { uv_mapping bumps DEPTH scale S }"; others (wrinkles, crackle) are finer than a sketch is, and so
+// are hills that hardly bend light.
 SketchBumps build_bumps(const SdlBlock* block) {
+  constexpr float kShallowest = 0.08f;
   SketchBumps bumps;
   if (!block) return bumps;
-  if (const SdlValue* const depth = find_value(*block, "bumps")) bumps.depth = static_cast<float>(depth->number());
+  if (const SdlValue* const depth = find_value(*block, "bumps"))
+    bumps.depth = static_cast<float>(depth->number());
+  if (bumps.depth < kShallowest) bumps.depth = 0;
   bumps.is_on_grain = has_word(*block, "uv_mapping");
   glm::dmat4 place_from_pattern(1);
   for (std::size_t i = 0; i < block->items.size(); ++i)

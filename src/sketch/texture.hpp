@@ -21,8 +21,8 @@ struct SketchColour {
 
 // A place that a pattern is asked at: of a surface, or a direction of the sky.
 struct SketchPlace {
-  glm::vec3 at{0};      // in POV-Ray's space
-  glm::vec2 grain{0};   // mm on the skin or hair; of a part without one 0
+  glm::vec3 at{0};     // in POV-Ray's space
+  glm::vec2 grain{0};  // mm on the skin or hair; of a part without one 0
   glm::vec3 normal{0};
 };
 
@@ -48,8 +48,8 @@ struct SketchPigment {
 };
 
 struct SketchFinish {
-  float diffuse = 0, brilliance = 1, specular = 0, roughness = 0.05f, phong = 0, phong_size = 40, metallic = 0,
-        reflection = 0;
+  float diffuse = 0, brilliance = 1, specular = 0, roughness = 0.05f, phong = 0, phong_size = 40,
+        metallic = 0, reflection = 0;
   glm::vec3 emission{0};
 };
 

@@ -1,10 +1,9 @@
-// Embree 3.13: API documentation, "Geometry Objects" and "Ray Masks"; vertices are read in sixteens of bytes, so that
-// their buffer is one longer than they are.
+// Embree 3.13: API documentation, "Geometry Objects" and "Ray Masks"; vertices are read in sixteens of bytes,
+// so that their buffer is one longer than they are.
 #include "sketch/tracer.hpp"
 
 #include <fmt/format.h>
 
-#include <array>
 #include <cmath>
 
 #include "core/error.hpp"
@@ -14,7 +13,6 @@ namespace mien {
 namespace {
 
 constexpr unsigned kSeen = 1, kThrowsShadow = 2;
-constexpr int kPacket = 8;
 // A shadow's ray begins so far above the surface: less and it meets its own triangle.
 constexpr float kAbove_mm = 0.03f;
 
@@ -50,7 +48,8 @@ void attach_part(SketchTracer& tracer, const TracedPart& part, unsigned id) {
                              sizeof(glm::vec3), part.positions.size() - 1);
   rtcSetSharedGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, part.triangles->data(), 0,
                              sizeof(Triangle), part.triangles->size());
-  rtcSetGeometryMask(geometry, (part.look->is_seen ? kSeen : 0) | (part.look->has_shadow ? kThrowsShadow : 0));
+  rtcSetGeometryMask(geometry,
+                     (part.look->is_seen ? kSeen : 0) | (part.look->has_shadow ? kThrowsShadow : 0));
   rtcCommitGeometry(geometry);
   rtcAttachGeometryByID(tracer.scene, geometry, id);
   rtcReleaseGeometry(geometry);
@@ -73,7 +72,7 @@ void add_finish(SketchFinish& sum, const SketchFinish& finish, float share) {
 
 }  // namespace
 
-SketchTracer::SketchTracer() : device(rtcNewDevice("threads=1")) {
+SketchTracer::SketchTracer() : device(rtcNewDevice(nullptr)) {
   if (!device) throw RunError("Embree cannot be started");
 }
 
@@ -85,7 +84,7 @@ SketchTracer::~SketchTracer() {
 void set_figures(SketchTracer& tracer, const std::vector<SketchFigure>& figures) {
   if (tracer.scene) rtcReleaseScene(tracer.scene);
   tracer.scene = rtcNewScene(tracer.device);
-  rtcSetSceneBuildQuality(tracer.scene, RTC_BUILD_QUALITY_LOW);
+  rtcSetSceneBuildQuality(tracer.scene, RTC_BUILD_QUALITY_MEDIUM);
   std::size_t count = 0;
   for (const SketchFigure& figure : figures) count += figure.model->parts.size();
   tracer.parts.resize(count);
@@ -125,8 +124,8 @@ void find_hits(const SketchTracer& tracer, const SketchRay* rays, SketchHit* hit
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  alignas(32) std::array<int, kPacket> valid;
-  RTCRayHit8 both{};
+  alignas(64) std::array<int, kPacket> valid;
+  RTCRayHit16 both{};
   for (std::size_t i = 0; i < kPacket; ++i) {
     valid[i] = -1;
     both.ray.org_x[i] = rays[i].from.x;
@@ -140,7 +139,7 @@ void find_hits(const SketchTracer& tracer, const SketchRay* rays, SketchHit* hit
     both.ray.mask[i] = kSeen;
     both.hit.geomID[i] = RTC_INVALID_GEOMETRY_ID;
   }
-  rtcIntersect8(valid.data(), tracer.scene, &context, &both);
+  rtcIntersect16(valid.data(), tracer.scene, &context, &both);
   for (std::size_t i = 0; i < kPacket; ++i)
     hits[i] = {both.hit.geomID[i], both.hit.primID[i], both.hit.u[i], both.hit.v[i], both.ray.tfar[i]};
 }
@@ -161,6 +160,29 @@ bool is_hidden(const SketchTracer& tracer, const SketchSurface& surface, const g
   ray.mask = kThrowsShadow;
   rtcOccluded1(tracer.scene, &context, &ray);
   return ray.tfar < 0;
+}
+
+void find_hidden(const SketchTracer& tracer, SketchShadows& shadows) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+  alignas(64) std::array<int, kPacket> valid;
+  RTCRay16 rays{};
+  for (std::size_t i = 0; i < kPacket; ++i) {
+    valid[i] = shadows.is_asked[i] ? -1 : 0;
+    if (!shadows.is_asked[i]) continue;
+    const glm::vec3 from = shadows.at[i] + kAbove_mm * shadows.normal[i], way = shadows.place[i] - from;
+    rays.org_x[i] = from.x;
+    rays.org_y[i] = from.y;
+    rays.org_z[i] = from.z;
+    rays.dir_x[i] = way.x;
+    rays.dir_y[i] = way.y;
+    rays.dir_z[i] = way.z;
+    rays.tfar[i] = 1;
+    rays.mask[i] = kThrowsShadow;
+  }
+  rtcOccluded16(valid.data(), tracer.scene, &context, &rays);
+  for (std::size_t i = 0; i < kPacket; ++i) shadows.is_hidden[i] = rays.tfar[i] < 0;
 }
 
 SketchSurface find_shape(const SketchTracer& tracer, const SketchRay& ray, const SketchHit& hit) {
@@ -210,7 +232,8 @@ SketchSurface find_surface(const SketchTracer& tracer, const SketchRay& ray, con
     take(0);
     return surface;
   }
-  const std::array<std::size_t, 3> shades{part.shade[corners[0]], part.shade[corners[1]], part.shade[corners[2]]};
+  const std::array<std::size_t, 3> shades{part.shade[corners[0]], part.shade[corners[1]],
+                                          part.shade[corners[2]]};
   if (shades[0] == shades[1] && shades[1] == shades[2]) {
     take(shades[0]);
     return surface;

@@ -3,6 +3,7 @@
 
 #include <embree3/rtcore.h>
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -46,11 +47,19 @@ void set_figures(SketchTracer& tracer, const std::vector<SketchFigure>& figures)
 
 SketchHit find_hit(const SketchTracer& tracer, const SketchRay& ray);
 
-// Eight at once; their directions should be near each other.
+// kPacket at once; their directions should be near each other.
 void find_hits(const SketchTracer& tracer, const SketchRay* rays, SketchHit* hits);
 
 // Whether something stands between a surface and a place.
 bool is_hidden(const SketchTracer& tracer, const SketchSurface& surface, const glm::vec3& place);
+
+// The same of eight neighbours at once, those that are asked for.
+constexpr std::size_t kPacket = 16;
+struct SketchShadows {
+  std::array<bool, kPacket> is_asked{}, is_hidden{};
+  std::array<glm::vec3, kPacket> at, normal, place;  // of a surface, and of a lamp
+};
+void find_hidden(const SketchTracer& tracer, SketchShadows& shadows);
 
 // Place and normal alone, and all of it.
 SketchSurface find_shape(const SketchTracer& tracer, const SketchRay& ray, const SketchHit& hit);
