@@ -5,6 +5,7 @@
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/error.hpp"
 
 namespace mien {
 
@@ -13,6 +14,9 @@ namespace {
 void run_frames(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
   const Clip clip = plan_clip(options, *resources.stock.language);
+  if (is_sketch(clip.spec.render))
+    throw InputError(
+        "quality 'sketch' is mien's own drawing, without scenes; expected --quality draft, good or best");
   check_clip_folder(options, clip, false);
   const Cast cast = build_cast(clip, resources.heads);
   const FolderLock lock = hold_folder(options, clip.files.folder);

@@ -27,6 +27,8 @@ bool lets_through(const SketchTexture& texture) {
 }
 
 SketchPart build_part(const Part& part, SdlNames& names) {
+  if (!names.macros.contains(part.material + "_texture"))
+    throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
   std::string text = fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
   for (const Shade& shade : part.palette) text += format_povray_texture(part, shade) + "\n";
   if (names.macros.contains(part.material + "_object")) text += part.material + "_object()\n";
@@ -37,7 +39,7 @@ SketchPart build_part(const Part& part, SdlNames& names) {
     if (item.word == "no_image") look.is_seen = false;
   }
   if (look.textures.size() != part.palette.size())
-    throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
+    throw RunError(fmt::format("part '{}': material '{}' is not one texture", part.name, part.material));
   look.is_clear =
       std::ranges::any_of(look.textures, [](const auto& texture) { return lets_through(texture); });
   return look;

@@ -238,6 +238,17 @@ void call_macro(SdlReader& reader, const std::string& name, const SdlMacro& macr
   reader.sources.push_back({macro.tokens, macro.first, macro.first, macro.last, true, {}});
 }
 
+// "Vector.y" and "Colour.green" are not values of functions.
+SdlValue parse_component(SdlReader& reader, const SdlValue& value) {
+  if (!take_if(reader, ".")) return value;
+  const std::string component = take_word(reader);
+  constexpr std::string_view kComponents = "xyz";
+  const std::size_t index = kComponents.find(component);
+  if (component.size() != 1 || index == std::string_view::npos)
+    fail_sdl(reader, fmt::format("unknown component '{}'", component));
+  return make_number(value.v[index]);
+}
+
 template <typename T>
 T parse_primary(SdlReader& reader) {
   const SdlToken token = take(reader);
@@ -252,6 +263,7 @@ T parse_primary(SdlReader& reader) {
     else
       inner = parse_sum<T>(reader);
     expect(reader, ")");
+    if constexpr (std::is_same_v<T, SdlValue>) return parse_component(reader, inner);
     return inner;
   }
   if constexpr (std::is_same_v<T, SdlValue>)
@@ -262,20 +274,9 @@ T parse_primary(SdlReader& reader) {
         vector.v[static_cast<std::size_t>(vector.size++)] = parse_sum<SdlValue>(reader).number();
       } while (take_if(reader, ","));
       expect(reader, ">");
-      return vector;
+      return parse_component(reader, vector);
     }
   fail_sdl(reader, fmt::format("expected a value, found '{}'", token.word));
-}
-
-// "Vector.y" and "Colour.green" are not values of functions.
-SdlValue parse_component(SdlReader& reader, const SdlValue& value) {
-  if (!take_if(reader, ".")) return value;
-  const std::string component = take_word(reader);
-  constexpr std::string_view kComponents = "xyz";
-  const std::size_t index = kComponents.find(component);
-  if (component.size() != 1 || index == std::string_view::npos)
-    fail_sdl(reader, fmt::format("unknown component '{}'", component));
-  return make_number(value.v[index]);
 }
 
 template <>

@@ -162,7 +162,7 @@ TEST(arguments, tell_every_wrong_value_at_once) {
       read_mistakes({"render", "a", "--size", "4x60", "--quality", "god", "--jobs", "0", "--frames", "9-3"}),
       "--frames: '9-3' is not a range of frames such as 10-20, counted from 1\n"
       "--jobs: '0' is not a whole number within 1..1024\n"
-      "--quality: 'god' is not draft, good or best; did you mean 'good'?\n"
+      "--quality: 'god' is not sketch, draft, good or best; did you mean 'good'?\n"
       "--size: '4x60' has a side outside 16..8192 pixels\n");
   EXPECT_EQ(read_mistakes({"still", "a", "--angle", "left"}),
             "--angle: 'left' is not an angle in degrees such as 30\n");

@@ -119,9 +119,9 @@ TEST(completions, of_bash_offer_what_each_command_takes) {
 
 TEST(completions, of_bash_know_the_values_of_options) {
   EXPECT_THAT(complete_in_bash({"mien", "still", "a.yaml", "--quality", ""}),
-              ElementsAre("best", "draft", "good"));
+              ElementsAre("best", "draft", "good", "sketch"));
   EXPECT_THAT(complete_in_bash({"mien", "still", "a.yaml", "--quality", "="}),
-              ElementsAre("best", "draft", "good"));
+              ElementsAre("best", "draft", "good", "sketch"));
   EXPECT_THAT(complete_in_bash({"mien", "still", "--quality", "=", "dr"}), ElementsAre("draft"));
   EXPECT_THAT(complete_in_bash({"mien", "still", "--quality", "=", "draft", "two"}),
               ElementsAre("two words.yaml"));
@@ -140,7 +140,7 @@ TEST(completions, of_fish_know_the_place) {
   };
   EXPECT_THAT(complete("mien re"), ElementsAre("render"));
   EXPECT_THAT(complete("mien list a"), ElementsAre("ages", "areas"));
-  EXPECT_THAT(complete("mien still --quality "), ElementsAre("best", "draft", "good"));
+  EXPECT_THAT(complete("mien still --quality "), ElementsAre("best", "draft", "good", "sketch"));
   EXPECT_THAT(complete("mien bust --no"), ElementsAre("--no-stl"));
   EXPECT_THAT(complete("mien render --no"), IsEmpty());
 }

@@ -71,7 +71,7 @@ TEST(schema, knows_expressions_features_and_words_with_their_meanings) {
   EXPECT_EQ(features.at("nose_length").at("description"), "tip and base of the nose 3 mm lower");
   const json& qualities = defs.at("render").at("properties").at("quality").at("oneOf");
   EXPECT_EQ(qualities.size(), kQualities.size());
-  EXPECT_EQ(qualities[0].at("const"), "draft");
+  EXPECT_EQ(qualities[0].at("const"), "sketch");
   EXPECT_NE(qualities[0].at("description"), "");
 }
 

@@ -33,6 +33,29 @@ TEST(process, runs_in_its_folder_with_its_variables_and_without_input) {
   EXPECT_EQ(run_process({"printenv", "MIEN_TEST"}, "").output, "ours\n");
 }
 
+TEST(process, reads_what_it_is_fed) {
+  const Scratch scratch;
+  const std::string much(3000000, 'a');
+  Process counter = start_fed_process({"wc", "-c"}, scratch.path);
+  EXPECT_TRUE(feed_process(counter, much.data(), much.size()));
+  EXPECT_TRUE(feed_process(counter, "bcd", 3));
+  close_input(counter);
+  wait_for_any({&counter});
+  EXPECT_EQ(counter.result.output, "3000003\n");
+  EXPECT_EQ(counter.result.exit_code, 0);
+}
+
+TEST(process, that_reads_no_more_is_fed_no_more) {
+  const std::string much(3000000, 'a');
+  Process fussy = start_fed_process({"sh", "-c", "head -c 10 >/dev/null; echo enough; exit 4"}, ".");
+  EXPECT_FALSE(feed_process(fussy, much.data(), much.size()));
+  close_input(fussy);
+  if (fussy.id != 0) wait_for_any({&fussy});
+  EXPECT_EQ(fussy.result.output, "enough\n");
+  EXPECT_EQ(fussy.result.exit_code, 4);
+  EXPECT_FALSE(feed_process(fussy, much.data(), much.size()));
+}
+
 TEST(process, keeps_the_end_of_a_flood) {
   const ProcessResult result = run_process({"sh", "-c", "yes | head -c 9000000; echo end"}, ".");
   EXPECT_LE(result.output.size(), 2u << 20);

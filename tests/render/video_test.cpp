@@ -134,5 +134,45 @@ TEST(video, tells_a_failing_ffmpeg_and_keeps_the_old_clip) {
   EXPECT_EQ(count_files(reel.scratch.path), 3);
 }
 
+Pixels build_pixels(int width, int height, std::uint8_t red) {
+  Pixels pixels{{width, height}, {}};
+  for (int i = 0; i < width * height; ++i) pixels.rgb.insert(pixels.rgb.end(), {red, 100, 210});
+  return pixels;
+}
+
+TEST(video, can_be_fed_frame_by_frame) {
+  Reel reel(0);
+  VideoStream stream = start_video({33, 25}, 24, reel.clip);
+  for (const int red : {40, 40, 80})
+    append_frame(stream, build_pixels(33, 25, static_cast<std::uint8_t>(red)));
+  EXPECT_FALSE(std::filesystem::exists(reel.clip)) << "complete or absent";
+  finish_video(stream);
+  const std::string facts = reel.probe();
+  for (const char* fact : {"codec_name=h264", "width=34", "height=26", "pix_fmt=yuv420p", "color_range=tv",
+                           "color_space=bt709", "avg_frame_rate=24/1", "nb_read_frames=3"})
+    EXPECT_THAT(facts, HasSubstr(fact));
+  const std::string pixels = reel.decode();
+  EXPECT_NEAR(static_cast<unsigned char>(pixels[0]), 40, 3);
+  EXPECT_NEAR(static_cast<unsigned char>(pixels[2]), 210, 3);
+}
+
+TEST(video, that_is_not_finished_leaves_nothing) {
+  Reel reel(0);
+  {
+    VideoStream stream = start_video({32, 24}, 24, reel.clip);
+    append_frame(stream, build_pixels(32, 24, 10));
+  }
+  EXPECT_TRUE(std::filesystem::is_empty(reel.scratch.path));
+}
+
+TEST(video, says_what_is_wrong_with_a_stream) {
+  Reel reel(0);
+  VideoStream stream = start_video({32, 24}, 24, reel.clip);
+  EXPECT_EQ(find_message<RunError>([&] { append_frame(stream, build_pixels(24, 32, 10)); }),
+            "a picture of 24x32 pixels for a clip of 32x24");
+  VideoStream empty = start_video({32, 24}, 24, reel.scratch.path / "empty.mp4");
+  EXPECT_EQ(find_message<RunError>([&] { finish_video(empty); }), "a clip needs one picture at least");
+}
+
 }  // namespace
 }  // namespace mien
