@@ -26,6 +26,7 @@
 #include "poses.hpp"
 #include "render/process.hpp"
 #include "scene/povray.hpp"
+#include "sketches.hpp"
 #include "timeline.hpp"
 
 namespace {
@@ -226,8 +227,8 @@ void measure_ratio(const fs::path& data, const fs::path& folder) {
 
 }  // namespace
 
-// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `timeline`, `busts` or `poses` a part of
-// it.
+// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `sketches`, `timeline`, `busts` or
+// `poses` a part of it.
 int main(int argc, char** argv) {
   try {
     const std::string part = argc > 1 ? argv[1] : "all";
@@ -238,6 +239,7 @@ int main(int argc, char** argv) {
     if (part == "all" || part == "heads") measure_heads_and_scenes(data, folder);
     if (part == "all" || part == "memory") measure_memory(data, folder);
     if (part == "all" || part == "ratio") measure_ratio(data, folder);
+    if (part == "all" || part == "sketches") measure_sketches(data, folder, MIEN_BINARY, print_row);
     if (part == "all" || part == "timeline")
       measure_timeline(
           data, folder,
