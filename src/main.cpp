@@ -1,4 +1,4 @@
-// Arguments in, exit status out: the only place that prints an error and decides how the program ends.
+// Arguments in, exit status out: the only place that decides how the program ends.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 #include <exception>
 #include <filesystem>
 #include <new>
-#include <nlohmann/json.hpp>
 #include <string_view>
 #include <system_error>
 
 #include "command_line/arguments.hpp"
+#include "core/diagnostics.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/signals.hpp"
@@ -37,25 +37,6 @@ int run_request(const Request& request) {
   return request.is_usage ? kWrongInput : kDone;
 }
 
-std::string format_json(const Diagnostic& diagnostic) {
-  nlohmann::ordered_json object{{"kind", diagnostic.is_warning ? "warning" : "error"}};
-  if (!diagnostic.place.file.empty()) object["file"] = diagnostic.place.file;
-  if (diagnostic.place.line > 0) {
-    object["line"] = diagnostic.place.line;
-    if (diagnostic.place.column > 0) object["column"] = diagnostic.place.column;
-  }
-  object["message"] = diagnostic.message;
-  return object.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
-}
-
-void print_diagnostics(const std::vector<Diagnostic>& diagnostics, bool is_json) {
-  for (const Diagnostic& diagnostic : diagnostics)
-    write_stream(stderr, (is_json ? format_json(diagnostic) : format_diagnostic(diagnostic)) + "\n");
-  const auto errors = std::count_if(diagnostics.begin(), diagnostics.end(),
-                                    [](const Diagnostic& diagnostic) { return !diagnostic.is_warning; });
-  if (errors > 1 && !is_json) write_stream(stderr, fmt::format("{} errors\n", errors));
-}
-
 // What to say of output that was lost; nobody reads a pipe that has been closed, so nothing is said of that.
 std::string describe_lost_output(int error) {
   return error == EPIPE ? "" : fmt::format("cannot write standard output: {}", std::strerror(error));
@@ -73,7 +54,7 @@ int main(int argc, char** argv) {
   open_missing_streams();
   const bool is_json = std::any_of(argv, argv + argc, [](std::string_view word) { return word == "--json"; });
   const auto fail = [&](int status, const std::string& message) {
-    if (!message.empty()) print_diagnostics(InputError(message).diagnostics, is_json);
+    if (!message.empty()) write_diagnostics(InputError(message).diagnostics, is_json);
     return status;
   };
   int status = kDone;
@@ -84,7 +65,7 @@ int main(int argc, char** argv) {
     set_job_count(request.options.jobs);
     status = run_request(request);
   } catch (const InputError& e) {
-    print_diagnostics(e.diagnostics, is_json);
+    write_diagnostics(e.diagnostics, is_json);
     status = kWrongInput;
   } catch (const Interrupted& e) {
     status = fail(kInterrupted, e.what());

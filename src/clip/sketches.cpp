@@ -1,13 +1,17 @@
 #include "clip/sketches.hpp"
 
+#include <fmt/format.h>
+
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 
 #include "clip/pictures.hpp"
 #include "clip/staging.hpp"
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
+#include "core/text.hpp"
 #include "render/process.hpp"
 #include "sketch/sketch.hpp"
 
@@ -19,6 +23,7 @@ namespace {
 struct KeptLook {
   const Model* model = nullptr;
   SketchLook look;
+  std::string key;  // of all that never changes of it
 };
 
 // What one thread sketches with; looks are kept as long as the stage that they were read for.
@@ -32,6 +37,32 @@ struct SketchBench {
   std::vector<KeptLook> looks;
 };
 
+template <typename T>
+std::string hash_values(const std::vector<T>& values) {
+  static_assert(std::is_trivially_copyable_v<T>);
+  return hash_hex({reinterpret_cast<const char*>(values.data()), values.size() * sizeof(T)});
+}
+
+std::string hash_model(const Model& model) {
+  std::string all;
+  for (const Part& part : model.parts) {
+    all += fmt::format("{} {} {} {} {}", part.name, part.material, part.wear, part.is_rigid, part.is_outline);
+    all += hash_values(part.rest.triangles) + hash_values(part.palette) + hash_values(part.shade) +
+           hash_values(part.triangle_shade) + hash_values(part.grain);
+    if (part.is_rigid) all += hash_values(part.rest.positions) + hash_values(part.rest.normals);
+  }
+  return hash_hex(all);
+}
+
+std::string hash_drawing(const Drawing& drawing) {
+  std::string all;
+  for (const PartShape& shape : drawing.parts) {
+    all += hash_values(shape.positions) + hash_values(shape.normals) + hash_values(shape.triangles);
+    all.append(reinterpret_cast<const char*>(&shape.world_from_rest), sizeof shape.world_from_rest);
+  }
+  return hash_hex(all);
+}
+
 void stage_moment(const Clip& clip, const std::string& include, const FrameStart& start, SketchBench& bench) {
   std::string text;
   append_povray_start(text, start);
@@ -42,29 +73,42 @@ void stage_moment(const Clip& clip, const std::string& include, const FrameStart
   bench.looks.clear();
 }
 
-const SketchLook& find_look(const Model& model, SketchBench& bench) {
+const KeptLook& find_look(const Model& model, SketchBench& bench) {
   for (const KeptLook& kept : bench.looks)
-    if (kept.model == &model) return kept.look;
-  bench.looks.push_back({&model, build_sketch_look(model, bench.desk.stage.names)});
-  return bench.looks.back().look;
+    if (kept.model == &model) return kept;
+  bench.looks.push_back({&model, build_sketch_look(model, bench.desk.stage.names), hash_model(model)});
+  return bench.looks.back();
 }
 
-Pixels sketch_moment(const Clip& clip, const std::string& include, const FrameStart& start,
-                     const Heads& heads, double time_s, const std::optional<Pose>& pose, SketchBench& bench) {
+// A moment of a clip, drawn but not traced.
+struct DrawnMoment {
+  std::string key;  // of all that its pixels depend on
+  std::vector<SketchFigure> figures;
+};
+
+DrawnMoment draw_moment(const Clip& clip, const std::string& include, const FrameStart& start,
+                        const Heads& heads, double time_s, const std::optional<Pose>& pose,
+                        SketchBench& bench) {
   const RenderSpec& render = clip.spec.render;
   stage_moment(clip, include, start, bench);
   const InkView view = compute_ink_view(start.view, render);
   bench.drawings.resize(heads.figures.size());
+  DrawnMoment drawn{
+      fmt::format("{}x{} {} {}", render.width_px, render.height_px, hash_hex(include), bench.start), {}};
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
     draw_actor(heads, i, time_s, pose, view, bench.draw, bench.drawings[i]);
-    find_look(heads.figures[i]->get_drawn_model(), bench);
+    drawn.key += find_look(heads.figures[i]->get_drawn_model(), bench).key + hash_drawing(bench.drawings[i]);
   }
-  std::vector<SketchFigure> figures;
+  drawn.key = hash_hex(drawn.key);
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
     const Model& model = heads.figures[i]->get_drawn_model();
-    figures.push_back({&model, &find_look(model, bench), &bench.drawings[i]});
+    drawn.figures.push_back({&model, &find_look(model, bench).look, &bench.drawings[i]});
   }
-  return trace_sketch(bench.desk, figures, {render.width_px, render.height_px});
+  return drawn;
+}
+
+std::string build_include(const Clip& clip, const Resources& resources) {
+  return build_povray_stage("", clip.spec.render, resources.stock.templates, list_sets(clip.spec.clip));
 }
 
 // One clip on its way to pictures.
@@ -76,7 +120,10 @@ struct SketchRun {
   std::vector<SketchBench> benches;  // one a thread
 };
 
-Pixels sketch_drawing(SketchRun& run, std::size_t drawing, int worker, const Resources& resources) {
+PictureSize find_size(const Clip& clip) { return {clip.spec.render.width_px, clip.spec.render.height_px}; }
+
+DrawnMoment draw_drawing(SketchRun& run, std::size_t drawing, SketchBench& bench,
+                         const Resources& resources) {
   const Clip& clip = *run.staged.clip;
   const Cast& cast = *run.staged.cast;
   const auto find_time_s = [&](std::size_t i) {
@@ -86,17 +133,55 @@ Pixels sketch_drawing(SketchRun& run, std::size_t drawing, int worker, const Res
   auto heads = share_thing<Heads>(*run.cache, group, [&] {
     return build_heads(clip, cast, find_time_s(run.groups.first[group]), resources.heads);
   });
-  SketchBench& bench = run.benches[static_cast<std::size_t>(worker)];
   if (bench.heads != heads) bench.looks.clear();
   bench.heads = heads;
   const double time_s = find_time_s(drawing);
   const FrameStart start = build_start(clip, cast, sample_performance(clip.performance, time_s).camera,
                                        sample_stage(clip.spec.clip, time_s));
-  return sketch_moment(clip, run.include, start, *heads, time_s, {}, bench);
+  return draw_moment(clip, run.include, start, *heads, time_s, {}, bench);
 }
 
-std::string build_include(const Clip& clip, const Resources& resources) {
-  return build_povray_stage("", clip.spec.render, resources.stock.templates, list_sets(clip.spec.clip));
+// Pictures of one width after the other.
+Pixels join_parts(const std::vector<Pixels>& parts) {
+  if (parts.size() == 1) return parts.front();
+  Pixels whole{{0, parts.front().size.height_px}, {}};
+  for (const Pixels& part : parts) whole.size.width_px += part.size.width_px;
+  whole.rgb.resize(std::size_t{3} * static_cast<std::size_t>(whole.size.width_px) *
+                   static_cast<std::size_t>(whole.size.height_px));
+  int left_px = 0;
+  for (const Pixels& part : parts) {
+    paste_pixels(whole, part, left_px, 0);
+    left_px += part.size.width_px;
+  }
+  return whole;
+}
+
+struct FinishedSketch {
+  std::string key;
+  std::shared_ptr<const Pixels> picture;
+  bool was_kept = false;
+};
+
+FinishedSketch finish_sketch(std::vector<SketchRun>& runs, std::size_t drawing, std::size_t worker,
+                             const Resources& resources, const SketchStore* store) {
+  FinishedSketch finished;
+  std::vector<DrawnMoment> drawn;
+  for (SketchRun& run : runs) {
+    drawn.push_back(draw_drawing(run, drawing, run.benches[worker], resources));
+    finished.key += drawn.back().key;
+  }
+  if (store)
+    if (const auto kept = store->pictures.find(finished.key); kept != store->pictures.end()) {
+      finished.picture = kept->second;
+      finished.was_kept = true;
+      return finished;
+    }
+  std::vector<Pixels> parts;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    parts.push_back(
+        trace_sketch(runs[i].benches[worker].desk, drawn[i].figures, find_size(*runs[i].staged.clip)));
+  finished.picture = std::make_shared<const Pixels>(join_parts(parts));
+  return finished;
 }
 
 }  // namespace
@@ -105,53 +190,41 @@ SketchedStill sketch_still(const Clip& clip, const Cast& cast, const Still& stil
                            const Resources& resources) {
   const Heads heads = build_heads(clip, cast, still.time_s, resources.heads);
   SketchBench bench;
-  SketchedStill sketched;
-  sketched.picture =
-      sketch_moment(clip, build_include(clip, resources), build_start(clip, cast, still.camera, still.stage),
-                    heads, still.time_s, still.pose, bench);
-  sketched.held = list_still_held(heads, still);
-  return sketched;
+  const DrawnMoment drawn =
+      draw_moment(clip, build_include(clip, resources), build_start(clip, cast, still.camera, still.stage),
+                  heads, still.time_s, still.pose, bench);
+  return {trace_sketch(bench.desk, drawn.figures, find_size(clip)), list_still_held(heads, still)};
 }
 
 void sketch_drawings(const std::vector<Staged>& parts, const Resources& resources, int jobs,
-                     const SketchTaken& taken) {
-  const Clip& first = *parts.front().clip;
+                     SketchStore* store, const SketchTaken& taken) {
   std::vector<SketchRun> runs(parts.size());
-  PictureSize size{0, first.spec.render.height_px};
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    const Clip& clip = *parts[i].clip;
     runs[i].staged = parts[i];
-    runs[i].include = build_include(clip, resources);
-    runs[i].groups = group_drawings(clip);
+    runs[i].include = build_include(*parts[i].clip, resources);
+    runs[i].groups = group_drawings(*parts[i].clip);
     runs[i].cache = std::make_unique<SharedCache<Heads>>(static_cast<std::size_t>(jobs) + 1);
     runs[i].benches.resize(static_cast<std::size_t>(jobs));
-    size.width_px += clip.spec.render.width_px;
   }
   std::mutex order;
-  std::map<std::size_t, Pixels> waiting;  // for those before them
-  std::size_t next = 0;
-  for_each_index(first.plan.drawings.size(), jobs, [&](std::size_t drawing, int worker) {
+  std::map<std::size_t, FinishedSketch> waiting;  // for those before them
+  std::size_t next = 0, bytes = 0;
+  SketchStore fresh;
+  for_each_index(parts.front().clip->plan.drawings.size(), jobs, [&](std::size_t drawing, int worker) {
     throw_if_interrupted();
-    Pixels picture;
-    if (runs.size() == 1) {
-      picture = sketch_drawing(runs.front(), drawing, worker, resources);
-    } else {
-      picture = {size, std::vector<std::uint8_t>(std::size_t{3} * static_cast<std::size_t>(size.width_px) *
-                                                 static_cast<std::size_t>(size.height_px))};
-      int left_px = 0;
-      for (SketchRun& run : runs) {
-        const Pixels part = sketch_drawing(run, drawing, worker, resources);
-        paste_pixels(picture, part, left_px, 0);
-        left_px += part.size.width_px;
-      }
-    }
+    FinishedSketch finished =
+        finish_sketch(runs, drawing, static_cast<std::size_t>(worker), resources, store);
     const std::lock_guard lock(order);
-    waiting.emplace(drawing, std::move(picture));
+    waiting.emplace(drawing, std::move(finished));
     for (auto ready = waiting.begin(); ready != waiting.end() && ready->first == next; ++next) {
-      taken(ready->first, ready->second);
+      const FinishedSketch& first = ready->second;
+      taken(ready->first, *first.picture, first.was_kept);
+      bytes += first.picture->rgb.size();
+      if (store && bytes <= store->most_bytes) fresh.pictures.emplace(first.key, first.picture);
       ready = waiting.erase(ready);
     }
   });
+  if (store) store->pictures = std::move(fresh.pictures);
 }
 
 std::string build_sketch_manifest(const Clip& clip) {

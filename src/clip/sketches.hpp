@@ -2,6 +2,8 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -26,11 +28,19 @@ struct Staged {
 };
 
 // Told of each drawing, in the order of time, by one thread at a time: its place in the plan's `drawings`.
-using SketchTaken = std::function<void(std::size_t drawing, const Pixels& picture)>;
+using SketchTaken = std::function<void(std::size_t drawing, const Pixels& picture, bool was_kept)>;
 
-// Every drawing of the plan, on up to `jobs` threads; the same pixels whatever their number.
+// Pictures by what their pixels depend on, so that none is traced twice. Those of the newest call are kept,
+// as many as there is room for.
+struct SketchStore {
+  std::map<std::string, std::shared_ptr<const Pixels>> pictures;
+  std::size_t most_bytes = std::size_t{1} << 29;
+};
+
+// Every drawing of the plan, on up to `jobs` threads; the same pixels whatever their number. With a store
+// only those that it has not are traced; it has all of them then and no others.
 void sketch_drawings(const std::vector<Staged>& parts, const Resources& resources, int jobs,
-                     const SketchTaken& taken);
+                     SketchStore* store, const SketchTaken& taken);
 
 // What was made, for other programs: the text of manifest_sketch.json.
 std::string build_sketch_manifest(const Clip& clip);

@@ -33,7 +33,7 @@ inline constexpr std::array kOptions{
     OptionInfo{"output", 'o', "PATH", "where to write: a folder, or the one file a command makes"},
     OptionInfo{"frames", 0, "A-B", "only these frames, counted from 1"},
     OptionInfo{"size", 0, "WxH", "picture size in pixels, over the file's"},
-    OptionInfo{"quality", 0, "WORD", "draft, good or best, over the file's"},
+    OptionInfo{"quality", 0, "WORD", "sketch, draft, good or best, over the file's"},
     OptionInfo{"jobs", 0, "N", "processes at once (default: as many as cores)"},
     OptionInfo{"quiet", 0, "", "say nothing but errors"},
     OptionInfo{"json", 0, "", "say everything as one JSON object a line"},

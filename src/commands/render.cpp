@@ -3,9 +3,9 @@
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
-#include "clip/sketches.hpp"
 #include "commands/hold.hpp"
 #include "commands/report.hpp"
+#include "commands/sketch_clip.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
 #include "core/text.hpp"
@@ -43,66 +43,43 @@ void finish_clip(const Options& options, const Clip& clip, const std::vector<Wri
   report_result(options, "poster", poster);
 }
 
-// The same clip through POV-Ray's: scenes, pictures, video.
-void render_clip(const Options& options, const Clip& clip, const std::vector<Clip>& parts,
-                 const std::vector<Cast>& casts, const Resources& resources) {
-  if (parts.empty()) {
+void render_clip(const Options& options, const ClipParts& planned, const std::vector<Cast>& casts,
+                 const Resources& resources) {
+  const Clip& clip = planned.clip;
+  if (planned.parts.empty()) {
     finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources));
     return;
   }
   std::vector<std::vector<WrittenScene>> written;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const FolderLock part_lock = hold_folder(options, parts[i].files.folder);
-    written.push_back(make_pictures(options, parts[i], casts[i], resources));
+  for (std::size_t i = 0; i < planned.parts.size(); ++i) {
+    const FolderLock part_lock = hold_folder(options, planned.parts[i].files.folder);
+    written.push_back(make_pictures(options, planned.parts[i], casts[i], resources));
   }
-  const Clip whole = widen_clip(clip, parts.size());
+  const Clip whole = widen_clip(clip, planned.parts.size());
   const std::vector<WrittenScene> scenes = join_scenes(written);
-  join_pictures(parts, whole, scenes);
+  join_pictures(planned.parts, whole, scenes);
   finish_clip(options, whole, scenes);
 }
 
-// The clip without POV-Ray and without a picture on the disk.
-void sketch_clip(const Options& options, const Clip& clip, const std::vector<Clip>& parts,
-                 const std::vector<Cast>& casts, const Resources& resources) {
-  std::vector<Staged> staged;
-  for (std::size_t i = 0; i < casts.size(); ++i) {
-    staged.push_back({parts.empty() ? &clip : &parts[i], &casts[i]});
-    report_starts(options, list_heads(*staged.back().clip), resources.heads);
-    report_clip_held(options, *staged.back().clip, casts[i], resources.heads);
-  }
-  const Clip whole = widen_clip(clip, staged.size());
-  Progress progress = start_progress(options, "sketches", whole.plan.drawings.size());
-  SketchVideo video = start_sketch_video(whole);
-  sketch_drawings(staged, resources, count_jobs(options), [&](std::size_t drawing, const Pixels& picture) {
-    append_drawing(video, drawing, picture);
-    progress.advance(false, whole.plan.drawings[drawing]);
-  });
-  progress.finish();
-  finish_video(video.stream);
-  write_file(whole.files.folder / kSketchManifest, build_sketch_manifest(whole));
-  report_result(options, "clip", find_video_path(whole));
+void check_folders(const Options& options, const ClipParts& planned) {
+  if (is_sketch(planned.clip.spec.render)) return check_sketch_folder(options, planned.clip);
+  check_clip_folder(options, planned.clip, true);
+  for (const Clip& part : planned.parts) check_clip_folder(options, part, true);
 }
 
 void run_render(const Options& options) {
   const Resources resources = load_resources(find_data_folder());
-  const Clip clip = plan_clip(options, *resources.stock.language);
-  const bool is_sketched = is_sketch(clip.spec.render);
-  const auto check_folder = [&](const Clip& part) {
-    is_sketched ? check_sketch_folder(options, part) : check_clip_folder(options, part, true);
-  };
-  check_folder(clip);
-  std::vector<Clip> parts;  // none: the clip itself
-  for (const std::string& design : options.beside) {
-    parts.push_back(redesign_clip(clip, design, resources.stock.head->designs));
-    if (!is_sketched) check_folder(parts.back());
-  }
+  const ClipParts planned = plan_parts(options, resources);
+  check_folders(options, planned);
+  const bool is_sketched = is_sketch(planned.clip.spec.render);
   if (!is_sketched) require_programs({{"povray", "povray"}});
   require_programs({{"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
-  std::vector<Cast> casts;
-  for (const Clip& part : parts.empty() ? std::vector<Clip>{clip} : parts)
-    casts.push_back(build_cast(part, resources.heads));
-  const FolderLock lock = hold_folder(options, clip.files.folder);
-  (is_sketched ? sketch_clip : render_clip)(options, clip, parts, casts, resources);
+  const std::vector<Cast> casts = build_casts(planned, resources.heads);
+  const FolderLock lock = hold_folder(options, planned.clip.files.folder);
+  if (is_sketched)
+    sketch_clip(options, planned, casts, resources, nullptr);
+  else
+    render_clip(options, planned, casts, resources);
 }
 
 }  // namespace

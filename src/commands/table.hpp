@@ -9,6 +9,7 @@
 // In the order that a user meets them.
 #define MIEN_COMMANDS(X) \
   X(render)              \
+  X(watch)               \
   X(frames)              \
   X(still)               \
   X(sheet)               \
