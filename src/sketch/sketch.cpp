@@ -30,21 +30,15 @@ constexpr float kBehind_mm = 0.001f;  // a ray goes on so far behind what it met
 constexpr std::uint8_t kNotAsked = 2;
 constexpr glm::vec3 kUnknown{-1};
 
-// One pixel of the first pass: what it meets, and behind all clear things what stops it.
-struct SketchPixel {
-  SketchHit hit, base;
-  glm::vec3 normal{0};  // of the base, toward the eye
-};
-
 struct SketchPage {
   const SketchStage& stage;
   SketchTracer& tracer;
   std::vector<glm::vec3>& sky;
   PictureSize size;
-  std::vector<SketchPixel> pixels;
-  std::vector<std::vector<std::uint8_t>> hidden;  // of each lamp: 1 hidden, 0 seen, kNotAsked
-  std::vector<std::vector<float>> visible;        // of each lamp: 0 hidden .. 1, where it was asked
-  std::vector<glm::vec3> light;                   // linear
+  std::vector<SketchPixel>& pixels;
+  std::vector<std::vector<std::uint8_t>>& hidden;
+  std::vector<std::vector<float>>& visible;
+  std::vector<glm::vec3>& light;
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width_px) +
@@ -103,8 +97,13 @@ std::size_t find_beside(const SketchPage& page, const SketchSurface& surface, co
 // it if one shows the same surface, else what rays tell; `turn` varies their places among neighbours.
 void measure_visible(SketchPage& page, const SketchSurface& surface, const SketchHit& hit, std::size_t near,
                      int turn) {
-  std::vector<float>& visible = page.tracer.visible;
+  std::vector<float>& visible = page.tracer.seen;
   visible.assign(page.stage.lamps.size(), 1);
+  if (hit == page.pixels[near].base) {  // it is asked already
+    for (std::size_t i = 0; i < visible.size(); ++i)
+      if (page.stage.lamps[i].has_shadow) visible[i] = page.visible[i][near];
+    return;
+  }
   const std::size_t beside = find_beside(page, surface, hit, near);
   for (std::size_t i = 0; i < visible.size(); ++i) {
     const SketchLamp& lamp = page.stage.lamps[i];
@@ -145,7 +144,7 @@ glm::vec3 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t 
     if (hit.part == SketchHit::kNone) return sum + through * sample_sky(page.stage, ray.direction);
     const SketchSurface surface = find_surface(page.tracer, ray, hit);
     measure_visible(page, surface, hit, near, turn);
-    sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.visible) +
+    sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.seen) +
                       find_mirrored(page, surface, ray));
     through *= find_through(surface);
     if (std::max({through.r, through.g, through.b}) < kFaint) break;
@@ -191,8 +190,10 @@ void find_shadows(SketchPage& page) {
   const std::vector<SketchLamp>& lamps = page.stage.lamps;
   page.hidden.resize(lamps.size());
   page.visible.resize(lamps.size());
-  for (auto& hidden : page.hidden) hidden.assign(page.pixels.size(), kNotAsked);
-  for (auto& visible : page.visible) visible.resize(page.pixels.size());
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    page.hidden[i].assign(lamps[i].has_shadow ? page.pixels.size() : 0, kNotAsked);
+    page.visible[i].resize(page.hidden[i].size());
+  }
   SketchShadows shadows;
   std::array<std::size_t, kPacket> index{};
   std::array<int, kPacket> place{};
@@ -368,7 +369,9 @@ Pixels trace_sketch(SketchDesk& desk, const std::vector<SketchFigure>& figures, 
   const std::size_t count =
       static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px);
   if (desk.sky.size() != count) desk.sky.assign(count, kUnknown);
-  SketchPage page{desk.stage, *desk.tracer, desk.sky, size, {}, {}, {}, {}};
+  SketchTracer& tracer = *desk.tracer;
+  SketchPage page{desk.stage,    tracer,        desk.sky,       size,
+                  tracer.pixels, tracer.hidden, tracer.visible, tracer.light};
   page.pixels.resize(count);
   page.light.resize(count);
   find_pixels(page);

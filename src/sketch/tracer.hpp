@@ -21,6 +21,14 @@ struct SketchHit {
   static constexpr std::uint32_t kNone = RTC_INVALID_GEOMETRY_ID;
   std::uint32_t part = kNone, triangle = 0;
   float u = 0, v = 0, along_mm = 0;
+
+  bool operator==(const SketchHit&) const = default;
+};
+
+// One pixel of the first pass: what it meets, and behind all clear things what stops it.
+struct SketchPixel {
+  SketchHit hit, base;
+  glm::vec3 normal{0};  // of the base, toward the eye
 };
 
 struct TracedPart {
@@ -39,7 +47,12 @@ struct SketchTracer {
   RTCDevice device = nullptr;
   RTCScene scene = nullptr;
   std::vector<TracedPart> parts;  // of all figures, one after the other
-  std::vector<float> visible;     // of the lamps, for one surface at a time
+  std::vector<float> seen;        // of each lamp, by one surface at a time: 0 hidden .. 1
+  // Of each pixel of one picture:
+  std::vector<SketchPixel> pixels;
+  std::vector<std::vector<std::uint8_t>> hidden;  // of each lamp with shadows: 1 hidden, 0 seen, 2 not asked
+  std::vector<std::vector<float>> visible;        // of the same: 0 hidden .. 1
+  std::vector<glm::vec3> light;                   // linear
 };
 
 // Makes the scene anew.
