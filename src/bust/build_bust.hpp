@@ -52,9 +52,9 @@ std::vector<NamedPose> list_bust_menu(const Spec& spec, const std::vector<BustSp
 // 100 x 100 mm".
 std::vector<Mesh> build_plates(const std::vector<Mesh>& busts, const glm::dvec2& plate_mm);
 
-// "Its hair is not printed: hair is finer than any nozzle." of a head with hair or a beard, as the report of
-// each of its busts says; empty for others.
-std::string describe_unprinted_hair(const Model& model);
+// "Its hair is not printed: hair is finer than any nozzle." of a head with hair that its bust does not wear
+// or a beard, as the report of each of its busts says; empty for others.
+std::string describe_unprinted_hair(const Model& model, bool wears_hair);
 
 // One bust. Throws RunError "a wall of 30 mm leaves nothing to hollow" and
 // the like.

@@ -101,7 +101,7 @@ void run_bust(const Options& options) {
   const auto count = static_cast<std::size_t>(count_bust_files(options));
   report_starts(options, {head}, resources.heads);
   report_held(options, list_held(busts));
-  const std::string hair = describe_unprinted_hair(figure.model);
+  const std::string hair = describe_unprinted_hair(figure.model, wears_hair(figure));
   report_note(options, clip.spec, hair);
   Progress progress = start_progress(options, "files", busts.size() * count);
   const auto report_file = [&](const std::string& kind, const std::filesystem::path& path) {

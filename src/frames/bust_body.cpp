@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/error.hpp"
@@ -66,6 +67,7 @@ std::vector<glm::vec3> place_all(const BustBody& body, const Figure& figure, con
   place_patch(
       body.all_mouth, [&](const PatchPlace& at) { return place_in_mouth(mouth, at); }, positions);
   place_foot(body.chest, body.first_foot, stand, positions);
+  place_hair(body.hair, positions);
   return positions;
 }
 
@@ -81,8 +83,10 @@ std::vector<glm::vec3> compute_print(const BustBody& body, const std::vector<glm
   return print;
 }
 
-// The skin without what lies inside mouth and eyes, finer under the brows, with all patches and the foot.
-Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
+// The skin without what lies inside mouth and eyes, finer under the brows, with all patches, the foot and
+// the hair, if there is any.
+Mesh build_all(const Figure& figure, float mm_of_print, const std::optional<HairRelief>& hair,
+               BustBody& body) {
   const NeutralHead& head = figure.head;
   body.eye_slits = {compute_eye_slit(head, 1), compute_eye_slit(head, -1)};
   body.mouth_slit = compute_mouth_slit(head);
@@ -96,6 +100,7 @@ Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
   body.brows = refine_brows(mesh, list_brows(figure.model),
                             {kBrowPerHeight * mm_of_print, kLockPerHeight * mm_of_print});
   mesh.normals.clear();
+  const std::size_t skin_count = mesh.positions.size();
   for (std::size_t i = 0; i < 2; ++i) body.all_eyes[i] = append_patch(mesh, body.eye_slits[i]);
   body.all_mouth = append_patch(mesh, body.mouth_slit);
 
@@ -117,6 +122,7 @@ Mesh build_all(const Figure& figure, float mm_of_print, BustBody& body) {
     above = below;
   }
   body.foot = above;
+  if (hair) body.hair = append_hair(head, *hair, skin_count, 1 / body.print_per_head, mesh);
   body.all_count = mesh.positions.size();
   return mesh;
 }
@@ -185,7 +191,8 @@ std::vector<bool> list_locked(const BustBody& body) {
 }
 
 // What the skin's other vertices do is of no account once the body is thinned.
-void leave_out_skin(const Figure& figure, const std::vector<bool>& is_kept, BustBody& body) {
+void leave_out_skin(const Figure& figure, std::vector<bool> is_kept, BustBody& body) {
+  leave_out_hair(body.hair, std::vector<bool>(is_kept), is_kept);
   leave_out_brows(body.brows, is_kept);
   std::vector<bool> is_wanted(is_kept.begin(),
                               is_kept.begin() + static_cast<std::ptrdiff_t>(body.brows.skin_count));
@@ -224,6 +231,9 @@ void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> tri
     for (std::uint32_t& v : t) v = new_index[v];
   body.triangles = std::move(triangles);
   for (std::uint32_t& v : body.foot) v = new_index[v];
+  body.first_hair = static_cast<std::uint32_t>(
+      std::ranges::lower_bound(body.kept, body.hair.is_on() ? body.hair.first_of_mass() : body.all_count) -
+      body.kept.begin());
   for (std::size_t i = 0; i < 2; ++i) body.eyes[i] = find_kept(body.all_eyes[i], new_index);
   body.mouth = find_kept(body.all_mouth, new_index);
 }
@@ -242,9 +252,15 @@ CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, con
   return move_jaw(body.carved_mouth, glm::mat4(compute_jaw(figure.face, apply_limits(figure.limits, asked))));
 }
 
-BustBody build_bust_body(const Figure& figure, const BustSize& size) {
+bool wears_hair(const Figure& figure) {
+  return build_lens(figure.head).is_on() && has_hair_mass(figure.head, figure.hair);
+}
+
+namespace {
+
+BustBody build_body(const Figure& figure, const BustSize& size, bool has_hair) {
   BustBody body;
-  // The skin's own height decides the scale; the foot's is a part of it.
+  // The skin's own height and its hair's decide the scale; the foot's is a part of it.
   const Box box = compute_bounds(figure.head.skin.positions);
   const std::vector<Loop> edges = find_boundary_loops(figure.head.skin.triangles);
   const Loop& chest = edges[compute_chest(figure.head.skin, edges)];
@@ -253,13 +269,34 @@ BustBody build_bust_body(const Figure& figure, const BustSize& size) {
   body.lens = build_lens(figure.head);
   body.origin = foot.middle;
   if (size.stand == Stand::flat) body.origin.y = compute_flat_y(foot);
-  body.print_per_head = float(size.figure_mm) / (box.high.y - body.origin.y);
+  float top = box.high.y;
+  std::optional<HairRelief> hair;
+  if (has_hair) {
+    constexpr double kHigher = 1.04;  // with hair
+    HairSurroundings around;
+    for (const std::uint32_t v : chest) around.chest.push_back(figure.head.skin.positions[v]);
+    for (const Mesh& brow : list_brows(figure.model))
+      around.brows.insert(around.brows.end(), brow.positions.begin(), brow.positions.end());
+    hair =
+        build_hair_relief(figure.head, figure.hair, around, kHigher * (top - body.origin.y) / size.figure_mm);
+    top = std::max(top, float(hair->top_mm));
+  }
+  body.print_per_head = float(size.figure_mm) / (top - body.origin.y);
   const float mm_of_print = float(size.whole_mm) / body.print_per_head;
   measure_carving(figure, size.whole_mm, mm_of_print, body);
-  const Mesh all = build_all(figure, mm_of_print, body);
+  const Mesh all = build_all(figure, mm_of_print, hair, body);
+  if (has_hair && !body.hair.is_on()) return body;
   thin_body(figure, size.triangles, all.triangles, body);
   if (body.lens.is_on()) body.relax = build_bust_relax(body.triangles, list_fixed(body));
   return body;
+}
+
+}  // namespace
+
+BustBody build_bust_body(const Figure& figure, const BustSize& size) {
+  if (wears_hair(figure))
+    if (BustBody body = build_body(figure, size, true); body.hair.is_on()) return body;
+  return build_body(figure, size, false);
 }
 
 std::vector<bool> list_fixed(const BustBody& body) {

@@ -11,6 +11,7 @@
 #include "frames/bust_brows.hpp"
 #include "frames/bust_eyes.hpp"
 #include "frames/bust_foot.hpp"
+#include "frames/bust_hair.hpp"
 #include "frames/bust_mouth.hpp"
 #include "frames/bust_patch.hpp"
 #include "frames/bust_relax.hpp"
@@ -36,6 +37,7 @@ struct BustBody {
   // The vertices that were kept, by their index among all of them; triangles name kept ones.
   std::vector<std::uint32_t> kept;
   std::vector<Triangle> triangles;  // counter-clockwise from outside; open at the foot alone
+  std::uint32_t first_hair = 0;     // of the kept vertices; those of the hair's mass are the last ones
   Loop foot;                        // the open edge, counter-clockwise seen from above
   std::array<Patch, 2> eyes;        // left, right; vertices among the kept ones
   Patch mouth;
@@ -60,9 +62,14 @@ struct BustBody {
   RaisedBrows brows;
   Loop chest;                    // the skin's lower edge
   std::uint32_t first_foot = 0;  // rings of as many vertices as the chest's edge
+  BustHair hair;                 // of a drawn head whose cut is a mass
   std::array<CarvedEye, 2> carved;
   CarvedMouth carved_mouth;  // its jaw at rest
 };
+
+// Whether a bust of the figure is to have its hair: that of a drawn head, if its cut is a mass and not paint
+// alone. Its body has none all the same where the hair's edge cannot be sewn.
+bool wears_hair(const Figure& figure);
 
 // The body of a figure. Its pose decides nothing but where the least missed triangles are. About 0.3 s.
 BustBody build_bust_body(const Figure& figure, const BustSize& size);

@@ -196,6 +196,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   Figure figure;
   figure.head = build_neutral_head(stock, spec);
   figure.limits = compute_limit_shares(spec.limits);
+  figure.hair = spec.hair;
   // Independent of each other, the slow ones first.
   std::array<std::vector<HeadPart>, 7> made;
   std::vector<SkinTint> tints;

@@ -1,6 +1,7 @@
 // A head that can be posed and drawn: the only place where geometry and time meet.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "config/spec.hpp"
@@ -23,6 +24,7 @@ struct Figure {
   std::vector<HeadPart> parts;   // their `part` is moved into `model`: parts[i] carries model.parts[i]
   std::vector<HairRoots> roots;  // of parts[i]'s bindings, at rest
   Model model;
+  std::string hair = "none";      // the cut that it wears
   Redraw redraw;                  // of a design; then the parts of eyes and jaw are no rigid ones,
   std::vector<Mesh> undistorted;  // and this is what each of them was before, empty for the others
 };

@@ -52,7 +52,7 @@ HeadPart make_part(const char* name, const char* material, std::vector<Shade> pa
   HeadPart part;
   part.part.name = name;
   part.part.material = material;
-  part.part.is_printed = false;  // busts stay bald, and say so
+  part.part.is_printed = false;  // a bust's hair is a body of its own, or none
   part.part.palette = std::move(palette);
   part.mount = Mount::strands;
   return part;
@@ -81,6 +81,10 @@ HairCut draw_cut(HairCut cut) {
 }
 
 }  // namespace
+
+HairCut find_drawn_cut(const NeutralHead& head, const std::string& name) {
+  return draw_cut(find_cut(head, name));
+}
 
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look,
                                  bool is_drawn) {

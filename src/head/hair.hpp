@@ -16,6 +16,9 @@ namespace mien {
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& cut, const Look& look,
                                  bool is_drawn);
 
+// A cut with the locks that it has where it is drawn. Throws RunError for an unknown cut.
+HairCut find_drawn_cut(const NeutralHead& head, const std::string& name);
+
 // How much of the scalp's colour hair hides, 0..1 a vertex of the skin; empty for "none".
 std::vector<float> paint_scalp(const NeutralHead& head, const std::string& cut);
 

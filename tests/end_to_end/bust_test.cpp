@@ -133,6 +133,10 @@ TEST(bust, says_that_hair_and_beard_are_not_printed) {
       {"{look: {beard: short}}", "warning: Its beard is not printed: hair is finer than any nozzle.\n"},
       {"{hair: crop, look: {beard: stubble}}",
        "warning: Its hair and beard are not printed: hair is finer than any nozzle.\n"},
+      {"{hair: buzz, design: comic}", "warning: Its hair is not printed: hair is finer than any nozzle.\n"},
+      {"{hair: bob, design: comic, look: {beard: short}}",
+       "warning: Its beard is not printed: hair is finer than any nozzle.\n"},
+      {"{hair: bob, design: comic}", ""},
       {"{age: child}", ""}};
   for (const auto& [head, warning] : heads) {
     const auto folder = make_folder("bust_hair");
@@ -418,10 +422,11 @@ TEST(bust, openscad_poses_the_face_as_mien_does) {
   expect_posed_alike(build_figure(shipped().heads, HeadSpec{}), make_folder("bust_pose"));
 }
 
-// Its lens too, with the gaze carved before it.
+// Its lens too, with the gaze carved before it, and its hair.
 TEST(bust, openscad_poses_a_drawn_face_as_mien_does) {
   HeadSpec spec;
   spec.design = {{"comic", 1.0}};
+  spec.hair = "bob";
   expect_posed_alike(build_figure(shipped().heads, spec, FigureUse::print), make_folder("bust_drawn"));
 }
 

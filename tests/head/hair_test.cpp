@@ -49,7 +49,7 @@ Names sort(Names names) {
 void expect_sound(const NeutralHead& head, const HeadPart& part, const std::string& what) {
   const Mesh& mesh = part.part.rest;
   EXPECT_EQ(part.mount, Mount::strands) << what;
-  EXPECT_FALSE(part.part.is_printed) << what;  // busts stay bald
+  EXPECT_FALSE(part.part.is_printed) << what;
   ASSERT_FALSE(mesh.triangles.empty()) << what;
   ASSERT_EQ(mesh.normals.size(), mesh.positions.size()) << what;
   std::uint32_t next = 0;
