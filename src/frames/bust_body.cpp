@@ -9,6 +9,7 @@
 #include "core/thin.hpp"
 #include "frames/bust_foot.hpp"
 #include "head/cage.hpp"
+#include "head/lids.hpp"
 
 namespace mien {
 
@@ -275,8 +276,10 @@ BustBody build_body(const Figure& figure, const BustSize& size, bool has_hair) {
     constexpr double kHigher = 1.04;  // with hair
     HairSurroundings around;
     for (const std::uint32_t v : chest) around.chest.push_back(figure.head.skin.positions[v]);
+    for (const glm::vec3& lid : find_named_ring(figure.head, "E2_", 0, 15))
+      for (const float side : {1.0f, -1.0f}) around.face.emplace_back(side * lid.x, lid.y, lid.z);
     for (const Mesh& brow : list_brows(figure.model))
-      around.brows.insert(around.brows.end(), brow.positions.begin(), brow.positions.end());
+      around.face.insert(around.face.end(), brow.positions.begin(), brow.positions.end());
     hair =
         build_hair_relief(figure.head, figure.hair, around, kHigher * (top - body.origin.y) / size.figure_mm);
     top = std::max(top, float(hair->top_mm));

@@ -370,6 +370,9 @@ BustHair append_hair(const NeutralHead& head, const HairRelief& relief, std::siz
   if (cover.empty()) return hair;
   hair.first = static_cast<std::uint32_t>(mesh.positions.size());
   hair.edge = cut_skin(cover, mesh);
+  const bool is_of_skin = std::ranges::all_of(
+      hair.edge, [&](const HairEdgeVertex& v) { return v.ends[0] < skin_count && v.ends[1] < skin_count; });
+  if (!is_of_skin) return {};
   std::vector<Loop> loops = find_boundary_loops(mesh.triangles);
   std::erase_if(loops, [&](const Loop& loop) { return loop.front() < hair.first; });
   if (loops.size() != 1 || !append_mass(relief, loops.front(), fine_mm, hair, mesh)) return {};

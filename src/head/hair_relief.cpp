@@ -61,16 +61,16 @@ double compute_body_mm(const HairScene& scene, const HairPlace& place, double le
 }
 
 // Where the hair's outer edge is at each degree of azimuth: as the cut says, around ears that it leaves free
-// and above the brows, but so much higher as the slope under it takes.
+// and above brows and lids, but so much higher as the slope under it takes.
 std::vector<double> compute_ends(const NeutralHead& head, const HairScene& scene,
-                                 const std::vector<glm::vec3>& brows, double fine_mm) {
-  constexpr double kBesideEar = 0.8, kAboveBrow = 0.7;  // of the print
+                                 const std::vector<glm::vec3>& face, double fine_mm) {
+  constexpr double kBesideEar = 0.8, kAboveFace = 0.7;  // of the print
   constexpr double kSlope = 0.9, kLongest_mm = 11;      // of what slopes; more would bare the neck
   std::vector<double> ends;
   const HairBorder& border = scene.ends.empty() ? scene.hairline : scene.ends;
   for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
     ends.push_back(sample_border(border, place_of(azimuth, 0).azimuth_deg));
-  for (const glm::vec3& p : brows) keep_free(scene.chart, glm::dvec3(p), kAboveBrow * fine_mm, ends);
+  for (const glm::vec3& p : face) keep_free(scene.chart, glm::dvec3(p), kAboveFace * fine_mm, ends);
   const std::vector<double> before = ends;
   for (int azimuth = 0; azimuth < kAzimuths; ++azimuth) {
     const HairPlace place{azimuth - 180.0, before[static_cast<std::size_t>(azimuth)]};
@@ -358,7 +358,7 @@ HairRelief build_hair_relief(const NeutralHead& head, const std::string& cut, co
                              double fine_mm) {
   const HairScene scene = build_hair_scene(head, find_drawn_cut(head, cut));
   const HairChart& chart = scene.chart;
-  const std::vector<double> ends = compute_ends(head, scene, around.brows, fine_mm);
+  const std::vector<double> ends = compute_ends(head, scene, around.face, fine_mm);
   HairRelief relief{chart, std::vector<double>(std::size_t{kAzimuths} * kWays), scene.cut.covers_ears, 0};
   const std::vector<double> locks = compute_locks(scene, fine_mm),
                             floor = compute_floor(head, chart, kStep * fine_mm);

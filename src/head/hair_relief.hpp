@@ -23,10 +23,10 @@ struct HairRelief {
 // Whether a cut is a mass, and not paint alone. "none" is none. Throws RunError for an unknown cut.
 bool has_hair_mass(const NeutralHead& head, const std::string& cut);
 
-// What hair must leave free: points of the brows, which it ends above, and the chest's edge, which it does
-// not hang over.
+// What hair must leave free: points of brows and lids, which it ends above and beside, and of the chest's
+// edge, which it does not hang over.
 struct HairSurroundings {
-  std::vector<glm::vec3> brows, chest;
+  std::vector<glm::vec3> face, chest;
 };
 
 // `fine_mm`: of the head for one of the print. The hair ends in a step of at least 1.4 of them.

@@ -60,7 +60,7 @@ TEST(hair_relief, leaves_brows_and_the_chest_free) {
   const HairChart chart = build_hair_relief(head, "bob", {}, kFine_mm).chart;
   HairSurroundings around;
   for (double azimuth = 5; azimuth < 40; azimuth += 2)
-    around.brows.emplace_back(compute_hair_point(chart, {azimuth, 0.6}, 100));
+    around.face.emplace_back(compute_hair_point(chart, {azimuth, 0.6}, 100));
   const HairRelief relief = build_hair_relief(head, "bob", around, kFine_mm);
   for (double azimuth = 10; azimuth < 34; azimuth += 2)
     EXPECT_LT(measure_over_mm(relief, {azimuth, 0.6}), 0) << azimuth;
