@@ -23,7 +23,8 @@ constexpr auto kFiner = std::to_array<std::array<float, 2>>(
     {{-0.375f, -0.125f}, {0.125f, -0.375f}, {0.375f, 0.125f}, {-0.125f, 0.375f}});
 
 // The order in which the places of a cloth go to neighbouring pixels (Bayer's).
-constexpr std::array<int, kTile * kTile> kOrder{0, 8, 2, 10, 12, 4, 14, 6, 3, 11, 1, 9, 15, 7, 13, 5};
+constexpr std::array<int, std::size_t{kTile} * kTile> kOrder{0, 8,  2, 10, 12, 4, 14, 6,
+                                                             3, 11, 1, 9,  15, 7, 13, 5};
 
 constexpr float kBehind_mm = 0.001f;  // a ray goes on so far behind what it met
 
@@ -54,6 +55,11 @@ SketchRay build_ray(const SketchPage& page, float x, float y) {
   if (camera.is_orthographic)
     return {camera.at + u * camera.right + v * camera.up, glm::normalize(camera.forward), 0};
   return {camera.at, glm::normalize(camera.forward + u * camera.right + v * camera.up), 0};
+}
+
+// Through the middle of a pixel.
+SketchRay build_pixel_ray(const SketchPage& page, int x, int y) {
+  return build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
 }
 
 bool is_cloth(const SketchLamp& lamp) { return glm::dot(lamp.side, lamp.side) > 0; }
@@ -172,8 +178,7 @@ void find_pixels(SketchPage& page) {
   for (int top = 0; top < page.size.height_px; top += kHigh)
     for (int left = 0; left < page.size.width_px; left += kWide) {
       for (int i = 0; i < kWide * kHigh; ++i)
-        rays[static_cast<std::size_t>(i)] = build_ray(page, static_cast<float>(left + i % kWide) + 0.5f,
-                                                      static_cast<float>(top + i / kWide) + 0.5f);
+        rays[static_cast<std::size_t>(i)] = build_pixel_ray(page, left + i % kWide, top + i / kWide);
       find_hits(page.tracer, rays.data(), hits.data());
       for (int i = 0; i < kWide * kHigh; ++i) {
         const int x = left + i % kWide, y = top + i / kWide;
@@ -206,7 +211,7 @@ void find_shadows(SketchPage& page) {
         index[i] = page.index(x, y);
         SketchPixel& pixel = page.pixels[index[i]];
         if (pixel.base.part == SketchHit::kNone) continue;
-        const SketchRay ray = build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        const SketchRay ray = build_pixel_ray(page, x, y);
         const SketchSurface surface = find_shape(page.tracer, ray, pixel.base);
         is_met[i] = true;
         pixel.normal = glm::dot(surface.normal, ray.direction) > 0 ? -surface.normal : surface.normal;
@@ -266,7 +271,7 @@ void light_pixels(SketchPage& page) {
   for (int y = 0; y < page.size.height_px; ++y)
     for (int x = 0; x < page.size.width_px; ++x) {
       const std::size_t index = page.index(x, y);
-      const SketchRay ray = build_ray(page, static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+      const SketchRay ray = build_pixel_ray(page, x, y);
       if (page.pixels[index].hit.part == SketchHit::kNone) {
         glm::vec3& sky = page.sky[index];
         if (sky == kUnknown) sky = sample_sky(page.stage, ray.direction);
@@ -304,8 +309,8 @@ void smooth_edges(SketchPage& page) {
     for (std::size_t i = 0; i < kPacket; ++i) {
       const auto& [dx, dy] = kFiner[i % kFiner.size()];
       const std::size_t edge = find_edge(i);
-      rays[i] = build_ray(page, static_cast<float>(edge % width) + 0.5f + dx,
-                          static_cast<float>(edge / width) + 0.5f + dy);
+      const std::size_t x = edge % width, y = edge / width;
+      rays[i] = build_ray(page, static_cast<float>(x) + 0.5f + dx, static_cast<float>(y) + 0.5f + dy);
     }
     find_hits(page.tracer, rays.data(), hits.data());
     for (std::size_t i = 0; i < kAtOnce && first + i < edges.size(); ++i) {
