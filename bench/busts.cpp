@@ -1,9 +1,9 @@
 #include "busts.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 #include <chrono>
 
+#include "children.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "render/failure.hpp"
@@ -17,14 +17,6 @@ namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What all children so far have used of cores.
-double read_children_s() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  return double(usage.ru_utime.tv_sec + usage.ru_stime.tv_sec) +
-         1e-6 * double(usage.ru_utime.tv_usec + usage.ru_stime.tv_usec);
-}
 
 // On the clock, and summed over all cores.
 struct Spent {

@@ -1,12 +1,12 @@
 #include "sketches.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
+#include "children.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "render/picture.hpp"
@@ -17,16 +17,6 @@ namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
-
-// What all children have used of the processors so far.
-double read_children_s() {
-  rusage usage{};
-  getrusage(RUSAGE_CHILDREN, &usage);
-  const auto seconds = [](const timeval& time) {
-    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
-  };
-  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
-}
 
 struct Cost {
   double core_s = 0, wall_s = 0;

@@ -2,14 +2,14 @@
 #pragma once
 
 #include <filesystem>
-#include <functional>
 #include <string>
+
+#include "timeline.hpp"
 
 namespace mien {
 
-// `print_row` prints a name, a value and a remark; `folder` is empty and may be filled.
-void measure_sketches(
-    const std::filesystem::path& data, const std::filesystem::path& folder, const std::string& program,
-    const std::function<void(const std::string&, const std::string&, const std::string&)>& print_row);
+// A line a figure. `program` is mien's path; `folder` is empty and may be filled.
+void measure_sketches(const std::filesystem::path& data, const std::filesystem::path& folder,
+                      const std::string& program, const PrintRow& print_row);
 
 }  // namespace mien

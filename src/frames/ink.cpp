@@ -86,6 +86,22 @@ void darken_sides(Part& teeth) {
   }
 }
 
+// Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
+// the arch.
+void darken_backs(Part& teeth) {
+  constexpr float kLeast = 0.12f;  // cosine; lower, and cusps are specks in the dark
+  const float back_mm = compute_bounds(teeth.rest.positions).low.z;
+  teeth.palette.push_back({kInkMouth, 0});
+  for (const Triangle& t : teeth.rest.triangles) {
+    const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
+                    &c = teeth.rest.positions[t[2]];
+    const glm::vec3 outward((a.x + b.x + c.x) / 3, 0, (a.z + b.z + c.z) / 3 - back_mm);
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    const float least = kLeast * glm::length(normal) * glm::length(outward);
+    teeth.triangle_shade.push_back(glm::dot(normal, outward) >= least ? 0 : 1);
+  }
+}
+
 // What the parts of a real head become; their own tones where nothing is said.
 void set_material(const Look& look, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
@@ -95,7 +111,11 @@ void set_material(const Look& look, Part& part) {
   };
   if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
   if (part.name == "teeth_lower") darken_sides(part);
-  if (part.name == "gum_upper") flat({1, 0.985f, 0.95f});  // teeth are one white band
+  if (part.name == "teeth_upper") darken_backs(part);
+  if (part.name == "gum_upper") {  // teeth are one white band
+    flat({1, 0.985f, 0.95f});
+    darken_backs(part);
+  }
   if (part.name == "gum_lower" || part.name == "lip_veil") flat(kInkMouth);
   if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
   const bool is_beard = part.name.starts_with("beard");
