@@ -74,22 +74,10 @@ Part make_caster(const Figure& figure) {
   return part;
 }
 
-// Those who look into a mouth see the lower teeth's sides as two fangs beside the tongue.
-void darken_sides(Part& teeth) {
-  constexpr float kFront = 0.62f;  // of the half width that is white
-  const float half_mm = compute_bounds(teeth.rest.positions).high.x;
-  teeth.palette.push_back({kInkMouth, 0});
-  for (const Triangle& t : teeth.rest.triangles) {
-    const float x =
-        (teeth.rest.positions[t[0]].x + teeth.rest.positions[t[1]].x + teeth.rest.positions[t[2]].x) / 3;
-    teeth.triangle_shade.push_back(std::abs(x) > kFront * half_mm ? 1 : 0);
-  }
-}
-
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
 // the arch.
 void darken_backs(Part& teeth) {
-  constexpr float kLeast = 0.12f;  // cosine; lower, and cusps are specks in the dark
+  constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
   const float back_mm = compute_bounds(teeth.rest.positions).low.z;
   teeth.palette.push_back({kInkMouth, 0});
   for (const Triangle& t : teeth.rest.triangles) {
@@ -109,14 +97,14 @@ void set_material(const Look& look, Part& part) {
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name.starts_with("teeth")) flat({1, 0.985f, 0.95f});
-  if (part.name == "teeth_lower") darken_sides(part);
+  if (part.name == "teeth_upper") flat({1, 0.985f, 0.95f});
   if (part.name == "teeth_upper") darken_backs(part);
   if (part.name == "gum_upper") {  // teeth are one white band
     flat({1, 0.985f, 0.95f});
     darken_backs(part);
   }
-  if (part.name == "gum_lower" || part.name == "lip_veil") flat(kInkMouth);
+  if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
+    flat(kInkMouth);  // what shows of lower teeth beside a tongue is crumbs
   if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;

@@ -307,19 +307,25 @@ TEST(ink, creases_come_with_the_move_and_stay_with_age) {
   EXPECT_LT(measure_creases(build_subject(infant), frown), 0.3);
 }
 
-TEST(ink, lower_teeth_are_white_in_front_only) {
+TEST(ink, upper_teeth_are_white_where_they_look_out_and_lower_ones_never) {
   const Ink& ink = comic().ink;
-  const Part& teeth = ink.model.parts[find_part(ink.model, "teeth_lower")];
+  const Part& lower = ink.model.parts[find_part(ink.model, "teeth_lower")];
+  EXPECT_EQ(lower.palette.size(), 1u);
+  EXPECT_LT(lower.palette[0].srgb.g, 0.2f) << "as dark as the mouth";
+  const Part& teeth = ink.model.parts[find_part(ink.model, "teeth_upper")];
   ASSERT_EQ(teeth.triangle_shade.size(), teeth.rest.triangles.size());
-  const float half_mm = compute_bounds(teeth.rest.positions).high.x;
+  const float back_mm = compute_bounds(teeth.rest.positions).low.z;
   std::size_t white = 0;
   for (std::size_t t = 0; t < teeth.rest.triangles.size(); ++t) {
     if (teeth.triangle_shade[t] != 0) continue;
     ++white;
-    for (const std::uint32_t v : teeth.rest.triangles[t])
-      EXPECT_LT(std::abs(teeth.rest.positions[v].x), 0.8f * half_mm);
+    const auto& [a, b, c] = teeth.rest.triangles[t];
+    const std::vector<glm::vec3>& p = teeth.rest.positions;
+    const glm::vec3 middle = (p[a] + p[b] + p[c]) / 3.0f;
+    EXPECT_GT(glm::dot(glm::cross(p[b] - p[a], p[c] - p[a]), {middle.x, 0, middle.z - back_mm}), 0);
   }
   EXPECT_GT(4 * white, teeth.rest.triangles.size());
+  EXPECT_LT(4 * white, 3 * teeth.rest.triangles.size());
 }
 
 TEST(ink, a_scene_takes_all_of_it) {
