@@ -252,6 +252,14 @@ void soften(const HairChart& chart, double wide_mm, std::vector<double>& values)
   }
 }
 
+// Whether the way from one place to the next leads down the head, and not around it, as ways do beside the
+// whorl.
+bool runs_down(const HairChart& chart, const HairPlace& from, const HairPlace& to) {
+  constexpr double kSteep = 0.5;  // of the steepest way there is
+  const glm::dvec3 out = compute_hair_direction(chart, from), step = compute_hair_direction(chart, to) - out;
+  return -step.y > kSteep * glm::length(step) * std::sqrt(std::max(0.0, 1 - out.y * out.y));
+}
+
 // Fills what recedes too fast below hair.
 void prop_up(const HairChart& chart, std::vector<double>& values) {
   const auto skin_mm = [&](const HairPlace& place) { return sample_hair_chart(chart, chart.skin_mm, place); };
@@ -267,7 +275,8 @@ void prop_up(const HairChart& chart, std::vector<double>& values) {
       };
       const double sunk_mm = (std::max(0.0, here.way - 1) - std::max(0.0, above.way - 1)) * chart.drop_mm;
       const double high = weigh(above), low = weigh(here);
-      if (before > skin_mm(above) && high > 0 && low > high - 1e-9)
+      const bool is_below = here.way > 1 || runs_down(chart, above, here);
+      if (is_below && before > skin_mm(above) && high > 0 && low > high - 1e-9)
         value = std::max(value, (before * high - kOver * sunk_mm) / low);
     }
 }
