@@ -1,0 +1,101 @@
+// What the timeline shows, as plain rows, from what the clip says and does.
+
+// Chart rows of an area: {left, right} of one that has sides (the same row if both do the same), {both} of others.
+function findCurves(chartRows, area) {
+  const find = (name) => chartRows.find((row) => row.name === name) ?? null;
+  if (!area.left) return {both: find(area.key)};
+  const both = find(area.key);
+  return {left: both ?? find(area.left), right: both ?? find(area.right)};
+}
+
+function matchesActor(held, row) {
+  if (held.actor !== undefined) return held.actor === row.actor;
+  return true;
+}
+
+function findHeld(chart, names, actor) {
+  return chart.held.filter((held) => names.includes(held.area) && matchesActor(held, {actor}));
+}
+
+// Overlapping cues go below each other.
+function layCues(cues) {
+  const ends = [];
+  return [...cues].sort((a, b) => a.from_s - b.from_s).map((cue) => {
+    let lane = ends.findIndex((end) => end <= cue.from_s + 1e-6);
+    if (lane < 0) lane = ends.length;
+    ends[lane] = cue.end_s;
+    return {...cue, lane};
+  });
+}
+
+function buildAreaRows(area, chart, actor, openRows) {
+  const id = `${actor}:${area.key}`;
+  const curves = findCurves(chart.rows.filter((row) => row.actor === actor), area);
+  const isOpen = openRows.has(id);
+  const range = {low: Math.min(...area.moves.map((move) => move.low)), moves: area.moves};
+  if (!area.left)
+    return [{id, kind: "area", label: area.key, actor, level: 1, ...range, lines: [curves.both].filter(Boolean),
+             held: findHeld(chart, [area.key], actor)}];
+  const isSame = curves.left === curves.right;
+  const row = {id, kind: "area", label: area.key, actor, level: 1, isOpen, canOpen: true, ...range,
+               lines: isSame ? [curves.left].filter(Boolean) : [curves.right, curves.left].filter(Boolean),
+               held: findHeld(chart, [area.key, area.left, area.right], actor)};
+  if (!isOpen) return [row];
+  return [row, ...["left", "right"].map((side) => (
+    {id: `${id}:${side}`, kind: "area", label: side, actor, level: 2, ...range, lines: [curves[side]].filter(Boolean),
+     held: findHeld(chart, [area.key, area[side]], actor)}))];
+}
+
+function buildMarksRow(id, kind, label, marks, actor) {
+  return marks.length ? [{id, kind, label, actor, level: 1, marks}] : [];
+}
+
+function buildActorRows(clip, chart, areas, actor, openRows) {
+  const own = (list) => (list ?? []).filter((mark) => (mark.actor ?? "") === actor);
+  const cues = layCues(own(clip.cues));
+  const head = chart.rows.find((row) => row.actor === actor && row.name === "head");
+  const rows = [
+    {id: `${actor}:keys`, kind: "keys", label: "keys", actor, level: 1, marks: own(clip.keys)},
+    ...(cues.length ? [{id: `${actor}:cues`, kind: "cues", label: "cues", actor, level: 1, marks: cues,
+                        lanes: Math.max(...cues.map((cue) => cue.lane)) + 1}] : []),
+    ...buildMarksRow(`${actor}:heads`, "keys", "head", own(clip.heads), actor),
+    {id: `${actor}:turn`, kind: "turn", label: "turn", actor, level: 1, marks: own(clip.turns), low: -1, held: [],
+     moves: [{move: "turn"}, {move: "nod"}, {move: "tilt"}], lines: head ? [head] : []},
+  ];
+  for (const area of areas) rows.push(...buildAreaRows(area, chart, actor, openRows));
+  return rows;
+}
+
+// Blinks are moments alone, or marks with a place.
+function listBlinks(clip) {
+  return clip.blinks.map((blink) => typeof blink === "number"
+    ? {kind: "blink", at_s: blink, end_s: blink, label: "blink", line: 0, column: 0, actor: ""} : blink);
+}
+
+/**
+ * Rows from the top: {id, kind: "actor"|"keys"|"cues"|"blinks"|"stage"|"turn"|"area", label, actor, level, marks?, lanes?,
+ * lines?: chart rows, moves?, low?, held?, canOpen?, isOpen?}. `openRows`: ids of the rows that are open.
+ */
+export function buildRows(clip, chart, areas, openRows) {
+  const rows = [];
+  const blinks = listBlinks(clip);
+  const shared = blinks.filter((blink) => !blink.actor);
+  for (const {name} of clip.actors) {
+    const isOne = clip.actors.length === 1;
+    const id = `actor:${name}`;
+    const isShut = openRows.has(id);  // actors begin open
+    if (!isOne) rows.push({id, kind: "actor", label: name, actor: name, level: 0, canOpen: true, isOpen: !isShut});
+    if (!isOne && isShut) continue;
+    const own = buildActorRows(clip, chart, areas, name, openRows);
+    const mine = blinks.filter((blink) => blink.actor && blink.actor === name);
+    const blinkRow = buildMarksRow(`${name}:blinks`, "blinks", "blinks", isOne ? [...shared, ...mine] : mine, name);
+    const behind = own.findIndex((row) => row.kind === "turn");
+    own.splice(behind, 0, ...blinkRow);
+    rows.push(...own);
+  }
+  if (clip.actors.length > 1) rows.unshift(...buildMarksRow("blinks", "blinks", "blinks", shared, ""));
+  rows.push(...buildMarksRow("camera", "stage", "camera", clip.cameras, ""),
+            ...buildMarksRow("light", "stage", "light", clip.lights, ""),
+            ...buildMarksRow("background", "stage", "background", clip.backgrounds, ""));
+  return rows;
+}
