@@ -18,8 +18,8 @@ namespace {
 bool is_growing(const Actor& actor) { return !actor.performance.clip.head.empty(); }
 
 // With the actor's name in the names of its parts: one scene holds everybody's.
-FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
-                                 const HeadStock& stock) {
+FigurePointer make_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
+                                const HeadStock& stock) {
   DrawnFigure figure = build_drawn_figure(stock, head, style);
   if (!actor.name.empty()) {
     for (Part& part : figure.model.parts) part.name += "_of_" + actor.name;
@@ -27,6 +27,12 @@ FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, Style
       for (Part& part : figure.ink->model.parts) part.name += "_of_" + actor.name;
   }
   return std::make_shared<const DrawnFigure>(std::move(figure));
+}
+
+FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
+                                 const HeadStock& stock, FigureStore* store) {
+  const auto make = [&] { return make_actor_figure(actor, head, style, stock); };
+  return store ? take_figure(*store, compute_figure_key(head, style, actor.name), make) : make();
 }
 
 // Adds where the landmarks lie that the camera looks at.
@@ -59,8 +65,9 @@ void check_heads(const Clip& clip, const Actor& actor, const HeadStock& stock) {
 
 }  // namespace
 
-Cast build_cast(const Clip& clip, const HeadStock& stock) {
+Cast build_cast(const Clip& clip, const HeadStock& stock, FigureStore* store) {
   Cast cast;
+  cast.store = store;
   for (const Actor& actor : clip.actors) {
     check_heads(clip, actor, stock);
     std::vector<HeadSpec> heads;  // that it is seen to have
@@ -72,7 +79,7 @@ Cast build_cast(const Clip& clip, const HeadStock& stock) {
     for (const HeadSpec& head : heads) {
       throw_if_interrupted();
       if (!seen.insert(compute_head_key(head)).second) continue;
-      figures.push_back(build_actor_figure(actor, head, clip.spec.render.style, stock));
+      figures.push_back(build_actor_figure(actor, head, clip.spec.render.style, stock, store));
       framed.push_back(figures.back().get());
       add_places(clip, actor, *figures.back(), cast.framing);
     }
@@ -90,7 +97,7 @@ Heads build_heads(const Clip& clip, const Cast& cast, double time_s, const HeadS
     glm::dmat4& place = heads.places.emplace_back(find_place(actor.place));
     if (!heads.figures[i]) {
       heads.figures[i] =
-          build_actor_figure(actor, compute_head(actor, time_s), clip.spec.render.style, stock);
+          build_actor_figure(actor, compute_head(actor, time_s), clip.spec.render.style, stock, cast.store);
       heads.changing.push_back(heads.figures[i]);
       place[3].y += compute_lowering_mm(*heads.figures[i], place, cast.framing, render);
     }

@@ -6,25 +6,24 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "clip/figure_store.hpp"
 #include "clip/view.hpp"
-#include "frames/drawn_figure.hpp"
 #include "frames/resources.hpp"
 
 namespace mien {
-
-using FigurePointer = std::shared_ptr<const DrawnFigure>;
 
 // What all scenes of a clip share.
 struct Cast {
   // One an actor; empty for one whose head changes, which is built anew for each head it has.
   std::vector<FigurePointer> figures;
   Framing framing;
+  FigureStore* store = nullptr;  // where figures are kept, if they are
 };
 
 // Builds every head that does not change, and of the others those at their keys: their sizes make the
 // framing. Their mistakes, and those of the heads between the keys, are told before anything is written.
-// Throws InputError.
-Cast build_cast(const Clip& clip, const HeadStock& stock);
+// With a store, those that it has are taken from there. Throws InputError.
+Cast build_cast(const Clip& clip, const HeadStock& stock, FigureStore* store = nullptr);
 
 // Everybody's figure as some drawings show it.
 struct Heads {

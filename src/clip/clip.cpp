@@ -28,8 +28,12 @@ fs::path find_output(const Options& options, const Spec& spec) {
 }
 
 Clip open_clip(const Options& options, const Language& language) {
+  return build_clip(load_request(options, language));
+}
+
+Clip build_clip(Spec spec) {
   Clip clip;
-  clip.spec = load_request(options, language);
+  clip.spec = std::move(spec);
   clip.performance = build_performance(clip.spec.clip);
   if (clip.spec.actors.empty())  // the only one plays the clip itself
     clip.actors.push_back({"", clip.spec.head, {}, clip.performance});
@@ -47,12 +51,16 @@ std::vector<const Performance*> list_players(const Clip& clip) {
 
 Clip plan_clip(const Options& options, const Language& language) {
   Clip clip = open_clip(options, language);
+  plan_drawings(clip, options.frames);
+  clip.files = {find_output(options, clip.spec), clip.spec.name};
+  return clip;
+}
+
+void plan_drawings(Clip& clip, const std::optional<std::pair<int, int>>& frames) {
   std::vector<std::vector<std::string>> keys;
   for (const Performance* performance : list_players(clip)) keys.push_back(list_drawing_keys(*performance));
-  clip.plan = plan_frames(compute_drawings(clip.spec.clip, keys), options.frames);
-  clip.files = {find_output(options, clip.spec), clip.spec.name};
+  clip.plan = plan_frames(compute_drawings(clip.spec.clip, keys), frames);
   clip.frame_count = count_frames(clip.spec.clip);
-  return clip;
 }
 
 const Actor& find_actor(const Clip& clip, const Options& options) {

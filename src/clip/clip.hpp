@@ -43,13 +43,17 @@ struct Clip {
   int frame_count = 0;  // of the whole clip, whatever --frames says
 };
 
-// The file's people without a plan of frames: for one moment.
+// The people of a file that was read, without a plan of frames: for one moment.
+Clip build_clip(Spec spec);
 Clip open_clip(const Options& options, const Language& language);
 
 // Whose drawings the clip's frames are: the clip itself, which has the camera, and its actors.
 std::vector<const Performance*> list_players(const Clip& clip);
 
 Clip plan_clip(const Options& options, const Language& language);
+
+// Plans what was opened; `frames` as --frames has them.
+void plan_drawings(Clip& clip, const std::optional<std::pair<int, int>>& frames = {});
 
 // The one whom --actor names, else the only one. Throws InputError if there are several and none is named.
 const Actor& find_actor(const Clip& clip, const Options& options);

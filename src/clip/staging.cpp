@@ -34,12 +34,17 @@ FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& came
 
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,
                 const InkView& view, DrawBuffers& buffers, Drawing& drawing) {
-  const DrawnFigure& figure = *heads.figures[actor];
   Moment moment{};
   if (pose)
     moment.pose = *pose;
   else
     moment = sample_performance(heads.performances[actor], time_s);
+  draw_actor(heads, actor, moment, view, buffers, drawing);
+}
+
+void draw_actor(const Heads& heads, std::size_t actor, const Moment& moment, const InkView& view,
+                DrawBuffers& buffers, Drawing& drawing) {
+  const DrawnFigure& figure = *heads.figures[actor];
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, drawing);
   place_drawing(heads.places[actor], drawing);
   if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, drawing);

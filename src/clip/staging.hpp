@@ -35,5 +35,7 @@ struct DrawBuffers {
 // figure's drawn model.
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,
                 const InkView& view, DrawBuffers& buffers, Drawing& drawing);
+void draw_actor(const Heads& heads, std::size_t actor, const Moment& moment, const InkView& view,
+                DrawBuffers& buffers, Drawing& drawing);
 
 }  // namespace mien

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clip/cast.hpp"
+#include "clip/reach.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
@@ -22,13 +23,6 @@ namespace {
 
 constexpr int kPlainWidth = 80;    // columns, of a pipe or a file
 constexpr int kWidestChart = 200;  // wider, the rows are hard to follow
-
-MoveReach compute_reach(const Figure& figure) {
-  MoveReach reach;
-  for (const Limit& limit : measure_limits(figure.head, figure.face, figure.limits))
-    (limit.name->sign > 0 ? reach.plus_mm : reach.minus_mm)[limit.name->move] = limit.mm;
-  return reach;
-}
 
 // A line each: "file:line:col: warning: ..." or JSON.
 void report_advice(const Options& options, const Performance& performance, const Rehearsal& rehearsal,

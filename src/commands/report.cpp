@@ -67,13 +67,6 @@ void report_warning(const Options& options, const Diagnostic& warning) {
   fmt::print("{}\n", format_object(object));
 }
 
-std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {
-  std::vector<Held> ledger = list_held(spec);
-  for (const Rehearsal& rehearsal : rehearsals)
-    ledger.insert(ledger.end(), rehearsal.held.begin(), rehearsal.held.end());
-  return ledger;
-}
-
 std::string format_json(const HeldNote& note) {
   const Held& held = note.held;
   return format_object(nlohmann::ordered_json{{"kind", "note"},

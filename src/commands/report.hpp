@@ -25,9 +25,6 @@ void report_held(const Options& options, std::vector<Held> ledger);
 // The same of a whole clip, however few of its frames are asked for.
 void report_clip_held(const Options& options, const Clip& clip, const Cast& cast, const HeadStock& stock);
 
-// The file's whole ledger, with what its people are held back from in time.
-std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals);
-
 // Why the scans and meshes that the heads are made from may be no good heads, each warning once, to standard
 // output, with --json one object a line; with --quiet nothing.
 void report_starts(const Options& options, const std::vector<HeadSpec>& heads, const HeadStock& stock);

@@ -15,10 +15,10 @@ ClipParts plan_parts(const Options& options, const Resources& resources) {
   return planned;
 }
 
-std::vector<Cast> build_casts(const ClipParts& planned, const HeadStock& stock) {
+std::vector<Cast> build_casts(const ClipParts& planned, const HeadStock& stock, FigureStore* store) {
   std::vector<Cast> casts;
-  if (planned.parts.empty()) casts.push_back(build_cast(planned.clip, stock));
-  for (const Clip& part : planned.parts) casts.push_back(build_cast(part, stock));
+  if (planned.parts.empty()) casts.push_back(build_cast(planned.clip, stock, store));
+  for (const Clip& part : planned.parts) casts.push_back(build_cast(part, stock, store));
   return casts;
 }
 

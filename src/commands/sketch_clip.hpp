@@ -19,7 +19,7 @@ struct ClipParts {
 ClipParts plan_parts(const Options& options, const Resources& resources);
 
 // The heads of all that is shown.
-std::vector<Cast> build_casts(const ClipParts& planned, const HeadStock& stock);
+std::vector<Cast> build_casts(const ClipParts& planned, const HeadStock& stock, FigureStore* store = nullptr);
 
 // Traces what `store` has not, joins all to NAME_sketch.mp4 and writes what was made beside it; the folder is
 // held. Tells what limits hold back, progress and the clip's path.

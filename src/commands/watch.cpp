@@ -22,12 +22,13 @@ namespace {
 // One save: the file is read and judged, what changed is sketched. Mistakes are told, and the last clip
 // stays. Returns the files that the next save may be of.
 std::vector<std::filesystem::path> follow_save(const Options& options, const Resources& resources,
-                                               std::vector<std::filesystem::path> files, SketchStore& store) {
+                                               std::vector<std::filesystem::path> files, SketchStore& store,
+                                               FigureStore& figures) {
   try {
     const ClipParts planned = plan_parts(options, resources);
     files = planned.clip.spec.files;
     check_sketch_folder(options, planned.clip);
-    const std::vector<Cast> casts = build_casts(planned, resources.heads);
+    const std::vector<Cast> casts = build_casts(planned, resources.heads, &figures);
     const FolderLock lock = hold_folder(options, planned.clip.files.folder);
     sketch_clip(options, planned, casts, resources, &store);
   } catch (const InputError& error) {
@@ -48,11 +49,12 @@ void run_watch(const Options& asked) {
   if (!std::filesystem::exists(options.file)) load_request(options, *resources.stock.language);  // says so
   FileWatch watch;
   SketchStore store;
+  FigureStore figures;
   std::vector<std::filesystem::path> files{options.file};
   try {
     while (true) {
       set_watched_files(watch, files);  // before they are read: no save is missed
-      files = follow_save(options, resources, std::move(files), store);
+      files = follow_save(options, resources, std::move(files), store, figures);
       set_watched_files(watch, files);
       if (!options.is_quiet && !options.is_json)
         write_stream(stderr, fmt::format("watching {}; Ctrl-C ends\n", options.file.string()));

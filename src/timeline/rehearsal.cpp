@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "config/spec.hpp"
 #include "core/pool.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/most_held.hpp"
@@ -77,6 +78,13 @@ Rehearsal rehearse(const Performance& performance) {
   for (const MostHeld& stretch : found) most.add(stretch);
   rehearsal.held = most.list();
   return rehearsal;
+}
+
+std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals) {
+  std::vector<Held> ledger = list_held(spec);
+  for (const Rehearsal& rehearsal : rehearsals)
+    ledger.insert(ledger.end(), rehearsal.held.begin(), rehearsal.held.end());
+  return ledger;
 }
 
 }  // namespace mien

@@ -27,4 +27,7 @@ struct Rehearsal {
 // On all cores; the same on any number of them.
 Rehearsal rehearse(const Performance& performance);
 
+// The file's whole ledger, with what its people are held back from in time.
+std::vector<Held> list_held(const Spec& spec, const std::vector<Rehearsal>& rehearsals);
+
 }  // namespace mien

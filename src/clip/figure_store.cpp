@@ -1,0 +1,62 @@
+#include "clip/figure_store.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/text.hpp"
+#include "timeline/head_track.hpp"
+
+namespace mien {
+
+namespace {
+
+// Nothing of a file that is not there: whoever builds the head says so.
+std::string describe_file(const FileReference& file) {
+  std::error_code error;
+  const auto size = std::filesystem::file_size(file.path, error);
+  const auto time = std::filesystem::last_write_time(file.path, error);
+  return fmt::format("{} {} {} {}:{};", file.path.string(), size, time.time_since_epoch().count(),
+                     file.place.line, file.place.column);
+}
+
+std::string describe_head(const HeadSpec& head) {
+  std::string all = compute_head_key(head) + head.hair + ';';
+  for (const auto& [name, share] : head.limits) all += fmt::format("{} {};", name, share);
+  for (const SculptStroke& stroke : head.sculpt)
+    all += fmt::format("{} {} {} {} {};", stroke.at, stroke.move_mm.x, stroke.move_mm.y, stroke.move_mm.z,
+                       stroke.radius_mm);
+  const Look& look = head.look;
+  all += fmt::format("{}{}{};", look.is_brow_given, look.is_hair_given, look.are_age_spots_given);
+  if (head.mesh) all += "mesh " + describe_file(*head.mesh);
+  if (head.scan) all += "scan " + describe_file(*head.scan);
+  for (const HeadShare& share : head.mix)
+    all += fmt::format("({} {})", share.weight, describe_head(share.head));
+  return all;
+}
+
+}  // namespace
+
+std::string compute_figure_key(const HeadSpec& head, Style style, const std::string& actor) {
+  return hash_hex(fmt::format("{} {} {}", describe_head(head), static_cast<int>(style), actor));
+}
+
+FigurePointer take_figure(FigureStore& store, const std::string& key,
+                          const std::function<FigurePointer()>& build) {
+  {
+    const std::lock_guard lock(store.mutex);
+    const auto found = std::ranges::find(store.kept, key, &FigureStore::Kept::key);
+    if (found != store.kept.end()) {
+      store.kept.splice(store.kept.begin(), store.kept, found);
+      return store.kept.front().figure;
+    }
+  }
+  FigurePointer figure = build();
+  const std::lock_guard lock(store.mutex);
+  if (std::ranges::find(store.kept, key, &FigureStore::Kept::key) == store.kept.end())
+    store.kept.push_front({key, figure});
+  while (store.kept.size() > store.most) store.kept.pop_back();
+  return figure;
+}
+
+}  // namespace mien
