@@ -14,5 +14,5 @@ set(CPACK_DEBIAN_PACKAGE_SECTION graphics)
 # The libraries' packages and versions are read from the program; what it runs is named here.
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_DEPENDS "povray, ffmpeg")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS openscad)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "openscad, libjs-three, libjs-codemirror, xdg-utils")
 include(CPack)

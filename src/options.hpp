@@ -34,6 +34,8 @@ struct Options {
   bool has_stl = true;                                              // --no-stl, for bust
   bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
   bool is_half = false;                                             // --half, for mesh
+  int port = 0;                                                     // --port, for live; 0: any that is free
+  bool is_opened = false, is_read_only = false;                     // --open, --read-only, for live
   std::optional<int> seed;         // --seed, of the first head, for sheet people
   std::optional<int> random_head;  // --random-head SEED, for new
 };

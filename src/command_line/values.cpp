@@ -73,6 +73,15 @@ std::string read_jobs(const std::string& text, Options& options) {
   return {};
 }
 
+std::string read_port(const std::string& text, Options& options) {
+  constexpr int kLowest = 1024, kHighest = 65535;  // those below are the system's
+  const auto port = read_whole(text);
+  if (!port || *port < kLowest || *port > kHighest)
+    return fmt::format("is not a whole number within {}..{}", kLowest, kHighest);
+  options.port = *port;
+  return {};
+}
+
 std::string read_at(const std::string& text, Options& options) {
   // At one frame a second, "36f" is 36; what it is in seconds the file will tell.
   const auto time = parse_quantity(text, build_time_measure(1));
@@ -123,6 +132,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "size") return read_size(text, options);
   if (name == "quality") return read_quality(text, options);
   if (name == "jobs") return read_jobs(text, options);
+  if (name == "port") return read_port(text, options);
   if (name == "at") return read_at(text, options);
   if (name == "angle") return read_angle(text, options);
   if (name == "height") return read_height(text, options);
@@ -137,7 +147,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
   if (name == "json") options.is_json = true;
-  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad"})
+  if (name == "open") options.is_opened = true;
+  if (name == "read-only") options.is_read_only = true;
+  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open",
+                           "read-only"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

@@ -10,6 +10,7 @@
 #define MIEN_COMMANDS(X) \
   X(render)              \
   X(watch)               \
+  X(live)                \
   X(frames)              \
   X(still)               \
   X(sheet)               \

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <utility>
 
+#include "core/clock.hpp"
 #include "core/error.hpp"
 #include "core/signals.hpp"
 
@@ -81,14 +82,16 @@ void set_watched_files(FileWatch& watch, const std::vector<fs::path>& files) {
     if (!watch.names.contains(folder)) ::inotify_rm_watch(watch.events, folder);
 }
 
-void wait_for_save(FileWatch& watch) {
+bool wait_for_save(FileWatch& watch, double most_s) {
+  const double begun_s = read_clock_s();
   bool is_saved = false;
   while (true) {
     throw_if_interrupted();
     pollfd file{watch.events, POLLIN, 0};
     const int ready = ::poll(&file, 1, is_saved ? kQuiet_ms : kSignal_ms);
     if (ready > 0 && read_events(watch)) is_saved = true;
-    if (ready == 0 && is_saved) return;
+    if (ready == 0 && is_saved) return true;
+    if (!is_saved && read_clock_s() - begun_s >= most_s) return false;
   }
 }
 

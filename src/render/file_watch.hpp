@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <limits>
 #include <map>
 #include <set>
 #include <string>
@@ -26,7 +27,8 @@ struct FileWatch {
 void set_watched_files(FileWatch& watch, const std::vector<std::filesystem::path>& files);
 
 // Sleeps until one of the files has been written, replaced or removed, and then until nothing more has
-// happened for a moment: an editor may do several things for one save. Throws Interrupted on a signal.
-void wait_for_save(FileWatch& watch);
+// happened for a moment: an editor may do several things for one save. False if none has been for `most_s`
+// seconds. Throws Interrupted on a signal.
+bool wait_for_save(FileWatch& watch, double most_s = std::numeric_limits<double>::infinity());
 
 }  // namespace mien

@@ -80,6 +80,15 @@ bool feed_process(Process& process, const void* data, std::size_t size);
 // The program reads no more than it was given.
 void close_input(Process& process);
 
+// Sleeps until the program has said something more, at most a moment; what it has said is in `result.output`,
+// from which its reader may take it away. False once it has ended. Ends it when it hangs. Throws Interrupted
+// if a signal came.
+bool wait_for_output(Process& process);
+
+// Starts a program that is nobody's child and goes on without us, such as a browser; what it says is not heard.
+// Throws RunError if it cannot be started.
+void start_detached(const std::vector<std::string>& command);
+
 // Sleeps until at least one of `running` (not empty) has ended, usually noticing it within a millisecond, and
 // collects the output of all meanwhile. Ends those that hang. Throws Interrupted if a signal came; ending the
 // others is then their owner's affair.

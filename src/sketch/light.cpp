@@ -60,4 +60,8 @@ glm::vec3 light_surface(const SketchStage& stage, const SketchSurface& surface, 
   return sum;
 }
 
+float encode_srgb(float value) {
+  return value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f;
+}
+
 }  // namespace mien

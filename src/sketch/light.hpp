@@ -27,4 +27,7 @@ glm::vec3 light_surface(const SketchStage& stage, const SketchSurface& surface, 
 // Whether a lamp lies in front of the surface.
 bool faces_lamp(const SketchLamp& lamp, const SketchSurface& surface);
 
+// Light of 0..1 as a picture holds it (IEC 61966-2-1).
+float encode_srgb(float value);
+
 }  // namespace mien

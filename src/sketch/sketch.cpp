@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "sketch/light.hpp"
 #include "sketch/tracer.hpp"
 
 namespace mien {
@@ -321,10 +322,6 @@ void smooth_edges(SketchPage& page) {
       page.light[edge] = sum / static_cast<float>(kFiner.size() + 1);
     }
   }
-}
-
-float encode_srgb(float value) {
-  return value <= 0.0031308f ? 12.92f * value : 1.055f * std::pow(value, 1 / 2.4f) - 0.055f;
 }
 
 // Light of 0..1 as bytes, by table: fine enough that no byte is left out.

@@ -1,0 +1,6 @@
+#pragma once
+#include "live/json.hpp"
+#include "live/session.hpp"
+namespace mien {
+LiveAnswer answer_edit(LiveSession& session, const Json& asked);
+}

@@ -1,0 +1,27 @@
+// What a page's graphics are given, as bytes (json.hpp's build_bytes) that the object before them tells of.
+#pragma once
+
+#include "live/json.hpp"
+#include "live/session.hpp"
+#include "live/view_store.hpp"
+
+namespace mien {
+
+// All of them: {doc, frame}, and where it is said a `camera` {angle, height, distance} instead of the clip's.
+
+// {model, actors: [{name, parts: [{name, vertices, triangles, finish ...}]}]}, then for each part what
+// append_model says.
+LiveAnswer answer_model(LiveSession& session, const Json& asked);
+
+// {model, camera} also {actor, values}: that one stands so instead of what it does, {} is at rest; `model` is
+// the page's. {model, stage, outlines: [[vertices, triangles]]}, then for each part what append_shape says; of
+// another model than the page's nothing but its key.
+LiveAnswer answer_shapes(LiveSession& session, const Json& asked);
+
+// {camera, width, height}: what lies behind everybody, 3 bytes a pixel from the upper left.
+LiveAnswer answer_sky(LiveSession& session, const Json& asked);
+
+// The moment of a request.
+ViewMoment find_asked_moment(LiveSession& session, LiveDocument& document, const Json& asked);
+
+}  // namespace mien

@@ -1,0 +1,113 @@
+// Models and drawings as the server gives them, each asked for once.
+import {askBinary} from "./server.js";
+import {readModel, readShapes} from "./view_data.js";
+import {prepareModel} from "./view_figures.js";
+
+const kMost_bytes = 500e6;  // of drawings: some 400 of a head with hair
+const kMostModels = 4;
+const kAtOnce = 3;          // requests ahead of what is shown
+
+/** What is known of one text. */
+export class ViewStore {
+  constructor() {
+    this.models = new Map();  // by key, the newest last; they outlive a text
+    this.setDocument("", null);
+  }
+
+  setDocument(doc, clip) {
+    this.doc = doc;
+    this.clip = clip;
+    this.shapes = new Map();    // by drawing: the shapes, once they are here
+    this.promises = new Map();  // by drawing
+    this.bytes = 0;
+    this.queue = [];
+    this.running = 0;
+    this.key = this.key ?? "";  // of the newest model
+  }
+
+  findDrawing(frame) {
+    const last = this.clip.frames - 1;
+    return this.clip.drawn[Math.min(Math.max(frame, 0), last)] ?? 0;
+  }
+
+  async loadModel(frame, key) {
+    if (key && this.models.has(key)) return this.models.get(key);
+    const model = prepareModel(readModel(await askBinary("api/model", {doc: this.doc, frame})));
+    this.models.set(model.key, model);
+    while (this.models.size > kMostModels) this.models.delete(this.models.keys().next().value);
+    this.key = model.key;
+    return model;
+  }
+
+  /** A drawing: {model, shapes}. `request` may have camera, actor and values. */
+  async askShapes(frame, request = {}) {
+    const doc = this.doc;
+    let model = this.models.get(this.key) ?? await this.loadModel(frame);
+    for (let tries = 0; tries < 3; ++tries) {
+      const buffer = await askBinary("api/shapes", {doc, frame, model: model.key, ...request});
+      const shapes = readShapes(buffer, model);
+      if (shapes.actors) return {model, shapes};
+      model = this.models.get(shapes.key) ?? await this.loadModel(frame, shapes.key);
+      this.key = model.key;
+    }
+    throw new Error("the head changes faster than it is drawn");
+  }
+
+  /** The clip's drawing of a frame, from memory if it is there. */
+  find(frame, request = {}) {
+    const drawing = this.findDrawing(frame);
+    if (!this.promises.has(drawing)) {
+      const {promises, shapes} = this;
+      const promise = this.askShapes(drawing, request).then((answer) => {
+        shapes.set(drawing, answer);
+        this.bytes += answer.shapes.bytes;
+        return answer;
+      });
+      promise.catch(() => promises.delete(drawing));
+      promises.set(drawing, promise);
+    }
+    return this.promises.get(drawing);
+  }
+
+  isReady(frame) {
+    return this.clip !== null && this.shapes.has(this.findDrawing(frame));
+  }
+
+  /** Drawings from `from` to `to` into memory, some at once; what was wanted before is wanted no more. */
+  fetchAhead(from, to) {
+    if (!this.clip) return;
+    this.makeRoom(from, to);
+    this.queue = [];
+    for (let frame = from; frame <= to; ++frame) {
+      const drawing = this.findDrawing(frame);
+      if (!this.promises.has(drawing) && !this.queue.includes(drawing)) this.queue.push(drawing);
+    }
+    for (let i = this.running; i < kAtOnce; ++i) this.fetchNext();
+  }
+
+  async fetchNext() {
+    const drawing = this.queue.shift();
+    if (drawing === undefined || this.bytes > kMost_bytes) return;
+    const {promises} = this;
+    ++this.running;
+    try {
+      await this.find(drawing);
+    } catch {
+      // Whoever shows it is told.
+    }
+    if (promises !== this.promises) return;  // another text
+    --this.running;
+    this.fetchNext();
+  }
+
+  // Drawings outside the range go, while there are too many.
+  makeRoom(from, to) {
+    if (this.bytes < 0.8 * kMost_bytes) return;
+    for (const [drawing, answer] of this.shapes) {
+      if (drawing >= this.findDrawing(from) && drawing <= to) continue;
+      this.shapes.delete(drawing);
+      this.promises.delete(drawing);
+      this.bytes -= answer.shapes.bytes;
+    }
+  }
+}
