@@ -130,14 +130,16 @@ LanguagePointer load_language(const std::filesystem::path& data_folder) {
   return language;
 }
 
-Spec load_spec(const std::filesystem::path& file, const Language& language) {
-  Findings findings;
+namespace {
+
+Spec build_spec(const std::filesystem::path& file, const std::optional<YamlDocument>& document,
+                Findings findings, const Language& language) {
   ExpressionBook book = language.libraries;
   const std::size_t library_count = book.expressions.size();
   Spec spec;
   spec.file = file;
   spec.name = build_name(file);
-  if (const auto document = load_document(file, findings)) {
+  if (document) {
     const YamlValue root = find_root(*document, findings);
     const YamlMapping entries = load_section(root, find_sections().file);
     if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
@@ -149,6 +151,23 @@ Spec load_spec(const std::filesystem::path& file, const Language& language) {
   auto& all = spec.expressions;
   std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(library_count), all.end());
   return spec;
+}
+
+}  // namespace
+
+Spec load_spec(const std::filesystem::path& file, const Language& language) {
+  Findings findings;
+  const auto document = load_document(file, findings);
+  return build_spec(file, document, std::move(findings), language);
+}
+
+Spec load_spec(const std::filesystem::path& file, std::string text, const Language& language) {
+  Findings findings;
+  findings.files.push_back(file);
+  std::optional<YamlDocument> document;
+  if (auto source = build_source(file.string(), std::move(text), findings))
+    document = scan_document(std::move(*source), findings);
+  return build_spec(file, document, std::move(findings), language);
 }
 
 const Expression& find_expression(const Spec& spec, const std::string& name) {

@@ -36,6 +36,9 @@ LanguagePointer load_language(const std::filesystem::path& data_folder);
 // known one, wrong types, values out of range, duplicate keys, unknown names).
 Spec load_spec(const std::filesystem::path& file, const Language& language);
 
+// The same of a text that `file` does not hold yet.
+Spec load_spec(const std::filesystem::path& file, std::string text, const Language& language);
+
 // The expression called `name` ("smile" in the file, then in its library; "tezuka/smile" in that one). Throws
 // InputError "unknown expression 'smlie'; did you mean 'smile'?".
 const Expression& find_expression(const Spec& spec, const std::string& name);
