@@ -147,7 +147,7 @@ function offerChoice(text) {
 }
 
 function hearDisk(answer) {
-  const isNews = answer.version !== state.disk.version;
+  const isNews = answer.version !== state.disk.version || (answer.hash ?? "") !== state.disk.hash;
   state.disk.version = answer.version;
   if (!isNews) return;
   if (answer.exists === false) {
@@ -183,7 +183,8 @@ async function watchDisk() {
     const leave = () => document.hidden && stop.abort();
     document.addEventListener("visibilitychange", leave);
     try {
-      hearDisk(await get(`api/disk?version=${state.disk.version}`, stop.signal));
+      // A server that was lost is asked for an answer at once.
+      hearDisk(await get(`api/disk?version=${reach.isThere ? state.disk.version : 0}`, stop.signal));
     } catch (error) {
       if (error.name !== "AbortError") await sleep(kRetry_ms);
     } finally {

@@ -8,7 +8,7 @@ import {Editor} from "./editor.js";
 import {save, startDocument} from "./document.js";
 import {setView as playOn, startPlayer, stats} from "./player.js";
 import {Timeline} from "./timeline.js";
-import {dropPose, setView as poseOn} from "./posing.js";
+import {dropPose, setView as poseOn, showAgain} from "./posing.js";
 import {startPose, writeKeyHere} from "./pose.js";
 import {startHead} from "./head.js";
 import {startMake} from "./make.js";
@@ -42,6 +42,7 @@ async function startView() {
   const setDocument = keepNewest(async () => {
     await view.setDocument(state.doc, state.clip);
     if (!state.isPlaying) await view.showFrame(state.frame);
+    showAgain();
   });
   on("clip", setDocument);
   if (state.clip) setDocument();

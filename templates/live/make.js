@@ -8,9 +8,10 @@ const kRetry_ms = 2000;
 const kKinds = [
   {title: "Clip", jobs: [{kind: "sketch", text: "Sketch the clip", about: "Our own quick pictures: seconds"},
                          {kind: "render", text: "Render the clip", about: "POV-Ray, at the file's quality"}]},
-  {title: "Still of this frame", jobs: [{kind: "still_sketch", text: "Sketch", isHere: true}, {kind: "still", text: "Render with POV-Ray", isHere: true}]},
-  {title: "To print", jobs: [{kind: "bust", text: "Bust for OpenSCAD", about: "The file's busts, as OpenSCAD sources"},
-                             {kind: "stl", text: "STL of this face", isFace: true}]},
+  {title: "Picture of this face", isOfFace: true, jobs: [
+    {kind: "still_sketch", text: "Sketch", about: "Our own quick picture"}, {kind: "still", text: "Render", about: "POV-Ray, at the file's quality"}]},
+  {title: "Bust of this face, to print", isOfFace: true, jobs: [
+    {kind: "bust", text: "OpenSCAD", about: "Its source, with sliders for the expression"}, {kind: "stl", text: "STL", about: "For a printer"}]},
 ];
 
 const buttons = [];
@@ -23,10 +24,11 @@ function findFace() {
   return {at_s: state.frame / state.clip.fps};
 }
 
-async function start({kind, isHere, isFace}) {
+async function start({kind}, isOfFace) {
+  const face = isOfFace ? findFace() : {};
   if (state.isUnsaved && !await save()) return;
   try {
-    await ask("api/job", {kind, ...(isHere ? {at_s: state.frame / state.clip.fps} : isFace ? findFace() : {})});
+    await ask("api/job", {kind, ...face});
     watch();
   } catch (error) {
     say(error.message, true);
@@ -41,10 +43,9 @@ function findHindrance() {
 
 function describeFace() {
   if (!state.clip) return "";
-  const here = `${(state.frame / state.clip.fps).toFixed(2)} s`;
-  if (!state.pose) return `Stills and the STL are of ${here}.`;
-  return state.pose.name ? `The STL is of ${state.pose.name}; stills are of ${here}.`
-    : "A face posed by hand is made once it is written as a key or an expression.";
+  const {pose} = state;
+  if (pose && !pose.name) return "A face posed by hand is made once it is written as a key or an expression; until then, that of the clip is.";
+  return `This face: ${pose ? pose.name : `${(state.frame / state.clip.fps).toFixed(2)} s, frame ${state.frame}`}.`;
 }
 
 function showButtons() {
@@ -53,8 +54,7 @@ function showButtons() {
   find("make_face").textContent = describeFace();
   for (const {button, job} of buttons) {
     button.disabled = hindrance !== "";
-    button.textContent = state.isUnsaved && !hindrance ? `Save, ${job.text[0].toLowerCase()}${job.text.slice(1)}` : job.text;
-    if (job.kind === "stl") button.textContent = button.textContent.replace("this face", state.pose?.name || "this face");
+    button.textContent = state.isUnsaved && !hindrance ? `Save, ${job.text.replace(/^[SR][a-z]/, (start) => start.toLowerCase())}` : job.text;
   }
 }
 
@@ -67,6 +67,8 @@ function makeResult({name, href}) {
   }
   return make("div", {className: "result"}, link);
 }
+
+const isOver = (job) => job.state !== "running" && job.state !== "waiting";
 
 function makeJob(job) {
   const parts = {title: make("b"), state: make("span", {className: "dim job_state"}), bar: make("div", {className: "bar", role: "progressbar", "aria-valuemin": 0, "aria-valuemax": 100, "aria-label": job.title}, make("i")),
@@ -84,7 +86,7 @@ function showJob(job) {
   const parts = shown.get(job.id) ?? makeJob(job);
   const isRunning = job.state === "running";
   const percent = job.total > 0 ? Math.round(job.done / job.total * 100) : 0;
-  if (parts.was === "running" && !isRunning) say(`${job.title}: ${job.state}`, job.state === "failed");
+  if (parts.was === "running" && isOver(job)) say(`${job.title}: ${job.state}`, job.state === "failed");
   parts.was = job.state;
   parts.element.dataset.state = job.state;
   parts.title.textContent = job.title;
@@ -94,7 +96,7 @@ function showJob(job) {
   parts.bar.firstChild.style.width = `${percent}%`;
   parts.bar.setAttribute("aria-valuenow", percent);
   parts.stage.textContent = isRunning ? job.stage ?? "" : "";
-  parts.stop.hidden = !isRunning;
+  parts.stop.hidden = isOver(job);
   parts.lines.textContent = (job.lines ?? []).join("\n");
   parts.lines.hidden = !parts.lines.textContent;
   const names = JSON.stringify(job.results ?? []);
@@ -112,7 +114,7 @@ async function watch() {
       const answer = await get(`api/jobs?version=${version}`);
       version = answer.version;
       answer.jobs.forEach(showJob);
-      isRunning = answer.jobs.some((job) => job.state === "running");
+      isRunning = answer.jobs.some((job) => !isOver(job));
     } catch {
       await new Promise((done) => setTimeout(done, kRetry_ms));
     }
@@ -122,8 +124,8 @@ async function watch() {
 
 /** Builds the panel in `element`. */
 export function startMake(element) {
-  const groups = kKinds.map(({title, jobs}) => make("fieldset", {className: "group"}, make("legend", {}, title), make("div", {className: "buttons"}, ...jobs.map((job) => {
-    const button = makeButton(job.text, () => start(job), {id: `make_${job.kind}`, title: job.about ?? ""});
+  const groups = kKinds.map(({title, isOfFace, jobs}) => make("fieldset", {className: "group"}, make("legend", {}, title), make("div", {className: "buttons"}, ...jobs.map((job) => {
+    const button = makeButton(job.text, () => start(job, isOfFace), {id: `make_${job.kind}`, title: job.about ?? ""});
     buttons.push({button, job});
     return button;
   }))));

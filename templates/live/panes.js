@@ -103,18 +103,16 @@ export function startTheme(changed) {
   });
 }
 
-const kParts = ["editor", "view", "side", "timeline"];
+const kParts = [  // of the page, each with what has the focus first
+  {id: "editor"}, {id: "view", first: "canvas[tabindex], button, [tabindex]"},
+  {id: "side", first: '[role="tab"][aria-selected="true"]'}, {id: "timeline", first: ".ruler_lane"}];
 
 /** To the next part of the page. */
 export function focusNextPart(way, editor) {
-  const here = kParts.findIndex((id) => find(id).contains(document.activeElement));
+  const here = kParts.findIndex(({id}) => find(id).contains(document.activeElement));
   const next = kParts[(here + way + kParts.length) % kParts.length];
-  if (next === "editor") return editor.cm.focus();
-  const part = find(next);
-  const target = part.querySelector('[role="tab"][aria-selected="true"], .ruler_lane, canvas[tabindex], button:not([disabled]), [tabindex="0"]');
-  if (target) target.focus();
-  else {
-    part.tabIndex = -1;
-    part.focus();
-  }
+  if (next.id === "editor") return editor.cm.focus();
+  const part = find(next.id);
+  part.tabIndex = -1;
+  (part.querySelector(next.first) ?? part).focus();
 }

@@ -158,10 +158,12 @@ export function startPose(element, theEditor) {
   editor = theEditor;
   const picker = makePicker({label: "Expression", name: "expression", placeholder: "Expression…", list: listExpressions, onPick: (name) => {
     expression = name;
+    strength.range.disabled = strength.number.disabled = false;
     loadExpression();
   }});
   strength = makeSlider({label: "Strength of the expression", name: "strength", low: 0, high: 1, reset: 1, title: "Strength", onInput: loadExpression});
   strength.set(1);
+  strength.range.disabled = strength.number.disabled = true;  // of nothing, until one is picked
   element.append(
     make("div", {className: "scroll"},
          make("div", {className: "pick"}, picker.element, strength.element),

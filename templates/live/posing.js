@@ -10,27 +10,27 @@ export function setView(value) {
   view = value;
 }
 
-const showPose = keepNewest(async () => {
-  if (!view) return;
-  const pose = state.pose;
-  await view.showPose(pose ? pose.actor : findActor()?.name ?? "", pose ? pose.values : null);
-});
+const show = keepNewest((actor, values) => view?.showPose(actor, values));
 
 /** Poses the chosen actor. `name`: the expression that this is, untouched. */
 export function setPose(values, name = "") {
   state.pose = {actor: findActor()?.name ?? "", values, name};
-  showPose();
+  show(state.pose.actor, values);
   emit("pose");
 }
 
 /** The clip's own face again. */
-export async function dropPose() {
+export function dropPose() {
   if (!state.pose) return;
   const {actor} = state.pose;
   state.pose = null;
   emit("pose");
-  await showPose();
-  if (view) await view.showPose(actor, null);
+  show(actor, null);
+}
+
+/** The pose once more, to a view that has a new head. */
+export function showAgain() {
+  if (state.pose) show(state.pose.actor, state.pose.values);
 }
 
 /** The chosen actor's values at the frame that is shown. */
@@ -61,7 +61,7 @@ export async function writeKey(values) {
   if (!isDone) return;
   await checkNow();
   say(`Written as a key at ${(state.frame / fps).toFixed(2)} s`);
-  await dropPose();
+  dropPose();
 }
 
 /** The pose as an expression of the file. Whether it is there. */

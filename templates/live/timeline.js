@@ -9,6 +9,7 @@ import {goToFrame} from "./player.js";
 
 const kRuler_px = 26;
 const kHeights_px = {actor: 20, keys: 22, blinks: 18, stage: 18, turn: 24, area: 24};
+const kMostMore_px = 22;   // a row with curves grows by at most this in a high timeline
 const kMargin_px = 10;     // before frame 0 and behind the last one, so that marks there are whole
 const kClosest_px = 40;    // a frame's width at most
 const kZoom = 1.3;
@@ -96,13 +97,23 @@ export class Timeline {
   }
 
   buildRow(row) {
-    row.height_px = row.kind === "cues" ? computeCuesHeight_px(row.lanes) : kHeights_px[row.kind];
+    row.least_px = row.kind === "cues" ? computeCuesHeight_px(row.lanes) : kHeights_px[row.kind];
     row.canvas = make("canvas", {"aria-hidden": "true"});
     row.marksOn = (row.marks ?? []).map((mark) => ({mark, element: makeMark(mark, this)}));
     row.heldOn = (row.held ?? []).filter((held) => held.to_s > held.from_s).map((held) => ({held, element: makeHeld(held, this)}));
     const lane = make("div", {className: "lane"}, row.canvas, ...row.heldOn.map((one) => one.element), ...row.marksOn.map((one) => one.element));
     row.element = make("div", {className: `row row_${row.kind} level_${row.level}`, role: "listitem", data: {row: row.id}}, this.makeLabel(row), lane);
-    row.element.style.height = `${row.height_px}px`;
+  }
+
+  // Rows with curves share the room that is left.
+  shareHeight() {
+    const curves = this.rows.filter((row) => row.lines);
+    const least_px = this.rows.reduce((sum, row) => sum + row.least_px, kRuler_px + 1);
+    const more_px = Math.floor((this.body.clientHeight - least_px) / Math.max(1, curves.length));
+    for (const row of this.rows) {
+      row.height_px = row.least_px + (row.lines ? Math.max(0, Math.min(kMostMore_px, more_px)) : 0);
+      row.element.style.height = `${row.height_px}px`;
+    }
   }
 
   makeLabel(row) {
@@ -133,6 +144,7 @@ export class Timeline {
   draw() {
     if (!state.clip || this.width < 20) return;
     this.limitScale();
+    this.shareHeight();
     const {scale, width} = this, {clip} = state;
     const colours = readColours();
     drawRuler(this.ruler, scale, clip, colours, width, kRuler_px);

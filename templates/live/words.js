@@ -25,7 +25,7 @@ function expand(node, depth = 0) {
     return expand(schema.$defs?.[name], depth + 1).map((found) => ({...found, ...own, from: [...(found.from ?? []), name]}));
   }
   const choices = node.anyOf ?? node.oneOf ?? node.allOf;
-  if (!choices) return [node];
+  if (!choices || node.properties) return [node];  // beside properties choices only say which go together
   // A choice among words keeps the words' own meanings.
   return choices.flatMap((choice) => expand(choice, depth + 1))
     .map((found) => ({...found, ...(found.const === undefined ? own : {}), about: own.description ?? found.about, without: own.default ?? found.without}));
