@@ -28,6 +28,7 @@ constexpr auto kQuestions = std::to_array<Question>({{"api/check", answer_check}
                                                      {"api/save", answer_save},
                                                      {"api/model", answer_model},
                                                      {"api/shapes", answer_shapes},
+                                                     {"api/coarse", answer_coarse},
                                                      {"api/sky", answer_sky},
                                                      {"api/marks", answer_marks},
                                                      {"api/areas", answer_areas},

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pool.hpp"
 #include "live/clip_answers.hpp"
+#include "live/coarse.hpp"
 #include "live/view_store.hpp"
 #include "sketch/light.hpp"
 
@@ -154,6 +156,27 @@ LiveAnswer answer_shapes(LiveSession& session, const Json& asked) {
   }
   return build_bytes({{"model", scene->key}, {"stage", describe_stage(moment)}, {"outlines", outlines}},
                      bytes);
+}
+
+LiveAnswer answer_coarse(LiveSession& session, const Json& asked) {
+  const DocumentPointer document = find_document(session.shelf, take_text(asked, "doc"));
+  const ScenePointer scene = find_scene(session.views, find_asked_moment(session, *document, asked));
+  Json counts = Json::array();
+  std::string bytes;
+  for (std::size_t i = 0; i < scene->models.size(); ++i) {
+    const ViewModel& view = scene->models[i];
+    const Model& model = scene->heads->figures[i]->get_drawn_model();
+    std::vector<std::vector<Triangle>> triangles(view.parts.size());
+    for_each_index(view.parts.size(), count_workers(), [&](std::size_t k, int) {
+      if (!view.parts[k].is_outline) triangles[k] = build_coarse(view.parts[k], model.parts[view.of[k]].rest);
+    });
+    Json& of_actor = counts.emplace_back(Json::array());
+    for (const std::vector<Triangle>& part : triangles) {
+      of_actor.push_back(part.size());
+      bytes.append(reinterpret_cast<const char*>(part.data()), part.size() * sizeof(Triangle));
+    }
+  }
+  return build_bytes({{"model", scene->key}, {"triangles", counts}}, bytes);
 }
 
 LiveAnswer answer_sky(LiveSession& session, const Json& asked) {

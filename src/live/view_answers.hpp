@@ -18,6 +18,9 @@ LiveAnswer answer_model(LiveSession& session, const Json& asked);
 // another model than the page's nothing but its key.
 LiveAnswer answer_shapes(LiveSession& session, const Json& asked);
 
+// {model, triangles: [[number]]}: for each part its triangles in the coarse (coarse.hpp), three 32-bit numbers each.
+LiveAnswer answer_coarse(LiveSession& session, const Json& asked);
+
 // {camera, width, height}: what lies behind everybody, 3 bytes a pixel from the upper left.
 LiveAnswer answer_sky(LiveSession& session, const Json& asked);
 

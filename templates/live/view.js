@@ -10,7 +10,7 @@ import {createToolbar} from "./view_toolbar.js";
 import {dragOrbit} from "./view_camera.js";
 
 const kSky_px = 160;        // width of the ground's picture
-const kIdle_ms = 180;       // then the picture is drawn finer
+const kIdle_ms = 250;       // then the picture is drawn finer
 const kMost_px = 2.2e6;     // of one picture
 const kQuick_ms = 22;       // what a drawing may take while it moves
 const kSides = {front: {angle: 0, height: 0}, three_quarter: {angle: 35, height: 0}, side: {angle: 90, height: 0}};
@@ -143,6 +143,7 @@ class View {
 
   // What comes after the face: ground, ghost, marks.
   async loadMore(turn, isNewModel) {
+    if (this.stage.isSoftware) this.store.loadCoarse(this.now.frame, this.now.model).catch(() => {});
     await this.loadSky(turn);
     if (this.toggles.ghost) await this.loadGhost(turn);
     const {guides, landmarks, areas} = this.toggles;
@@ -256,7 +257,8 @@ class View {
   }
 
   setWire() {
-    for (const mesh of this.figures?.meshes.flat() ?? []) mesh.material.wireframe = this.toggles.wire;
+    for (const mesh of this.figures?.meshes.flat() ?? [])
+      for (const material of [mesh.material, mesh.fine, mesh.quick]) if (material) material.wireframe = this.toggles.wire;
   }
 
   // The face as it is now goes to the left, and stays.
@@ -344,14 +346,19 @@ class View {
                             Math.sqrt(kMost_px / (place.width * place.height)));
     const width = Math.max(16, Math.round(place.width * pixels)), height = Math.max(16, Math.round(place.height * pixels));
     const begun = performance.now();
+    const isCoarse = isQuick && this.stage.isSoftware;
+    if (this.figures.isCoarse !== isCoarse) this.shadowOf = null;
+    this.figures.setCoarse(isCoarse);
     this.drawInto(width, height, place.count);
     Object.assign(this.canvas.style, {left: `${place.left}px`, top: `${place.top}px`, width: `${place.width}px`, height: `${place.height}px`});
     const wide = place.width / place.count;
     this.marks.placeLabels(this.stage.camera, place.left + place.width - wide, place.top, wide, place.height);
-    if (isQuick && this.stage.isSoftware) this.adapt(performance.now() - begun);
+    if (!isCoarse) return;
+    this.stage.wait();
+    this.adapt(performance.now() - begun);
   }
 
-  // Software draws while it is told to: what it takes is known at once, more or less.
+  // Without a graphics card the picture has as many pixels as there is time for.
   adapt(took_ms) {
     const wanted = this.scale * Math.sqrt(kQuick_ms / Math.max(took_ms, 1));
     this.scale = Math.min(1, Math.max(0.4, 0.8 * this.scale + 0.2 * wanted));

@@ -59,6 +59,8 @@ export class Figures {
   /** With `material` all parts have it, and only those of `names` are there. */
   constructor(model, light, material = null, names = null) {
     this.model = model;
+    this.light = light;
+    this.isCoarse = false;
     this.group = new Group();
     this.scale = new Matrix4().makeScale(model.step_mm, model.step_mm, model.step_mm);
     this.meshes = model.actors.map((actor) => actor.parts.map((part) => {
@@ -96,6 +98,21 @@ export class Figures {
     }));
   }
 
+  /** Fewer triangles, where the model has them (see ViewStore.loadCoarse), or all. */
+  setCoarse(isCoarse) {
+    if (this.isCoarse === isCoarse) return;
+    this.isCoarse = isCoarse;
+    this.meshes.forEach((meshes, actor) => meshes.forEach((mesh, i) => {
+      const part = this.model.actors[actor].parts[i];
+      if (!mesh) return;
+      mesh.fine = mesh.fine ?? mesh.material;
+      mesh.quick = mesh.quick ?? createSurface(this.light, part, true);
+      mesh.material = isCoarse ? mesh.quick : mesh.fine;
+      mesh.material.wireframe = mesh.fine.wireframe;
+      if (!part.is_outline) mesh.geometry.setIndex(isCoarse && part.coarse ? part.coarse : part.index);
+    }));
+  }
+
   /** The mesh of an actor's part, or null. */
   find(actor, name) {
     return this.meshes[actor]?.find((mesh) => mesh?.name === name) ?? null;
@@ -106,7 +123,7 @@ export class Figures {
     for (const mesh of this.meshes.flat()) {
       if (!mesh) continue;
       mesh.geometry.dispose();
-      mesh.material.dispose();
+      for (const material of [mesh.material, mesh.fine, mesh.quick]) material?.dispose();
     }
   }
 }

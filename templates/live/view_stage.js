@@ -7,7 +7,7 @@ import {createLight, createShadowMaterial, setLight} from "./view_shading.js";
 import {createCamera, setCamera, setLampCamera} from "./view_camera.js";
 import {kCasting, kSeen} from "./view_figures.js";
 
-const kShadow_px = 1024;
+const kShadow_px = 1024, kSoftwareShadow_px = 512;
 const kCast_mm = 210;      // about the middle of the heads: what casts the shadow
 const kSoftest = 0.012;    // of the shadow's picture
 const kFrom_mm = 34;       // how far before the skin what shades it lies, mostly
@@ -29,17 +29,21 @@ function createGround() {
   return mesh;
 }
 
-function isSoftware(gl) {
-  const names = gl.getExtension("WEBGL_debug_renderer_info");
-  return names !== null && /swiftshader|llvmpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+// Asked of a canvas of its own: how the real one's edges are smoothed depends on it.
+function isSoftware() {
+  const gl = document.createElement("canvas").getContext("webgl");
+  const names = gl?.getExtension("WEBGL_debug_renderer_info");
+  const is = Boolean(names) && /swiftshader|llvmpipe|software/i.test(gl.getParameter(names.UNMASKED_RENDERER_WEBGL));
+  gl?.getExtension("WEBGL_lose_context")?.loseContext();
+  return is;
 }
 
 /** One canvas with what is drawn on it. */
 export class Stage {
   constructor(canvas) {
-    this.renderer = new WebGLRenderer({canvas, antialias: true, preserveDrawingBuffer: true});
+    this.isSoftware = isSoftware();
+    this.renderer = new WebGLRenderer({canvas, antialias: !this.isSoftware, preserveDrawingBuffer: true});
     this.renderer.autoClear = false;
-    this.isSoftware = isSoftware(this.renderer.getContext());
     this.scene = new Scene();
     this.scene.autoUpdate = false;
     this.camera = createCamera();
@@ -47,7 +51,8 @@ export class Stage {
     this.light = createLight();
     this.ground = createGround();
     this.scene.add(this.ground);
-    this.shadow = new WebGLRenderTarget(kShadow_px, kShadow_px,
+    const side_px = this.isSoftware ? kSoftwareShadow_px : kShadow_px;
+    this.shadow = new WebGLRenderTarget(side_px, side_px,
                                         {minFilter: NearestFilter, magFilter: NearestFilter, format: RGBAFormat});
     this.shadowMaterial = createShadowMaterial();
     this.caster = null;
@@ -95,6 +100,12 @@ export class Stage {
     this.scene.children.forEach((child, i) => { child.visible = visible[i]; });
     this.scene.overrideMaterial = null;
     uShadow.value = this.shadow.texture;
+  }
+
+  /** Until all that was asked for is drawn. */
+  wait() {
+    const gl = this.renderer.getContext();
+    gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, new Uint8Array(4));
   }
 
   /** Draws the picture into a part of the canvas: x, y, width and height in its pixels. */

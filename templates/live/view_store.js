@@ -1,6 +1,7 @@
 // Models and drawings as the server gives them, each asked for once.
 import {askBinary} from "./server.js";
-import {readModel, readShapes} from "./view_data.js";
+import {BufferAttribute} from "./lib/three.module.js";
+import {openAnswer, readModel, readShapes} from "./view_data.js";
 import {prepareModel} from "./view_figures.js";
 
 const kMost_bytes = 500e6;  // of drawings: some 400 of a head with hair
@@ -37,6 +38,21 @@ export class ViewStore {
     while (this.models.size > kMostModels) this.models.delete(this.models.keys().next().value);
     this.key = model.key;
     return model;
+  }
+
+  /** Fewer triangles for `model`, for machines that draw slowly. */
+  async loadCoarse(frame, model) {
+    if (model.hasCoarse) return;
+    model.hasCoarse = true;
+    const buffer = await askBinary("api/coarse", {doc: this.doc, frame, model: model.key});
+    const {head, at: begin} = openAnswer(buffer);
+    if (head.model !== model.key) return;
+    let at = begin;
+    model.actors.forEach((actor, a) => actor.parts.forEach((part, i) => {
+      const count = head.triangles[a][i];
+      if (count > 0) part.coarse = new BufferAttribute(new Uint32Array(buffer, at, 3 * count), 1);
+      at += 12 * count;
+    }));
   }
 
   /** A drawing: {model, shapes}. `request` may have camera, actor and values. */
