@@ -128,7 +128,9 @@ export function makePicker({label, name, placeholder, list, onPick}) {
   };
   const open = (written) => {
     const low = written.toLowerCase();
-    const found = list().filter(({word}) => word.toLowerCase().includes(low));
+    const all = list().filter(({word}) => word.toLowerCase().includes(low));
+    const begins = ({word}) => word.toLowerCase().startsWith(low);
+    const found = [...all.filter(begins), ...all.filter((one) => !begins(one))];
     options.replaceChildren(...found.map(({word, meaning}, i) => make("li", {id: `${id}_${i}`, role: "option", data: {expression: word},
       on: {pointerdown: (event) => (event.preventDefault(), pick(word))}}, make("span", {}, word), make("span", {className: "dim"}, meaning))));
     options.hidden = found.length === 0;

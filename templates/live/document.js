@@ -7,7 +7,7 @@ import {askAboutDisk, closeNotice} from "./conflict.js";
 
 const kTyping_ms = 120;  // a check follows the last letter by this
 const kRetry_ms = 2000;
-const kOwnChanges = /^(edit|load|setValue|\*)/;  // whoever makes these checks at once
+const kOwnChanges = /^(edit|load|\*)/;  // whoever makes these checks at once
 const kMostTries = 3;    // of an edit while the text is being typed in
 
 let editor = null;
@@ -66,7 +66,7 @@ export async function askOfDocument(path, body) {
   try {
     return await ask(path, {...body, doc: state.doc});
   } catch (error) {
-    if (error.status !== 400 || !/not known any more/.test(error.message)) throw error;
+    if (!error.isForgotten) throw error;
     await checkNow();
     return ask(path, {...body, doc: state.doc});
   }
@@ -75,19 +75,30 @@ export async function askOfDocument(path, body) {
 let edits = Promise.resolve(true);
 
 /**
- * One edit of the text, after those asked for before it: `request` as api/edit has it. Edits with the same `origin`
- * that begins with * are undone together. Whether it was done; what hinders it is told in the top bar.
+ * One edit of the text, after those asked for before it: `request` as api/edit has it, or several, of which the first
+ * that can be done is. Edits with the same `origin` that begins with * are undone together. Whether it was done; what
+ * hinders it is told in the top bar.
  */
 export function edit(request, origin = "edit") {
-  edits = edits.then(() => editNow(request, origin));
+  edits = edits.then(() => editNow([request].flat(), origin));
   return edits;
 }
 
-async function editNow(request, origin) {
+async function askForEdit(requests, text) {
+  for (const [i, request] of requests.entries()) {
+    try {
+      return await ask("api/edit", {...request, text});
+    } catch (error) {
+      if (error.status !== 400 || i + 1 === requests.length) throw error;
+    }
+  }
+}
+
+async function editNow(requests, origin) {
   try {
     for (let i = 0; i < kMostTries; ++i) {
       const text = editor.getText();
-      const answer = await ask("api/edit", {...request, text});
+      const answer = await askForEdit(requests, text);
       if (editor.getText() !== text) continue;
       editor.replace(answer.text, origin);
       checkNow();
@@ -215,6 +226,10 @@ function followText() {
     event.returnValue = "";
   });
 }
+
+reach.forgot = (doc) => {
+  if (doc === state.doc) checkNow();
+};
 
 reach.changed = (isThere, message) => {
   const line = document.getElementById("connection");

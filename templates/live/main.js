@@ -2,13 +2,12 @@
 import {get} from "./server.js";
 import {emit, on, say, state} from "./state.js";
 import {find, make} from "./elements.js";
-import {keepNewest} from "./newest.js";
 import {setSchema} from "./words.js";
 import {Editor} from "./editor.js";
 import {save, startDocument} from "./document.js";
-import {setView as playOn, startPlayer, stats} from "./player.js";
+import {setView as playOn, showAgain as showFrameAgain, startPlayer, stats} from "./player.js";
 import {Timeline} from "./timeline.js";
-import {dropPose, setView as poseOn, showAgain} from "./posing.js";
+import {dropPose, setView as poseOn, showAgain as showPoseAgain} from "./posing.js";
 import {startPose, writeKeyHere} from "./pose.js";
 import {startHead} from "./head.js";
 import {startMake} from "./make.js";
@@ -39,11 +38,11 @@ async function startView() {
   mienLive.view = view;
   playOn(view);
   poseOn(view);
-  const setDocument = keepNewest(async () => {
+  const setDocument = async () => {
     await view.setDocument(state.doc, state.clip);
-    if (!state.isPlaying) await view.showFrame(state.frame);
-    showAgain();
-  });
+    showFrameAgain();
+    showPoseAgain();
+  };
   on("clip", setDocument);
   if (state.clip) setDocument();
 }

@@ -4,6 +4,7 @@ import {find} from "./elements.js";
 
 const kAhead_s = 2;        // of drawings in memory before they are due
 const kFetchEach_s = 0.5;
+const kMostWait_ms = 2000;  // for one frame; then a newer one may take its place
 
 /** How many frames were shown while playing, and how many were passed over. */
 export const stats = {shown: 0, dropped: 0};
@@ -29,7 +30,7 @@ async function showWanted() {
     const frame = wanted;
     wanted = null;
     try {
-      await view.showFrame(frame);
+      await Promise.race([view.showFrame(frame), new Promise((done) => setTimeout(done, kMostWait_ms))]);
       if (state.isPlaying) ++stats.shown;
     } catch (error) {
       console.warn(error);
@@ -43,6 +44,11 @@ function show(frame) {
   if (wanted !== null && state.isPlaying) ++stats.dropped;  // it was due, and never came
   wanted = frame;
   if (!isShowing) showWanted();
+}
+
+/** The frame once more, from a view that has another clip. */
+export function showAgain() {
+  if (!state.isPlaying) show(state.frame);
 }
 
 /** Goes to a frame, stopping if the clip plays. */

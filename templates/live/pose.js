@@ -79,10 +79,12 @@ function findCursorExpression(names) {
   return named && names.has(named[1]) ? named[1] : null;
 }
 
+const plainFirst = (words) => [...words.filter((word) => !word.includes("/")), ...words.filter((word) => word.includes("/"))];
+
 function listExpressions() {
   const own = state.clip?.expressions ?? [];
   const all = [...own.map((word) => ({word, meaning: "of this file"})),
-               ...state.language.expressions.filter((word) => !own.includes(word)).map((word) => ({word, meaning: ""}))];
+               ...plainFirst(state.language.expressions.filter((word) => !own.includes(word))).map((word) => ({word, meaning: ""}))];
   const first = findCursorExpression(new Set(all.map(({word}) => word)));
   if (!first) return all;
   return [{word: first, meaning: "at the cursor"}, ...all.filter(({word}) => word !== first)];
@@ -118,6 +120,7 @@ function followChart() {
 function showPosing() {
   const isPosing = state.pose !== null;
   find("posing").hidden = !isPosing;
+  if (isPosing) find("posing_what").textContent = state.pose.name ? `Posed: ${state.pose.name}` : "Posed by hand";
   find("pose_back").disabled = !isPosing;
   if (!isPosing) follow();
 }

@@ -10,8 +10,11 @@ export class ServerError extends Error {
   }
 }
 
-/** `reach.changed(isThere, message)` is called when the server is lost or found again. */
-export const reach = {isThere: true, changed: () => {}};
+/**
+ * `reach.changed(isThere, message)` is called when the server is lost or found again, `reach.forgot(doc)` when it
+ * knows a text no more.
+ */
+export const reach = {isThere: true, changed: () => {}, forgot: () => {}};
 
 function tell(isThere, message) {
   if (reach.isThere === isThere) return;
@@ -38,8 +41,14 @@ async function send(path, options) {
   throw new ServerError(body.error ?? `${path}: ${response.status}`, response.status, body);
 }
 
-function post(path, body, signal) {
-  return send(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body), signal});
+async function post(path, body, signal) {
+  try {
+    return await send(path, {method: "POST", headers: {"Content-Type": "application/json"}, body: JSON.stringify(body), signal});
+  } catch (error) {
+    error.isForgotten = body.doc !== undefined && /not known any more/.test(error.message);
+    if (error.isForgotten) reach.forgot(body.doc);
+    throw error;
+  }
 }
 
 /** The JSON answer to a POST of `body`. */

@@ -35,6 +35,8 @@ export class Timeline {
     this.scale = new Scale();
     this.open = new Set(recall("open_rows", []));
     this.rows = [];
+    this.isDragging = false;
+    this.isStale = false;  // rows are older than the clip
     this.ruler = make("canvas", {className: "ruler", "aria-hidden": "true"});
     this.rulerLane = make("div", {className: "lane ruler_lane", role: "slider", tabIndex: 0, "aria-label": "Frame", "aria-valuemin": 0}, this.ruler);
     this.list = make("div", {className: "rows", role: "list", "aria-label": "Rows"});
@@ -78,6 +80,8 @@ export class Timeline {
 
   build() {
     if (!state.clip || !state.language) return;
+    this.isStale = this.isDragging;
+    if (this.isDragging) return;
     const focused = document.activeElement?.closest?.("#tracks .mark");
     const again = focused && {kind: focused.dataset.kind, line: focused.dataset.line};
     const focusedRow = document.activeElement?.closest?.("#tracks .label button")?.dataset.row;
@@ -178,6 +182,12 @@ export class Timeline {
   showCursor() {
     for (const element of this.list.querySelectorAll(".mark"))
       element.classList.toggle("at_cursor", Number(element.dataset.line) > 0 && Number(element.dataset.line) === state.cursorLine);
+  }
+
+  /** While something is dragged no element is replaced. */
+  holdRows(isDragging) {
+    this.isDragging = isDragging;
+    if (!isDragging && this.isStale) this.build();
   }
 
   /** A line and a time while something is dragged. */

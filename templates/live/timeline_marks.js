@@ -3,6 +3,7 @@ import {state, say} from "./state.js";
 import {make} from "./elements.js";
 import {edit, isChecked} from "./document.js";
 import {goToFrame} from "./player.js";
+import {findContext} from "./yaml_path.js";
 
 const kDragFrom_px = 4;   // a shorter way is a click
 const kLane_px = 15;      // height of a cue
@@ -57,7 +58,17 @@ async function move(mark, member, frame, origin) {
     return;
   }
   const {fps} = state.clip;
-  await edit({do: "move", line: mark.line, column: mark.column, member, to_s: frame / fps, fps}, origin);
+  const request = {do: "move", line: mark.line, column: mark.column, member, to_s: frame / fps, fps};
+  await edit(member === "to" ? [request, setEnd(mark, frame / fps)] : request, origin);
+}
+
+// For a cue without a `to`: how long it holds, where it may say so.
+function setEnd(mark, to_s) {
+  const lines = window.mienLive.editor.cm.getValue().split("\n");
+  const {path} = findContext(lines, mark.line - 1, mark.column);
+  const isHeld = mark.layer === "cue" && mark.areas.length > 0;
+  const value_s = isHeld ? Math.max(0, to_s - mark.full_s) : to_s;
+  return {do: "set", path: [...path, isHeld ? "hold" : "to"], value: `${Number(value_s.toFixed(4))}s`};
 }
 
 const findMember = (mark) => mark.kind === "cue" ? "from" : "at";
@@ -77,6 +88,7 @@ export function followDrag(event, element, mark, timeline) {
   const begin_px = event.clientX;
   let frame = start, isDragging = false;
   element.setPointerCapture(event.pointerId);
+  timeline.holdRows(true);
   const hear = {
     pointermove: (moved) => {
       const way_px = moved.clientX - begin_px;
@@ -110,19 +122,19 @@ export function followDrag(event, element, mark, timeline) {
     for (const [name, listener] of Object.entries(hear)) element.removeEventListener(name, listener);
     window.removeEventListener("keydown", cancel, true);
     timeline.hideGhost();
+    setTimeout(() => timeline.holdRows(false), 0);
   };
   for (const [name, listener] of Object.entries(hear)) element.addEventListener(name, listener);
   window.addEventListener("keydown", cancel, true);
 }
 
 function describeHeld(held) {
-  return `${held.area} ${held.move} is held back: asked ${held.asked.toFixed(2)}, got ${held.got.toFixed(2)}. ${held.who}` +
-    (held.line > 0 ? ` (line ${held.line})` : "");
+  return `Held back: ${held.who}${held.line > 0 ? ` (line ${held.line})` : ""}`;
 }
 
 /** The red bar over the time in which a limit held something back. */
 export function makeHeld(held, timeline) {
-  return make("button", {type: "button", className: "held", tabIndex: -1, title: describeHeld(held), "aria-label": describeHeld(held),
+  return make("button", {type: "button", className: "held", title: describeHeld(held), "aria-label": describeHeld(held),
                          data: {line: held.line, move: `${held.area}.${held.move}`},
                          on: {click: () => timeline.goToPlace(held)}});
 }
