@@ -21,4 +21,4 @@ install(FILES "${MIEN_PAGES}/mien.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fi
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md LICENSE NOTICE DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # The manual that the README leads to, with its pictures.
 install(DIRECTORY docs DESTINATION "${CMAKE_INSTALL_DOCDIR}"
-        PATTERN make_pictures EXCLUDE PATTERN draw_cage.awk EXCLUDE)
+        PATTERN make_pictures EXCLUDE PATTERN draw_cage.awk EXCLUDE PATTERN live_picture.py EXCLUDE)

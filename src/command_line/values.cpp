@@ -149,8 +149,8 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "json") options.is_json = true;
   if (name == "open") options.is_opened = true;
   if (name == "read-only") options.is_read_only = true;
-  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open",
-                           "read-only"})
+  for (const char* flag :
+       {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open", "read-only"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

@@ -77,15 +77,16 @@ void run_live(const Options& options) {
 
 }  // namespace
 
-const CommandInfo command_live{"live",
-                               "Pictures",
-                               "FILE",
-                               "a page in the browser: editor, face, timeline, sliders",
-                               "Serves a page at an address of this machine alone, which it prints: the file as text "
-                               "with its mistakes as you\ntype, the face that it describes, its timeline, and sliders "
-                               "that write into the file. What other programs\nsave is shown at once. Ctrl-C ends.",
-                               "port open read-only",
-                               "mien live configs/hello.yaml\nmien live face.yaml --port 8080 --open",
-                               run_live};
+const CommandInfo command_live{
+    "live",
+    "Pictures",
+    "FILE",
+    "a page in the browser: editor, face, timeline, sliders",
+    "Serves a page at an address of this machine alone, which it prints: the file as text "
+    "with its mistakes as you\ntype, the face that it describes, its timeline, and sliders "
+    "that write into the file. What other programs\nsave is shown at once. Ctrl-C ends.",
+    "port open read-only",
+    "mien live configs/hello.yaml\nmien live face.yaml --port 8080 --open",
+    run_live};
 
 }  // namespace mien

@@ -38,16 +38,23 @@ HairPlace place_of(int azimuth, int way) {
 
 std::size_t slot(int azimuth, int way) { return static_cast<std::size_t>(wrap(azimuth) * kWays + way); }
 
-// The triangles that a column's rays may meet.
-std::vector<std::vector<std::uint32_t>> sort_by_azimuth(const NeutralHead& head, const HairChart& chart) {
-  std::vector<std::vector<std::uint32_t>> bins(kAzimuths);
+// A triangle that a column's rays may meet, and on which ways.
+struct Target {
+  std::uint32_t triangle = 0;
+  double first_way = 0, last_way = 0;
+};
+
+std::vector<std::vector<Target>> sort_by_azimuth(const NeutralHead& head, const HairChart& chart) {
+  constexpr double kMore = 0.06;  // of a way: between its corners a triangle may reach a little further
+  std::vector<std::vector<Target>> bins(kAzimuths);
   for (std::uint32_t t = 0; t < head.skin.triangles.size(); ++t) {
-    double low = 1e9, high = -1e9, nearest = 1e9;
+    double low = 1e9, high = -1e9, nearest = 1e9, furthest = -1e9;
     for (const std::uint32_t v : head.skin.triangles[t]) {
       const HairPlace place = compute_hair_place(chart, glm::dvec3(head.skin.positions[v]));
       low = std::min(low, place.azimuth_deg);
       high = std::max(high, place.azimuth_deg);
       nearest = std::min(nearest, place.way);
+      furthest = std::max(furthest, place.way);
     }
     const bool is_round = high - low > 180;  // across the back
     const bool is_all = nearest < 0.12;      // near the whorl every meridian may meet it
@@ -56,7 +63,7 @@ std::vector<std::vector<std::uint32_t>> sort_by_azimuth(const NeutralHead& head,
     const int last = static_cast<int>(std::ceil(((is_round ? low + 360 : high) + 180) / step)) + 1;
     for (int i = is_all ? 0 : first; i <= (is_all ? kAzimuths - 1 : std::min(last, first + kAzimuths - 1));
          ++i)
-      bins[static_cast<std::size_t>(wrap(i))].push_back(t);
+      bins[static_cast<std::size_t>(wrap(i))].push_back({t, is_all ? 0 : nearest - kMore, furthest + kMore});
   }
   return bins;
 }
@@ -235,7 +242,8 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
       const glm::dvec3 origin = compute_hair_point(chart, place, 0),
                        out = compute_hair_direction(chart, place);
       Hit scalp, ear;
-      for (const std::uint32_t t : bins[azimuth]) {
+      for (const auto& [t, first_way, last_way] : bins[azimuth]) {
+        if (place.way < first_way || place.way > last_way) continue;
         const HairGround ground = grounds[head.skin.triangles[t][0]];
         if (ground == HairGround::scalp || ground == HairGround::ear)
           meet(head, t, origin, out, ground == HairGround::ear ? ear : scalp);

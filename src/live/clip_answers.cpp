@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clip/reach.hpp"
+#include "config/pose_mix.hpp"
 #include "config/words.hpp"
 #include "core/print_numbers.hpp"
 #include "timeline/advice.hpp"
@@ -29,7 +30,9 @@ Json describe_key(const LiveSession& session, const char* kind, double at_s, con
           {"actor", actor}};
 }
 
-double find_end_s(double time_s, double length_s) { return std::min(time_s, length_s); }  // JSON has no infinity
+double find_end_s(double time_s, double length_s) {
+  return std::min(time_s, length_s);
+}  // JSON has no infinity
 
 Json describe_cue(const LiveSession& session, const CueSpec& cue, double length_s, const std::string& actor) {
   Json value = describe_key(session, "cue", cue.from_s, cue.what.label, cue.what.place, actor);
@@ -74,10 +77,14 @@ Json describe_head(const HeadSpec& head) {
   if (head.look.lips) look["lips"] = describe_colour(*head.look.lips);
   Json features = Json::object();
   for (const auto& [name, value] : head.features) features[name] = value;
-  return {{"age", describe_mix(head.age)},     {"skull", describe_mix(head.skull)},
-          {"design", describe_mix(head.design)}, {"character", head.character},
-          {"hair", head.hair},                 {"features", features},
-          {"look", look},                      {"said", head.said}};
+  return {{"age", describe_mix(head.age)},
+          {"skull", describe_mix(head.skull)},
+          {"design", describe_mix(head.design)},
+          {"character", head.character},
+          {"hair", head.hair},
+          {"features", features},
+          {"look", look},
+          {"said", head.said}};
 }
 
 struct Tracks {
@@ -91,9 +98,9 @@ void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor
   for (const CueSpec& cue : spec.cues)
     tracks.cues.push_back(describe_cue(session, cue, clip.spec.clip.length_s, actor.name));
   for (const TurnKey& key : spec.turn)
-    tracks.turns.push_back(describe_key(session, "turn", key.at_s,
-                                        fmt::format("{:.3g} {:.3g} {:.3g}", key.turn_deg, key.nod_deg, key.tilt_deg),
-                                        key.place, actor.name));
+    tracks.turns.push_back(describe_key(
+        session, "turn", key.at_s,
+        fmt::format("{:.3g} {:.3g} {:.3g}", key.turn_deg, key.nod_deg, key.tilt_deg), key.place, actor.name));
   for (const HeadKey& key : spec.head)
     tracks.heads.push_back(describe_key(session, "head", key.at_s, "head", {}, actor.name));
 }
@@ -106,7 +113,8 @@ Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const
   const std::string_view which = kind;
   if (which == "camera")
     for (const CameraKey& key : clip.camera)
-      add(key.at_s, fmt::format("{:.3g} deg, {:.3g} deg, {:.3g}", key.angle_deg, key.height_deg, key.distance));
+      add(key.at_s,
+          fmt::format("{:.3g} deg, {:.3g} deg, {:.3g}", key.angle_deg, key.height_deg, key.distance));
   if (which == "light")
     for (const LightKey& key : clip.light) add(key.at_s, key.set);
   if (which == "background")
@@ -156,13 +164,15 @@ Json describe_rows(const std::vector<Shown>& shown, const std::string& actor) {
       for (const double value : move) numbers.push_back(std::round(value * 1000) / 1000);
       values.push_back(std::move(numbers));
     }
-    rows.push_back({{"actor", actor}, {"name", row.name}, {"moves", row.moves}, {"values", std::move(values)}});
+    rows.push_back(
+        {{"actor", actor}, {"name", row.name}, {"moves", row.moves}, {"values", std::move(values)}});
   }
   return rows;
 }
 
 // Where a move is at its limit while somebody asks for more, in the rehearsed frames: 0..0 if it never is.
-std::pair<double, double> find_held_span(const Held& held, const std::vector<Rehearsal>& rehearsals, int fps) {
+std::pair<double, double> find_held_span(const Held& held, const std::vector<Rehearsal>& rehearsals,
+                                         int fps) {
   int first = -1, last = -1;
   for (const Rehearsal& rehearsal : rehearsals)
     for (int frame = 0; frame < static_cast<int>(rehearsal.shown.size()); ++frame) {
@@ -174,9 +184,10 @@ std::pair<double, double> find_held_span(const Held& held, const std::vector<Reh
   return first < 0 ? std::pair{0.0, 0.0} : std::pair{first / double(fps), (last + 1) / double(fps)};
 }
 
-Json describe_held(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
-  Json all = Json::array();
-  for (const HeldNote& note : build_notes(list_held(clip.spec, rehearsals))) {
+// `actor`: whose limits; of the file's own expressions and busts nobody's.
+void add_held(const Clip& clip, const std::vector<Held>& held, const std::vector<Rehearsal>& rehearsals,
+              const Json& actor, Json& all) {
+  for (const HeldNote& note : build_notes(held)) {
     const auto [from_s, to_s] = find_held_span(note.held, rehearsals, clip.spec.clip.fps);
     all.push_back({{"area", find_area_key(kMoves[note.held.move])},
                    {"move", kMoves[note.held.move].move},
@@ -188,7 +199,15 @@ Json describe_held(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
                    {"file", note.held.place.file},
                    {"line", note.held.place.line},
                    {"column", note.held.place.column}});
+    if (!actor.is_null()) all.back()["actor"] = actor;
   }
+}
+
+Json describe_held(const Clip& clip, const std::vector<Rehearsal>& rehearsals) {
+  Json all = Json::array();
+  add_held(clip, list_held(clip.spec), rehearsals, nullptr, all);
+  for (std::size_t i = 0; i < rehearsals.size(); ++i)
+    add_held(clip, rehearsals[i].held, {rehearsals[i]}, clip.actors[i].name, all);
   return all;
 }
 
@@ -233,7 +252,8 @@ LiveAnswer answer_chart(LiveSession& session, const Json& asked) {
     std::vector<Rehearsal> rehearsals;
     for (std::size_t i = 0; i < clip.actors.size(); ++i) {
       rehearsals.push_back(rehearse(heads->performances[i]));
-      for (Json& row : describe_rows(rehearsals[i].shown, clip.actors[i].name)) rows.push_back(std::move(row));
+      for (Json& row : describe_rows(rehearsals[i].shown, clip.actors[i].name))
+        rows.push_back(std::move(row));
       for (const Diagnostic& advice :
            advise_clip(heads->performances[i].clip, rehearsals[i], compute_reach(*heads->figures[i])))
         warnings.push_back(describe_finding(advice));
@@ -251,17 +271,20 @@ LiveAnswer answer_pose_at(LiveSession& session, const Json& asked) {
   const double time_s = find_asked_time_s(clip, asked);
   const auto heads = find_heads(session.shelf, *document, time_s);
   const Moment moment = sample_performance(heads->performances[find_asked_actor(clip, asked)], time_s);
-  return build_answer({{"values", describe_pose(moment.pose)},
-                       {"turn",
-                        {{"turn", moment.turn.turn_deg},
-                         {"nod", moment.turn.nod_deg},
-                         {"tilt", moment.turn.tilt_deg}}}});
+  return build_answer(
+      {{"values", describe_values(moment.pose)},
+       {"turn",
+        {{"turn", moment.turn.turn_deg}, {"nod", moment.turn.nod_deg}, {"tilt", moment.turn.tilt_deg}}}});
 }
 
 LiveAnswer answer_expression(LiveSession& session, const Json& asked) {
   const DocumentPointer document = find_document(session.shelf, take_text(asked, "doc"));
-  return build_answer(
-      {{"values", describe_pose(take_expression(document->clip->spec, take_text(asked, "name")).pose)}});
+  const Spec& spec = document->clip->spec;
+  const Expression& expression = find_expression(spec, take_text(asked, "name"));
+  const double strength = take_number(asked, "strength", 0, 1, 1);
+  const Pose pose = mix_poses({{1, expression.pose, expression.manner}}, strength);
+  const HeldPose held = hold_pose({pose, expression.reach, strength, {}, spec.exaggerate});
+  return build_answer({{"values", describe_values(held.pose)}, {"strength", strength}});
 }
 
 LiveAnswer answer_language(LiveSession& session) {
@@ -276,7 +299,8 @@ LiveAnswer answer_language(LiveSession& session) {
     Json moves = Json::array();
     for (const MoveInfo& move : kMovesOfOneSide)
       if (move.of == area.area)
-        moves.push_back({{"move", move.move}, {"low", move.low}, {"high", move.high}, {"meaning", move.meaning}});
+        moves.push_back(
+            {{"move", move.move}, {"low", move.low}, {"high", move.high}, {"meaning", move.meaning}});
     areas.push_back({{"name", area.name},
                      {"key", area.has_sides() ? area.plural : area.name},
                      {"left", area.left_key},

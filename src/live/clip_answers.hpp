@@ -10,7 +10,7 @@ namespace mien {
 LiveAnswer answer_check(LiveSession& session, const Json& asked);       // {text}
 LiveAnswer answer_chart(LiveSession& session, const Json& asked);       // {doc}
 LiveAnswer answer_pose_at(LiveSession& session, const Json& asked);     // {doc, frame, actor}
-LiveAnswer answer_expression(LiveSession& session, const Json& asked);  // {doc, name}
+LiveAnswer answer_expression(LiveSession& session, const Json& asked);  // {doc, name, strength}
 LiveAnswer answer_language(LiveSession& session);
 
 // The actor that a request names; the first if it names none. Throws InputError.

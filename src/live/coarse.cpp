@@ -20,7 +20,8 @@ std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t v) {
 }
 
 // Of each triangle the piece that hangs together with it, counted from 0; returns how many there are.
-std::size_t find_pieces(const std::vector<Triangle>& triangles, std::size_t count, std::vector<std::size_t>& of) {
+std::size_t find_pieces(const std::vector<Triangle>& triangles, std::size_t count,
+                        std::vector<std::size_t>& of) {
   std::vector<std::uint32_t> parent(count);
   std::iota(parent.begin(), parent.end(), 0u);
   for (const Triangle& triangle : triangles)

@@ -7,8 +7,8 @@
 
 namespace mien {
 
-// Of a closed surface those that are missed least go; of loose pieces (hairs) whole ones. `rest` is the part's
-// at rest.
+// Of a closed surface those that are missed least go; of loose pieces (hairs) whole ones. `rest` is the
+// part's at rest.
 std::vector<Triangle> build_coarse(const ViewPart& part, const Mesh& rest);
 
 }  // namespace mien

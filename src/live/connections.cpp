@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kCrowdedIdle_s = 0.05;
 constexpr double kCrowdedRequest_s = 2;  // then whoever dawdles makes room for others
-constexpr double kWrite_s = 20;     // for a reader who has stopped reading
-constexpr int kLook_ms = 50;        // how late an end or a crowd is noticed
+constexpr double kWrite_s = 20;          // for a reader who has stopped reading
+constexpr int kLook_ms = 50;             // how late an end or a crowd is noticed
 
 bool is_crowded(const Crowd& crowd) { return crowd.count.load() > static_cast<int>(kMaxThreads) / 2; }
 

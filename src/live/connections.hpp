@@ -45,7 +45,7 @@ class BoundedStream : public httplib::Stream {
 
   int socket_;
   const Crowd& crowd_;
-  double end_s_ = 0;           // of the request that is being read
+  double end_s_ = 0;            // of the request that is being read
   std::size_t bytes_left_ = 0;  // that it may still have
   std::array<char, 4096> buffer_{};
   std::size_t begin_ = 0, end_ = 0;  // of what is in the buffer

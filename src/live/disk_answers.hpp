@@ -11,7 +11,8 @@ LiveAnswer answer_session(LiveSession& session);
 // The file, as soon as it has changed since `version`.
 LiveAnswer answer_disk(LiveSession& session, const LiveRequest& request);
 
-// {text, hash}: written beside and renamed, if the disk still has what `hash` is of; else 409 with what it has.
+// {text, hash}: written beside and renamed, if the disk still has what `hash` is of; else 409 with what it
+// has.
 LiveAnswer answer_save(LiveSession& session, const Json& asked);
 
 }  // namespace mien

@@ -8,7 +8,8 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMostDocuments = 12;  // a page asks for the newest and, for a moment, for the one before
+constexpr std::size_t kMostDocuments =
+    12;  // a page asks for the newest and, for a moment, for the one before
 
 DocumentPointer build_document(const LiveShelf& shelf, const std::string& text, std::string key) {
   auto document = std::make_shared<LiveDocument>();

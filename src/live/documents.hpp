@@ -30,8 +30,8 @@ struct LiveShelf {
   const Resources* resources = nullptr;
   std::filesystem::path file;  // whose text it is, or will be
   FigureStore figures;
-  std::mutex mutex;                     // of what follows
-  std::list<DocumentPointer> documents;  // the newest first
+  std::mutex mutex;                          // of what follows
+  std::list<DocumentPointer> documents;      // the newest first
   std::vector<std::filesystem::path> files;  // that the newest good text is read from
 };
 

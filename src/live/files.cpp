@@ -15,18 +15,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kTypes = std::to_array<std::pair<std::string_view, const char*>>(
-    {{".html", "text/html; charset=utf-8"},
-     {".js", "text/javascript; charset=utf-8"},
-     {".css", "text/css; charset=utf-8"},
-     {".svg", "image/svg+xml"},
-     {".png", "image/png"},
-     {".mp4", "video/mp4"},
-     {".json", "application/json"},
-     {".stl", "model/stl"},
-     {".3mf", "model/3mf"},
-     {".scad", "text/plain; charset=utf-8"},
-     {".txt", "text/plain; charset=utf-8"}});
+constexpr auto kTypes =
+    std::to_array<std::pair<std::string_view, const char*>>({{".html", "text/html; charset=utf-8"},
+                                                             {".js", "text/javascript; charset=utf-8"},
+                                                             {".css", "text/css; charset=utf-8"},
+                                                             {".svg", "image/svg+xml"},
+                                                             {".png", "image/png"},
+                                                             {".mp4", "video/mp4"},
+                                                             {".json", "application/json"},
+                                                             {".stl", "model/stl"},
+                                                             {".3mf", "model/3mf"},
+                                                             {".scad", "text/plain; charset=utf-8"},
+                                                             {".txt", "text/plain; charset=utf-8"}});
 
 // Of the file NAME that a page asks for as lib/NAME.
 struct Library {
@@ -40,13 +40,16 @@ const std::array<Library, 2>& list_libraries() {
       {{"libjs-three", "/usr/share/javascript/three", {"build/three.module.js"}},
        {"libjs-codemirror",
         "/usr/share/javascript/codemirror",
-        {"lib/codemirror.js", "lib/codemirror.css", "mode/yaml/yaml.js", "addon/hint/show-hint.js",
-         "addon/hint/show-hint.css", "addon/lint/lint.js", "addon/lint/lint.css",
-         "addon/search/searchcursor.js", "addon/search/search.js", "addon/search/jump-to-line.js",
-         "addon/dialog/dialog.js", "addon/dialog/dialog.css", "addon/comment/comment.js",
-         "addon/edit/matchbrackets.js", "addon/edit/closebrackets.js", "addon/selection/active-line.js",
-         "addon/fold/foldcode.js", "addon/fold/foldgutter.js", "addon/fold/foldgutter.css",
-         "addon/fold/indent-fold.js"}}}};
+        {"lib/codemirror.js",           "lib/codemirror.css",
+         "mode/yaml/yaml.js",           "addon/hint/show-hint.js",
+         "addon/hint/show-hint.css",    "addon/lint/lint.js",
+         "addon/lint/lint.css",         "addon/search/searchcursor.js",
+         "addon/search/search.js",      "addon/search/jump-to-line.js",
+         "addon/dialog/dialog.js",      "addon/dialog/dialog.css",
+         "addon/comment/comment.js",    "addon/edit/matchbrackets.js",
+         "addon/edit/closebrackets.js", "addon/selection/active-line.js",
+         "addon/fold/foldcode.js",      "addon/fold/foldgutter.js",
+         "addon/fold/foldgutter.css",   "addon/fold/indent-fold.js"}}}};
   return libraries;
 }
 
@@ -63,7 +66,8 @@ LiveFiles list_live_files(const fs::path& data_folder) {
     for (const std::string_view name : library.files) {
       const fs::path path = fs::path(library.folder) / name;
       if (!fs::is_regular_file(path, error))
-        throw RunError(fmt::format("{0} is not installed; install it with: apt-get install {0}", library.package));
+        throw RunError(
+            fmt::format("{0} is not installed; install it with: apt-get install {0}", library.package));
       files["lib/" + path.filename().string()] = path;
     }
   return files;
@@ -85,7 +89,8 @@ std::string encode_name(const std::string& name) {
   std::string text;
   for (const char letter : name) {
     const bool is_plain = (letter >= 'a' && letter <= 'z') || (letter >= 'A' && letter <= 'Z') ||
-                          (letter >= '0' && letter <= '9') || std::string_view("-._~").find(letter) != std::string_view::npos;
+                          (letter >= '0' && letter <= '9') ||
+                          std::string_view("-._~").find(letter) != std::string_view::npos;
     if (is_plain)
       text += letter;
     else

@@ -24,8 +24,7 @@ bool is_own_host(std::string_view host, int port) {
 
 bool is_own_origin(std::string_view origin, int port) {
   constexpr std::string_view kScheme = "http://";
-  return origin.empty() ||
-         (origin.starts_with(kScheme) && is_own_host(origin.substr(kScheme.size()), port));
+  return origin.empty() || (origin.starts_with(kScheme) && is_own_host(origin.substr(kScheme.size()), port));
 }
 
 std::optional<std::string> strip_token(std::string_view path, std::string_view token) {
@@ -33,7 +32,8 @@ std::optional<std::string> strip_token(std::string_view path, std::string_view t
   path.remove_prefix(1);
   unsigned difference = path.size() <= token.size() || path[token.size()] != '/' ? 1 : 0;
   for (std::size_t i = 0; i < token.size(); ++i)
-    difference |= static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < path.size() ? path[i] : 0);
+    difference |=
+        static_cast<unsigned char>(token[i]) ^ static_cast<unsigned char>(i < path.size() ? path[i] : 0);
   if (difference != 0) return std::nullopt;
   return std::string(path.substr(token.size() + 1));
 }

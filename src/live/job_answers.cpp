@@ -23,12 +23,13 @@ struct JobKind {
 };
 
 const std::array<JobKind, 6>& list_kinds() {
-  static const std::array<JobKind, 6> kinds{{{"sketch", "Sketched clip", "render", {"--quality", "sketch"}},
-                                             {"render", "Clip", "render", {}},
-                                             {"still", "Picture", "still", {}, true},
-                                             {"still_sketch", "Sketch", "still", {"--quality", "sketch"}, true},
-                                             {"bust", "Bust for OpenSCAD", "bust", {"--no-stl"}, true},
-                                             {"stl", "Bust as STL", "bust", {}, true}}};
+  static const std::array<JobKind, 6> kinds{
+      {{"sketch", "Sketched clip", "render", {"--quality", "sketch"}},
+       {"render", "Clip", "render", {}},
+       {"still", "Picture", "still", {}, true},
+       {"still_sketch", "Sketch", "still", {"--quality", "sketch"}, true},
+       {"bust", "Bust for OpenSCAD", "bust", {"--no-stl"}, true},
+       {"stl", "Bust as STL", "bust", {}, true}}};
   return kinds;
 }
 
@@ -40,14 +41,10 @@ Json describe_job(const Job& job) {
     results.push_back({{"name", path.filename().string()},
                        {"path", path.string()},
                        {"href", fmt::format("made/{}/{}", job.id, encode_name(path.filename().string()))}});
-  return {{"id", job.id},
-          {"kind", job.kind},
-          {"title", job.title},
-          {"state", kStateNames[static_cast<std::size_t>(job.state)]},
-          {"stage", job.stage},
-          {"done", job.finished},
-          {"total", job.all},
-          {"lines", job.lines},
+  return {{"id", job.id},       {"kind", job.kind},
+          {"title", job.title}, {"state", kStateNames[static_cast<std::size_t>(job.state)]},
+          {"stage", job.stage}, {"done", job.finished},
+          {"total", job.all},   {"lines", job.lines},
           {"results", results}};
 }
 
@@ -103,7 +100,8 @@ LiveAnswer answer_made(LiveSession& session, const std::string& path) {
     const std::lock_guard lock(session.jobs.mutex);
     for (const Job& job : session.jobs.jobs)
       for (const auto& result : job.results)
-        if (slash != std::string::npos && path == fmt::format("made/{}/{}", job.id, result.filename().string()))
+        if (slash != std::string::npos &&
+            path == fmt::format("made/{}/{}", job.id, result.filename().string()))
           found = result;
   }
   std::error_code error;

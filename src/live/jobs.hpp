@@ -19,15 +19,15 @@ struct Job {
   std::string kind, title;
   std::vector<std::string> command;
   JobState state = JobState::waiting;
-  std::string stage;         // what is being counted: "frames"
+  std::string stage;  // what is being counted: "frames"
   int finished = 0, all = 0;
   std::deque<std::string> lines;               // the last ones, as on a terminal
   std::vector<std::filesystem::path> results;  // files that are complete
   bool is_to_stop = false;
 };
 
-// One at a time, in the order that they were asked for: each has all the cores. Those that ended are kept, some
-// of them.
+// One at a time, in the order that they were asked for: each has all the cores. Those that ended are kept,
+// some of them.
 struct Jobs {
   Jobs();
   ~Jobs();  // ends what runs

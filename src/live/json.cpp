@@ -79,7 +79,7 @@ Json describe_finding(const Diagnostic& diagnostic) {
           {"message", diagnostic.message}};
 }
 
-Json describe_pose(const Pose& pose) {
+Json describe_values(const Pose& pose) {
   Json values = Json::object();
   for (std::size_t i = 0; i < kMoveCount; ++i)
     values[std::string(find_area_key(kMoves[i]))][std::string(kMoves[i].move)] =
@@ -93,9 +93,8 @@ Pose read_pose(const Json& values) {
   for (const auto& [area, moves] : values.items()) {
     if (!moves.is_object()) throw InputError(fmt::format("'{}' is no object of moves", show_word(area)));
     for (const auto& [move, value] : moves.items()) {
-      const auto found = std::ranges::find_if(kMoves, [&](const MoveInfo& info) {
-        return find_area_key(info) == area && info.move == move;
-      });
+      const auto found = std::ranges::find_if(
+          kMoves, [&](const MoveInfo& info) { return find_area_key(info) == area && info.move == move; });
       if (found == kMoves.end() || !value.is_number())
         throw InputError(fmt::format("'{}.{}' is no move with a number", show_word(area), show_word(move)));
       pose.values[static_cast<std::size_t>(found - kMoves.begin())] =

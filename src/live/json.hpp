@@ -35,7 +35,7 @@ Json describe_finding(const Diagnostic& diagnostic);
 
 // {"brow.left": {"up": 0.07, ...}, ..., "lips": {...}}, all moves; and back, those that are not there at
 // rest. Throws InputError on what is no area, move or number, and holds numbers within twice their limits.
-Json describe_pose(const Pose& pose);
+Json describe_values(const Pose& pose);
 Pose read_pose(const Json& values);
 
 }  // namespace mien

@@ -102,7 +102,8 @@ std::vector<float> measure_ways(const Figure& figure, Area area) {
 }
 
 // Lines and words of a sheet's cell, which lie in the picture's plane, put to the depth of the face.
-void append_overlay(const Overlay& overlay, const CameraView& view, float depth_mm, Json& lines, Json& words) {
+void append_overlay(const Overlay& overlay, const CameraView& view, float depth_mm, Json& lines,
+                    Json& words) {
   const glm::vec3 toward = compute_toward_camera(view);
   const auto place = [&](const glm::vec3& at) {
     const glm::vec3 on = at - toward * (glm::dot(at - view.look_at, toward) - depth_mm);
@@ -184,11 +185,11 @@ LiveAnswer answer_areas(LiveSession& session, const Json& asked) {
     for (const int byte : {int{colour.r}, int{colour.g}, int{colour.b}, static_cast<int>(255 * share)})
       bytes += static_cast<char>(byte);
   }
-  return build_bytes({{"areas", areas},
-                      {"limits", describe_limits(session, document->clip->spec,
-                                                 document->clip->actors[actor].head, skin.figure,
-                                                 moment.start.view)}},
-                     bytes);
+  return build_bytes(
+      {{"areas", areas},
+       {"limits", describe_limits(session, document->clip->spec, document->clip->actors[actor].head,
+                                  skin.figure, moment.start.view)}},
+      bytes);
 }
 
 }  // namespace mien

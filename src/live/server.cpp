@@ -24,7 +24,9 @@ constexpr const char* kPolicy =
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' blob: data:; media-src 'self'; "
     "connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
 
-void close_on_exec(int socket) { ::fcntl(socket, F_SETFD, FD_CLOEXEC); }  // programs that we start have no use for it
+void close_on_exec(int socket) {
+  ::fcntl(socket, F_SETFD, FD_CLOEXEC);
+}  // programs that we start have no use for it
 
 }  // namespace
 

@@ -29,7 +29,7 @@ LiveAnswer build_refusal(int status, const std::string& message);
 using LiveHandler = std::function<LiveAnswer(const LiveRequest&)>;
 
 // What a request may be at most.
-inline constexpr std::size_t kMaxBody_bytes = 2u << 20;   // a file of the largest size, as JSON
+inline constexpr std::size_t kMaxBody_bytes = 2u << 20;  // a file of the largest size, as JSON
 inline constexpr std::size_t kMaxRequest_bytes = kMaxBody_bytes + (64u << 10);  // with all its headers
 inline constexpr double kMaxRequest_s = 10;                                     // until all of it is here
 inline constexpr std::size_t kMaxThreads = 48;  // connections that are heard at once; others wait

@@ -33,10 +33,14 @@ std::optional<CameraKey> read_camera(const Json& asked) {
 }
 
 Json describe_finish(const ViewFinish& finish) {
-  return {{"diffuse", finish.diffuse},       {"brilliance", finish.brilliance},
-          {"specular", finish.specular},     {"roughness", finish.roughness},
-          {"phong", finish.phong},           {"phong_size", finish.phong_size},
-          {"metallic", finish.metallic},     {"reflection", finish.reflection},
+  return {{"diffuse", finish.diffuse},
+          {"brilliance", finish.brilliance},
+          {"specular", finish.specular},
+          {"roughness", finish.roughness},
+          {"phong", finish.phong},
+          {"phong_size", finish.phong_size},
+          {"metallic", finish.metallic},
+          {"reflection", finish.reflection},
           {"emission", describe_rgb(finish.emission)}};
 }
 
@@ -54,12 +58,9 @@ Json describe_part(const ViewPart& part) {
 }
 
 Json describe_lamp(const SketchLamp& lamp) {
-  return {{"at", describe_place(lamp.at)},
-          {"colour", describe_rgb(lamp.colour)},
-          {"side", describe_place(lamp.side)},
-          {"other_side", describe_place(lamp.other_side)},
-          {"has_shadow", lamp.has_shadow},
-          {"fade_distance", lamp.fade_distance},
+  return {{"at", describe_place(lamp.at)},     {"colour", describe_rgb(lamp.colour)},
+          {"side", describe_place(lamp.side)}, {"other_side", describe_place(lamp.other_side)},
+          {"has_shadow", lamp.has_shadow},     {"fade_distance", lamp.fade_distance},
           {"fade_power", lamp.fade_power}};
 }
 
@@ -191,8 +192,7 @@ LiveAnswer answer_sky(LiveSession& session, const Json& asked) {
       const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width) - 0.5f;
       const float v = 0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height);
       const glm::vec3 aside = camera.is_orthographic ? glm::vec3(0) : u * camera.right + v * camera.up;
-      const glm::vec3 light =
-          glm::clamp(sample_sky(*moment.stage, camera.forward + aside), 0.0f, 1.0f);
+      const glm::vec3 light = glm::clamp(sample_sky(*moment.stage, camera.forward + aside), 0.0f, 1.0f);
       for (int c = 0; c < 3; ++c) bytes += static_cast<char>(std::lround(255 * encode_srgb(light[c])));
     }
   return build_bytes({{"width", width}, {"height", height}}, bytes);

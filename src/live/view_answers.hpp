@@ -14,11 +14,12 @@ namespace mien {
 LiveAnswer answer_model(LiveSession& session, const Json& asked);
 
 // {model, camera} also {actor, values}: that one stands so instead of what it does, {} is at rest; `model` is
-// the page's. {model, stage, outlines: [[vertices, triangles]]}, then for each part what append_shape says; of
-// another model than the page's nothing but its key.
+// the page's. {model, stage, outlines: [[vertices, triangles]]}, then for each part what append_shape says;
+// of another model than the page's nothing but its key.
 LiveAnswer answer_shapes(LiveSession& session, const Json& asked);
 
-// {model, triangles: [[number]]}: for each part its triangles in the coarse (coarse.hpp), three 32-bit numbers each.
+// {model, triangles: [[number]]}: for each part its triangles in the coarse (coarse.hpp), three 32-bit
+// numbers each.
 LiveAnswer answer_coarse(LiveSession& session, const Json& asked);
 
 // {camera, width, height}: what lies behind everybody, 3 bytes a pixel from the upper left.

@@ -22,8 +22,8 @@ glm::u8vec4 pack_colour(const SketchColour& colour) {
 }
 
 ViewFinish take_finish(const SketchFinish& finish) {
-  return {finish.diffuse, finish.brilliance, finish.specular,   finish.roughness,
-          finish.phong,   finish.phong_size, finish.metallic, finish.reflection, finish.emission};
+  return {finish.diffuse,    finish.brilliance, finish.specular,   finish.roughness, finish.phong,
+          finish.phong_size, finish.metallic,   finish.reflection, finish.emission};
 }
 
 // The colour that a vertex has of one of the part's shades, at rest.

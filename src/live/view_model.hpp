@@ -14,20 +14,20 @@ namespace mien {
 
 // What the surface of a part does with light; of a part of several materials that of the first.
 struct ViewFinish {
-  float diffuse = 0, brilliance = 1, specular = 0, roughness = 0.05f, phong = 0, phong_size = 40, metallic = 0,
-        reflection = 0;
+  float diffuse = 0, brilliance = 1, specular = 0, roughness = 0.05f, phong = 0, phong_size = 40,
+        metallic = 0, reflection = 0;
   glm::vec3 emission{0};
 };
 
 // One part. Where a border of colours is sharp a vertex of the model is several here, one a colour.
 struct ViewPart {
   std::string name, material;
-  std::vector<std::uint32_t> vertices;   // of the model, one for each of these
-  std::vector<Triangle> triangles;       // of these
-  std::vector<glm::u8vec4> colours;      // linear, as square roots; the fourth is how much comes through
+  std::vector<std::uint32_t> vertices;  // of the model, one for each of these
+  std::vector<Triangle> triangles;      // of these
+  std::vector<glm::u8vec4> colours;     // linear, as square roots; the fourth is how much comes through
   ViewFinish finish;
-  bool is_clear = false;    // lets light through: drawn last
-  bool is_seen = true;      // false: only its shadow is
+  bool is_clear = false;  // lets light through: drawn last
+  bool is_seen = true;    // false: only its shadow is
   bool has_shadow = true;
   bool is_rigid = false;
   bool is_outline = false;  // changes its triangles with each drawing; no vertices here

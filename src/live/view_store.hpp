@@ -31,10 +31,10 @@ struct ViewStage {
 
 // Any number of threads may ask.
 struct ViewStore {
-  std::mutex mutex;  // of all that follows
-  int count = 0;     // of scenes that were made
-  std::list<ScenePointer> scenes;  // the one used last comes first
-  std::list<ViewStage> stages;     // the same
+  std::mutex mutex;                                   // of all that follows
+  int count = 0;                                      // of scenes that were made
+  std::list<ScenePointer> scenes;                     // the one used last comes first
+  std::list<ViewStage> stages;                        // the same
   std::vector<std::unique_ptr<DrawBuffers>> buffers;  // that no thread uses now
 };
 

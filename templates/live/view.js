@@ -157,6 +157,7 @@ class View {
     const key = JSON.stringify([this.store.doc, camera ?? [said.at, said.forward], this.now.shapes.stage.lamps.length]);
     if (key === this.skyKey || this.isSkyAsked) return;
     this.isSkyAsked = true;
+    let isThere = false;
     try {
       const clip = this.store.clip, width = kSky_px, height = Math.max(1, Math.round(kSky_px * clip.height / clip.width));
       const frame = this.store.findDrawing(this.now.frame);
@@ -164,13 +165,14 @@ class View {
       const {at} = openAnswer(buffer);
       this.stage.setGround(width, height, new Uint8Array(buffer, at, 3 * width * height));
       this.skyKey = key;
+      isThere = true;
       this.draw();
     } catch (error) {
       if (error.name !== "AbortError") console.warn(error);
     } finally {
       this.isSkyAsked = false;
     }
-    if (turn === this.turn) await this.loadSky(turn);  // it has changed meanwhile
+    if (isThere && turn === this.turn) await this.loadSky(turn);  // it has changed meanwhile
   }
 
   findActor() {

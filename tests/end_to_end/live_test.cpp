@@ -11,7 +11,8 @@ namespace {
 // Words for a shell: `begin OPTION...` starts the server, $address is its page's; `finish` ends it.
 std::string build_words(const std::string& file) {
   return std::string("begin() { '") + program_path() + "' live " + file +
-         " \"$@\" >seen.out 2>seen.err & pid=$!; for i in $(seq 300); do [ -s seen.out ] && break; sleep 0.1; done; "
+         " \"$@\" >seen.out 2>seen.err & pid=$!; for i in $(seq 300); do [ -s seen.out ] && break; sleep "
+         "0.1; done; "
          "address=$(head -n 1 seen.out); }\n"
          "finish() { kill -INT $pid; wait $pid; echo \"status $?\"; }\n";
 }
@@ -19,12 +20,13 @@ std::string build_words(const std::string& file) {
 TEST(live, prints_its_address_serves_and_ends_cleanly) {
   const auto folder = make_folder("live");
   write_file(folder / "tiny.yaml", kTinyClip);
-  const ProgramRun run = run_shell(folder, build_words("tiny.yaml") +
-                                               "begin\n"
-                                               "ask() { python3 -c 'import sys, urllib.request as r; "
-                                               "print(r.urlopen(sys.argv[1]).read().decode()[:15])' \"$1\"; }\n"
-                                               "ask \"$address\"\n"
-                                               "finish\n");
+  const ProgramRun run =
+      run_shell(folder, build_words("tiny.yaml") +
+                            "begin\n"
+                            "ask() { python3 -c 'import sys, urllib.request as r; "
+                            "print(r.urlopen(sys.argv[1]).read().decode()[:15])' \"$1\"; }\n"
+                            "ask \"$address\"\n"
+                            "finish\n");
   EXPECT_EQ(run.out, "<!doctype html>\nstatus 0\n") << run.err;
   EXPECT_TRUE(std::regex_match(read_file(folder / "seen.out"),
                                std::regex("http://127\\.0\\.0\\.1:[0-9]+/[0-9a-f]{32}/\n")));
@@ -52,7 +54,8 @@ TEST(live, opens_a_file_with_mistakes_but_no_other_thing) {
                                                "mien live nobody.yaml; echo $?\n"
                                                "mien live .; echo $?\n");
   EXPECT_EQ(run.out, "status 0\n2\n2\n");
-  EXPECT_EQ(run.err.substr(0, run.err.find('\n')), "nobody.yaml: error: cannot read: No such file or directory");
+  EXPECT_EQ(run.err.substr(0, run.err.find('\n')),
+            "nobody.yaml: error: cannot read: No such file or directory");
 }
 
 TEST(live, ports_are_numbers_that_users_have) {

@@ -13,7 +13,8 @@ namespace {
 TEST(live_files, all_that_the_page_asks_for_is_served) {
   const LiveFiles files = list_live_files(find_data_folder());
   const std::string page = answer_file(files, "").body;
-  static const std::regex kAsked(R"re((?:src|href)="([^"]+)")re"), kImported(R"re((?:from|import\() ?"\./([^"]+)")re");
+  static const std::regex kAsked(R"re((?:src|href)="([^"]+)")re"),
+      kImported(R"re((?:from|import\() ?"\./([^"]+)")re");
   int count = 0;
   for (std::sregex_iterator found(page.begin(), page.end(), kAsked), end; found != end; ++found, ++count)
     EXPECT_EQ(answer_file(files, (*found)[1]).status, 200) << (*found)[1];
@@ -30,13 +31,16 @@ TEST(live_files, nothing_of_the_page_asks_for_what_its_policy_forbids) {
   for (const auto& [name, path] : list_live_files(find_data_folder())) {
     if (!name.ends_with(".html")) continue;
     const std::string text = read_file(path);
-    EXPECT_FALSE(std::regex_search(text, std::regex(R"re(<script(?![^>]*\bsrc=)|\bstyle="|\bon[a-z]+="|https?://)re"))) << name;
+    EXPECT_FALSE(
+        std::regex_search(text, std::regex(R"re(<script(?![^>]*\bsrc=)|\bstyle="|\bon[a-z]+="|https?://)re")))
+        << name;
   }
 }
 
 TEST(live_files, others_are_not_there) {
   const LiveFiles files = list_live_files(find_data_folder());
-  for (const char* name : {"../mien.schema.json", "lib/", "lib/../lib/codemirror.js", "/etc/passwd", "INDEX.HTML", "."})
+  for (const char* name :
+       {"../mien.schema.json", "lib/", "lib/../lib/codemirror.js", "/etc/passwd", "INDEX.HTML", "."})
     EXPECT_EQ(answer_file(files, name).status, 404) << name;
 }
 

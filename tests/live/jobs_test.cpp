@@ -29,15 +29,18 @@ TEST(live_jobs, hear_what_the_program_says) {
   Jobs jobs;
   const std::string result = std::string(source_folder()) + "/README.md";
   const int id = add_shell(
-      jobs, "echo '{\"event\":\"frame\",\"stage\":\"frames\",\"frame\":3,\"done\":3,\"total\":48}'; "
-            "echo '{\"kind\":\"warning\",\"file\":\"a.yaml\",\"line\":3,\"column\":7,\"message\":\"too quick\"}'; "
-            "echo '{\"clip\":\"" + result + "\"}'; printf 'no end'");
+      jobs,
+      "echo '{\"event\":\"frame\",\"stage\":\"frames\",\"frame\":3,\"done\":3,\"total\":48}'; "
+      "echo '{\"kind\":\"warning\",\"file\":\"a.yaml\",\"line\":3,\"column\":7,\"message\":\"too quick\"}'; "
+      "echo '{\"clip\":\"" +
+          result + "\"}'; printf 'no end'");
   const Job job = wait_for_end(jobs, id);
   EXPECT_EQ(job.state, JobState::done);
   EXPECT_EQ(job.stage, "frames");
   EXPECT_EQ(job.finished, 3);
   EXPECT_EQ(job.all, 48);
-  EXPECT_EQ(job.lines, (std::deque<std::string>{"a.yaml:3:7: warning: too quick", "clip    " + result, "no end"}));
+  EXPECT_EQ(job.lines,
+            (std::deque<std::string>{"a.yaml:3:7: warning: too quick", "clip    " + result, "no end"}));
   EXPECT_EQ(job.results, (std::vector<std::filesystem::path>{result}));
 }
 
@@ -50,8 +53,9 @@ TEST(live_jobs, fail_with_their_words) {
   EXPECT_EQ(failed.lines, (std::deque<std::string>{"it broke"}));
   const Job lost = wait_for_end(jobs, missing);
   EXPECT_EQ(lost.state, JobState::failed);
-  EXPECT_EQ(lost.lines,
-            (std::deque<std::string>{"cannot start no-such-program-anywhere in .: No such file or directory"}));
+  EXPECT_EQ(
+      lost.lines,
+      (std::deque<std::string>{"cannot start no-such-program-anywhere in .: No such file or directory"}));
 }
 
 TEST(live_jobs, run_one_after_the_other_and_are_stopped) {

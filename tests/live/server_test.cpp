@@ -40,7 +40,8 @@ TEST(live_server, answers_who_has_the_token) {
   const Served served;
   EXPECT_EQ(served.server.address, "http://" + served.host + served.path);
   expect_serving(served);
-  EXPECT_EQ(find_body(ask(served.server.port, build_post(served.path + "y", served.host, "{}"))), "POST y {}");
+  EXPECT_EQ(find_body(ask(served.server.port, build_post(served.path + "y", served.host, "{}"))),
+            "POST y {}");
 }
 
 TEST(live_server, every_answer_keeps_the_page_to_itself) {
@@ -76,14 +77,17 @@ TEST(live_server, strangers_learn_nothing) {
 
 TEST(live_server, a_form_of_another_page_cannot_post) {
   const Served served;
-  for (const char* type : {"text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"})
-    EXPECT_EQ(find_status(ask(served.server.port, build_post(served.path, served.host, "{}", type))), 415) << type;
+  for (const char* type :
+       {"text/plain", "application/x-www-form-urlencoded", "multipart/form-data; boundary=x"})
+    EXPECT_EQ(find_status(ask(served.server.port, build_post(served.path, served.host, "{}", type))), 415)
+        << type;
 }
 
 TEST(live_server, other_methods_are_refused) {
   const Served served;
   for (const char* method : {"PUT", "DELETE", "PATCH"}) {
-    const std::string request = std::string(method) + " " + served.path + " HTTP/1.1\r\nHost: " + served.host +
+    const std::string request = std::string(method) + " " + served.path +
+                                " HTTP/1.1\r\nHost: " + served.host +
                                 "\r\nConnection: close\r\nContent-Length: 0\r\n\r\n";
     EXPECT_EQ(find_status(ask(served.server.port, request)), 405) << method;
   }
