@@ -18,9 +18,9 @@ namespace {
 bool is_growing(const Actor& actor) { return !actor.performance.clip.head.empty(); }
 
 // With the actor's name in the names of its parts: one scene holds everybody's.
-FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
+FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, const RenderSpec& render,
                                  const HeadStock& stock) {
-  DrawnFigure figure = build_drawn_figure(stock, head, style);
+  DrawnFigure figure = build_drawn_figure(stock, head, render);
   if (!actor.name.empty()) {
     for (Part& part : figure.model.parts) part.name += "_of_" + actor.name;
     if (figure.ink)
@@ -72,7 +72,7 @@ Cast build_cast(const Clip& clip, const HeadStock& stock) {
     for (const HeadSpec& head : heads) {
       throw_if_interrupted();
       if (!seen.insert(compute_head_key(head)).second) continue;
-      figures.push_back(build_actor_figure(actor, head, clip.spec.render.style, stock));
+      figures.push_back(build_actor_figure(actor, head, clip.spec.render, stock));
       framed.push_back(figures.back().get());
       add_places(clip, actor, *figures.back(), cast.framing);
     }
@@ -89,8 +89,7 @@ Heads build_heads(const Clip& clip, const Cast& cast, double time_s, const HeadS
     const Actor& actor = clip.actors[i];
     glm::dmat4& place = heads.places.emplace_back(find_place(actor.place));
     if (!heads.figures[i]) {
-      heads.figures[i] =
-          build_actor_figure(actor, compute_head(actor, time_s), clip.spec.render.style, stock);
+      heads.figures[i] = build_actor_figure(actor, compute_head(actor, time_s), render, stock);
       heads.changing.push_back(heads.figures[i]);
       place[3].y += compute_lowering_mm(*heads.figures[i], place, cast.framing, render);
     }

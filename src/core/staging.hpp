@@ -12,12 +12,23 @@ enum class Quality { sketch, draft, good, best };
 // How a picture is drawn: lit as in a studio, in ink, or as a plaster cast.
 enum class Style { studio, ink, plaster };
 
+// Ink's colours, srgb 0..1.
+struct InkColours {
+  glm::vec3 line{0.10f, 0.06f, 0.07f};
+  glm::vec3 mouth{0.36f, 0.07f, 0.09f};  // within it: dark, gums and all
+  glm::vec3 tongue{0.80f, 0.30f, 0.30f};
+  glm::vec3 teeth{1, 0.985f, 0.95f};
+  std::optional<glm::vec3> shade;  // what the lamp does not reach has its own colour times this
+  std::optional<glm::vec3> blush;  // without one it is made from the skin's colour, as the design says
+};
+
 struct RenderSpec {
   int width_px = 480, height_px = 600;
   Quality quality = Quality::good;
   std::string background = "studio";  // a background of templates/povray
   Style style = Style::studio;
   double line = 1;  // how thick ink's lines are
+  InkColours ink;
   bool is_background_given = false, is_style_given = false;
 };
 

@@ -14,8 +14,6 @@ namespace mien {
 
 namespace {
 
-constexpr glm::vec3 kInk{0.10f, 0.06f, 0.07f};
-
 void list_neighbours(const FineSkin& fine, Ink& ink) {
   std::vector<std::vector<std::uint32_t>> around(fine.vertex_count());
   for (const Triangle& t : fine.triangles)
@@ -59,8 +57,8 @@ Part make_flat_part(std::string name, const char* material, const glm::vec3& srg
   return part;
 }
 
-Part make_outline(const std::string& name) {
-  Part part = make_flat_part(name + "_outline", "ink_line", kInk);
+Part make_outline(const std::string& name, const InkColours& colours) {
+  Part part = make_flat_part(name + "_outline", "ink_line", colours.line);
   part.is_outline = true;
   return part;
 }
@@ -76,10 +74,10 @@ Part make_caster(const Figure& figure) {
 
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
 // the arch.
-void darken_backs(Part& teeth) {
+void darken_backs(const InkColours& colours, Part& teeth) {
   constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
   const float back_mm = compute_bounds(teeth.rest.positions).low.z;
-  teeth.palette.push_back({kInkMouth, 0});
+  teeth.palette.push_back({colours.mouth, 0});
   for (const Triangle& t : teeth.rest.triangles) {
     const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
                     &c = teeth.rest.positions[t[2]];
@@ -91,21 +89,19 @@ void darken_backs(Part& teeth) {
 }
 
 // What the parts of a real head become; their own tones where nothing is said.
-void set_material(const Look& look, Part& part) {
+void set_material(const Look& look, const InkColours& colours, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
     part.material = "ink_flat";
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name == "teeth_upper") flat({1, 0.985f, 0.95f});
-  if (part.name == "teeth_upper") darken_backs(part);
-  if (part.name == "gum_upper") {  // teeth are one white band
-    flat({1, 0.985f, 0.95f});
-    darken_backs(part);
+  if (part.name == "teeth_upper" || part.name == "gum_upper") {  // teeth are one white band
+    flat(colours.teeth);
+    darken_backs(colours, part);
   }
   if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
-    flat(kInkMouth);  // what shows of lower teeth beside a tongue is crumbs
-  if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
+    flat(colours.mouth);  // what shows of lower teeth beside a tongue is crumbs
+  if (part.name == "tongue") flat(colours.tongue);
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;
   part.palette = {{find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair), 0}};
@@ -115,8 +111,8 @@ void set_material(const Look& look, Part& part) {
   part.wear = 0;
 }
 
-void add_strokes(const Figure& figure, const HeadSpec& spec, Ink& ink) {
-  Part lines = make_flat_part("lines", "ink_line", kInk);
+void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
+  Part lines = make_flat_part("lines", "ink_line", colours.line);
   Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
   ink.strokes = list_strokes(figure, spec, ink.folds);
   for (const InkStroke& stroke : ink.strokes) {
@@ -199,14 +195,14 @@ void clear_shape(PartShape& shape) {
 
 }  // namespace
 
-Ink build_ink(const Figure& figure, const HeadSpec& spec) {
+Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colours) {
   Ink ink;
   ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
   ink.model = figure.model;
-  for (Part& part : ink.model.parts) set_material(spec.look, part);
+  for (Part& part : ink.model.parts) set_material(spec.look, colours, part);
   Part& skin = ink.model.parts.front();
   const std::vector<glm::vec3> positions = skin.rest.positions;
-  InkRegions regions = cut_regions(figure, spec, positions);
+  InkRegions regions = cut_regions(figure, spec, colours, positions);
   skin.material = "ink_skin";
   skin.palette = std::move(regions.palette);
   skin.shade.clear();
@@ -223,14 +219,14 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure));
   ink.first_outline = ink.model.parts.size();
-  std::vector<Part> outlines{make_outline("skin")};
+  std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
     if (ink.model.parts[i].material == "ink_hair") {
-      outlines.push_back(make_outline(ink.model.parts[i].name));
+      outlines.push_back(make_outline(ink.model.parts[i].name, colours));
       ink.outlined.push_back(i);
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
-  add_strokes(figure, spec, ink);
+  add_strokes(figure, spec, colours, ink);
   return ink;
 }
 

@@ -328,6 +328,33 @@ TEST(ink, upper_teeth_are_white_where_they_look_out_and_lower_ones_never) {
   EXPECT_LT(4 * white, 3 * teeth.rest.triangles.size());
 }
 
+TEST(ink, is_in_the_colours_that_are_asked_for) {
+  HeadSpec spec = make_spec("comic");
+  InkColours colours;
+  colours.line = {0, 0, 1};
+  colours.mouth = {0.1f, 0.2f, 0.3f};
+  colours.tongue = {0.9f, 0.5f, 0};
+  colours.teeth = {1, 1, 0};
+  colours.blush = {0, 1, 0};
+  const Ink ink = build_ink(comic().figure, spec, colours);
+  const auto find_colour = [&](const char* part) {
+    return ink.model.parts[find_part(ink.model, part)].palette.front().srgb;
+  };
+  for (const char* part : {"lines", "skin_outline", "hair_outline"})
+    EXPECT_EQ(find_colour(part), colours.line);
+  EXPECT_NE(find_colour("brow_strokes"), colours.line);
+  EXPECT_EQ(find_colour("teeth_upper"), colours.teeth);
+  EXPECT_EQ(find_colour("teeth_lower"), colours.mouth);
+  EXPECT_EQ(find_colour("tongue"), colours.tongue);
+  const auto has = [](const Part& part, const glm::vec3& srgb) {
+    return std::ranges::any_of(part.palette, [&](const Shade& shade) { return shade.srgb == srgb; });
+  };
+  const Part& skin = ink.model.parts.front();
+  EXPECT_TRUE(has(skin, colours.mouth));
+  EXPECT_TRUE(has(skin, *colours.blush));
+  EXPECT_FALSE(has(comic().ink.model.parts.front(), *colours.blush));
+}
+
 TEST(ink, a_scene_takes_all_of_it) {
   const Subject& subject = comic();
   RenderSpec render;

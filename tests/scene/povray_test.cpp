@@ -115,6 +115,20 @@ TEST(povray, turns_lights_to_the_side_that_was_asked_for) {
       "#macro frame_lights(Turn)\n  light_moon(Turn + -20, 0.5)\n  light_candle(Turn + 30, 0.25)\n#end\n");
 }
 
+TEST(povray, ink_has_the_shade_that_is_asked_for) {
+  RenderSpec render;
+  render.style = Style::ink;
+  const std::string plain = build_povray_stage("", render, shipped_stock().templates);
+  render.ink.shade = glm::vec3(0.5f, 0.25f, 1);
+  const std::string own = build_povray_stage("", render, shipped_stock().templates);
+  const std::string words = "#declare Shade_tint = srgb <0.5, 0.25, 1>;\n";
+  EXPECT_EQ(plain.find(words), std::string::npos);
+  ASSERT_NE(own.find(words), std::string::npos);
+  EXPECT_GT(own.find(words), own.rfind("#declare Shade_tint = rgb"));
+  render.style = Style::studio;
+  EXPECT_EQ(build_povray_stage("", render, shipped_stock().templates).find(words), std::string::npos);
+}
+
 TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {
   const Model model{{build_square("card", false)}};
   const std::vector<double> camera =
