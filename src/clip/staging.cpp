@@ -1,5 +1,6 @@
 #include "clip/staging.hpp"
 
+#include "clip/ink_lamp.hpp"
 #include "frames/place.hpp"
 #include "timeline/parts.hpp"
 
@@ -25,11 +26,14 @@ StageSets list_sets(const ClipSpec& clip) {
 
 FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
                        const StageMoment& stage) {
-  const bool is_ink = clip.spec.render.style == Style::ink;  // which has one lamp of its own
-  return {{},
-          is_ink ? std::vector<LightShare>{} : stage.lights,
-          stage.backgrounds,
-          compute_view(cast.framing, camera, stage, clip.spec.render)};
+  FrameStart start;
+  start.backgrounds = stage.backgrounds;
+  start.view = compute_view(cast.framing, camera, stage, clip.spec.render);
+  if (clip.spec.render.style == Style::ink)
+    start.lamp = find_ink_lamp(stage.lights, start.view);
+  else
+    start.lights = stage.lights;
+  return start;
 }
 
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,

@@ -48,6 +48,13 @@ struct LightShare {
   double bright = 1;     // brightness times share
   double angle_deg = 0;  // + brings the light round to the character's left
 };
+// What of a moment's lights ink takes: one lamp far off, and the colours that tones have by it, linear.
+struct InkLamp {
+  glm::dvec3 to_light{0, 0, 1};  // of length 1
+  glm::vec3 lit{1}, dark{1};     // times what it reaches, and what it does not
+  glm::vec3 flat{1};             // times what has one tone: eyes, teeth, tongue
+};
+
 struct BackgroundShare {
   std::string name = "studio";
   std::optional<glm::vec3> colour;  // instead of a named one; srgb 0..1

@@ -129,6 +129,18 @@ TEST(povray, ink_has_the_shade_that_is_asked_for) {
   EXPECT_EQ(build_povray_stage("", render, shipped_stock().templates).find(words), std::string::npos);
 }
 
+// Eyes have their colours in head.inc: a lamp is told before it.
+TEST(povray, tells_ink_s_lamp_before_all_that_it_shines_on) {
+  FrameStart start;
+  start.lamp = InkLamp{{0, 0.6, 0.8}, glm::vec3(1, 0.5f, 0.25f), glm::vec3(0.5f), glm::vec3(0.75f)};
+  std::string text;
+  append_povray_start(text, start);
+  EXPECT_EQ(text.substr(0, text.find("stage_camera")),
+            "#version 3.7;\n#declare Lamp_way = <0,0.6,-0.8>;\n#declare Lamp_lit = rgb <1,0.5,0.25>;\n"
+            "#declare Lamp_dark = rgb <0.5,0.5,0.5>;\n#declare Lamp_flat = rgb <0.75,0.75,0.75>;\n"
+            "#include \"head.inc\"\n");
+}
+
 TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {
   const Model model{{build_square("card", false)}};
   const std::vector<double> camera =
