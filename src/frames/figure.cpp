@@ -212,7 +212,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
                            {}});
       },
       [&] {
-        if (!is_print && !is_ink) made[5] = build_skin_spots(figure.head, spec.look);
+        if (!is_print) made[5] = build_skin_spots(figure.head, spec.look, is_ink);
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look, is_ink); },
       [&] {

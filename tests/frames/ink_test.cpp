@@ -328,6 +328,31 @@ TEST(ink, upper_teeth_are_white_where_they_look_out_and_lower_ones_never) {
   EXPECT_LT(4 * white, 3 * teeth.rest.triangles.size());
 }
 
+TEST(ink, freckles_are_a_few_dots_that_stay_on_the_skin) {
+  EXPECT_TRUE(std::ranges::none_of(comic().ink.model.parts, [](const Part& p) { return p.name == "spots"; }));
+  HeadSpec spec = make_spec("comic");
+  spec.look.freckles = 0.7;
+  const Subject subject = build_subject(spec);
+  const std::size_t index = find_part(subject.ink.model, "spots");
+  const Part& part = subject.ink.model.parts[index];
+  EXPECT_EQ(part.material, "ink_spot");
+  constexpr std::size_t kOfOne = 19;  // vertices: the middle and two rings of nine
+  const std::size_t count = part.rest.positions.size() / kOfOne;
+  EXPECT_GT(count, 12U);
+  EXPECT_LT(count, 60U);
+  std::set<std::uint16_t> strengths(part.shade.begin(), part.shade.end());
+  EXPECT_EQ(strengths.size(), 1U) << "all alike";
+  const Drawing drawing =
+      draw(subject, make_pose({{"corner.up", 1}, {"chin.down", 0.5}}), TurnKey{}, InkView{});
+  const PartShape& skin = drawing.parts.front();
+  for (std::size_t v = 0; v < drawing.parts[index].positions.size(); v += kOfOne) {
+    float nearest = 1e9f;
+    for (const glm::vec3& p : skin.positions)
+      nearest = std::min(nearest, glm::distance(p, drawing.parts[index].positions[v]));
+    EXPECT_LT(nearest, 2.5f) << v;
+  }
+}
+
 TEST(ink, is_in_the_colours_that_are_asked_for) {
   HeadSpec spec = make_spec("comic");
   InkColours colours;
