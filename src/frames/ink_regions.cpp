@@ -101,7 +101,7 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
   shades[kRed].srgb =
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
   shades[kBearded].srgb = glm::mix(find_ink_hair(compute_beard_colour(look)), skin, 0.45f);
-  shades[kHaired].srgb = find_ink_hair(look.hair);
+  shades[kHaired] = {find_ink_hair(look.hair), 1};  // with the shade of hair
   shades[kFlush].srgb =
       colours.blush.value_or(skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush));
   return shades;
