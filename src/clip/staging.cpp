@@ -1,7 +1,9 @@
 #include "clip/staging.hpp"
 
 #include "clip/ink_lamp.hpp"
+#include "frames/drawn_gaze.hpp"
 #include "frames/place.hpp"
+#include "timeline/head_turn.hpp"
 #include "timeline/parts.hpp"
 
 namespace mien {
@@ -44,6 +46,10 @@ void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std:
     moment.pose = *pose;
   else
     moment = sample_performance(heads.performances[actor], time_s);
+  if (figure.ink)
+    moment.pose = turn_gaze_to_camera(
+        figure, moment.pose, heads.places[actor] * compute_turn(figure.face.turn_pivot, moment.turn, 1),
+        view.camera_mm);
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, drawing);
   place_drawing(heads.places[actor], drawing);
   if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, drawing);

@@ -30,7 +30,8 @@ void list_neighbours(const FineSkin& fine, Ink& ink) {
   }
 }
 
-// None in mouth and nostrils, and none at the margins of lids and lips, which have strokes.
+// None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids
+// and the bags beneath them: in profile they would leave ticks above and below the eye.
 void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
                   const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kNone_mm = 0.5f, kAll_mm = 5;
@@ -39,6 +40,13 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
       if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+  for (const char* point :
+       {"E2_1",  "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
+        "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
+        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"}) {
+    const std::uint32_t left = find_point(figure.head.cage, point);
+    for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) margins.push_back(positions[v]);
+  }
   for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
     float nearest = 2 * kAll_mm;
     for (const glm::vec3& margin : margins) nearest = std::min(nearest, glm::distance(margin, positions[v]));
@@ -259,7 +267,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
       ink.outlined.empty() ? glm::vec3(0) : find_middle(drawing.parts[ink.outlined.front()].positions);
   for (const std::size_t part : ink.outlined) {
     // A lock has no outline before another one: the hull lies so far behind.
-    constexpr float kHair = 1.1f, kBehind_mm = 9;  // of a line
+    constexpr float kHair = 1.1f, kBehind_mm = 32;  // of a line; nearer and hidden locks leave dashes
     const PartShape& shape = drawing.parts[part];
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
