@@ -47,9 +47,9 @@ void fill_ink(Section& ink) {
   };
   add("line", "Outlines and strokes, but for the brows.", say_colour(plain.line));
   add("shade", "What the lamp does not reach has its own colour times this one.", "");
-  add("mouth", "Within the mouth.", say_colour(plain.mouth));
-  add("tongue", "The tongue.", say_colour(plain.tongue));
-  add("teeth", "The upper teeth.", say_colour(plain.teeth));
+  add("mouth", "Within the mouth.", say_colour(plain.cavity));
+  add("tongue", "The tongue.", say_colour(plain.flesh));
+  add("teeth", "The upper teeth.", say_colour(plain.bone));
   add("blush", "The cheeks; without it they are made from the skin's colour, as the design says.", "");
 }
 

@@ -32,9 +32,9 @@ InkColours load_ink(const YamlValue& value) {
     return colour != nullptr && load_colour(*colour, into);
   };
   load("line", ink.line);
-  load("mouth", ink.mouth);
-  load("tongue", ink.tongue);
-  load("teeth", ink.teeth);
+  load("mouth", ink.cavity);
+  load("tongue", ink.flesh);
+  load("teeth", ink.bone);
   glm::vec3 colour;
   if (load("shade", colour)) ink.shade = colour;
   if (load("blush", colour)) ink.blush = colour;

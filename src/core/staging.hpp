@@ -15,11 +15,11 @@ enum class Style { studio, ink, plaster };
 // Ink's colours, srgb 0..1.
 struct InkColours {
   glm::vec3 line{0.10f, 0.06f, 0.07f};
-  glm::vec3 mouth{0.36f, 0.07f, 0.09f};  // within it: dark, gums and all
-  glm::vec3 tongue{0.80f, 0.30f, 0.30f};
-  glm::vec3 teeth{1, 0.985f, 0.95f};
-  std::optional<glm::vec3> shade;  // what the lamp does not reach has its own colour times this
-  std::optional<glm::vec3> blush;  // without one it is made from the skin's colour, as the design says
+  glm::vec3 cavity{0.36f, 0.07f, 0.09f};  // within the mouth: dark, gums and all
+  glm::vec3 flesh{0.80f, 0.30f, 0.30f};   // the tongue
+  glm::vec3 bone{1, 0.985f, 0.95f};       // the teeth
+  std::optional<glm::vec3> shade;         // what the lamp does not reach has its own colour times this
+  std::optional<glm::vec3> blush;         // without one it is made from the skin's colour, as the design says
 };
 
 struct RenderSpec {

@@ -85,7 +85,7 @@ Part make_caster(const Figure& figure) {
 void darken_backs(const InkColours& colours, Part& teeth) {
   constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
   const float back_mm = compute_bounds(teeth.rest.positions).low.z;
-  teeth.palette.push_back({colours.mouth, 0});
+  teeth.palette.push_back({colours.cavity, 0});
   for (const Triangle& t : teeth.rest.triangles) {
     const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
                     &c = teeth.rest.positions[t[2]];
@@ -104,12 +104,12 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
     part.shade.clear();
   };
   if (part.name == "teeth_upper" || part.name == "gum_upper") {  // teeth are one white band
-    flat(colours.teeth);
+    flat(colours.bone);
     darken_backs(colours, part);
   }
   if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
-    flat(colours.mouth);  // what shows of lower teeth beside a tongue is crumbs
-  if (part.name == "tongue") flat(colours.tongue);
+    flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
+  if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;
   part.palette = {{find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair), 0}};

@@ -123,10 +123,10 @@ TEST(load_spec, reads_the_colours_of_ink) {
       load_text("mien: 1\nrender: {ink: {line: \"#0000ff\", shade: \"#8080c0\", teeth: \"#ffff00\"}}\n")
           .render.ink;
   EXPECT_EQ(own.line, glm::vec3(0, 0, 1));
-  EXPECT_EQ(own.teeth, glm::vec3(1, 1, 0));
+  EXPECT_EQ(own.bone, glm::vec3(1, 1, 0));
   ASSERT_TRUE(own.shade);
   EXPECT_NEAR(own.shade->b, 192 / 255.0, 1e-6);
-  EXPECT_EQ(own.mouth, plain.mouth);
+  EXPECT_EQ(own.cavity, plain.cavity);
 }
 
 TEST(load_spec, writes_the_names_of_a_set_on_its_bases) {

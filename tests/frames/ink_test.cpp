@@ -359,9 +359,9 @@ TEST(ink, is_in_the_colours_that_are_asked_for) {
   HeadSpec spec = make_spec("comic");
   InkColours colours;
   colours.line = {0, 0, 1};
-  colours.mouth = {0.1f, 0.2f, 0.3f};
-  colours.tongue = {0.9f, 0.5f, 0};
-  colours.teeth = {1, 1, 0};
+  colours.cavity = {0.1f, 0.2f, 0.3f};
+  colours.flesh = {0.9f, 0.5f, 0};
+  colours.bone = {1, 1, 0};
   colours.blush = {0, 1, 0};
   const Ink ink = build_ink(comic().figure, spec, colours);
   const auto find_colour = [&](const char* part) {
@@ -370,14 +370,14 @@ TEST(ink, is_in_the_colours_that_are_asked_for) {
   for (const char* part : {"lines", "skin_outline", "hair_outline"})
     EXPECT_EQ(find_colour(part), colours.line);
   EXPECT_NE(find_colour("brow_strokes"), colours.line);
-  EXPECT_EQ(find_colour("teeth_upper"), colours.teeth);
-  EXPECT_EQ(find_colour("teeth_lower"), colours.mouth);
-  EXPECT_EQ(find_colour("tongue"), colours.tongue);
+  EXPECT_EQ(find_colour("teeth_upper"), colours.bone);
+  EXPECT_EQ(find_colour("teeth_lower"), colours.cavity);
+  EXPECT_EQ(find_colour("tongue"), colours.flesh);
   const auto has = [](const Part& part, const glm::vec3& srgb) {
     return std::ranges::any_of(part.palette, [&](const Shade& shade) { return shade.srgb == srgb; });
   };
   const Part& skin = ink.model.parts.front();
-  EXPECT_TRUE(has(skin, colours.mouth));
+  EXPECT_TRUE(has(skin, colours.cavity));
   EXPECT_TRUE(has(skin, *colours.blush));
   EXPECT_FALSE(has(comic().ink.model.parts.front(), *colours.blush));
 }
