@@ -18,9 +18,9 @@ namespace {
 bool is_growing(const Actor& actor) { return !actor.performance.clip.head.empty(); }
 
 // With the actor's name in the names of its parts: one scene holds everybody's.
-FigurePointer make_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
+FigurePointer make_actor_figure(const Actor& actor, const HeadSpec& head, const RenderSpec& render,
                                 const HeadStock& stock) {
-  DrawnFigure figure = build_drawn_figure(stock, head, style);
+  DrawnFigure figure = build_drawn_figure(stock, head, render);
   if (!actor.name.empty()) {
     for (Part& part : figure.model.parts) part.name += "_of_" + actor.name;
     if (figure.ink)
@@ -29,10 +29,10 @@ FigurePointer make_actor_figure(const Actor& actor, const HeadSpec& head, Style 
   return std::make_shared<const DrawnFigure>(std::move(figure));
 }
 
-FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, Style style,
+FigurePointer build_actor_figure(const Actor& actor, const HeadSpec& head, const RenderSpec& render,
                                  const HeadStock& stock, FigureStore* store) {
-  const auto make = [&] { return make_actor_figure(actor, head, style, stock); };
-  return store ? take_figure(*store, compute_figure_key(head, style, actor.name), make) : make();
+  const auto make = [&] { return make_actor_figure(actor, head, render, stock); };
+  return store ? take_figure(*store, compute_figure_key(head, render, actor.name), make) : make();
 }
 
 // Adds where the landmarks lie that the camera looks at.
@@ -79,7 +79,7 @@ Cast build_cast(const Clip& clip, const HeadStock& stock, FigureStore* store) {
     for (const HeadSpec& head : heads) {
       throw_if_interrupted();
       if (!seen.insert(compute_head_key(head)).second) continue;
-      figures.push_back(build_actor_figure(actor, head, clip.spec.render.style, stock, store));
+      figures.push_back(build_actor_figure(actor, head, clip.spec.render, stock, store));
       framed.push_back(figures.back().get());
       add_places(clip, actor, *figures.back(), cast.framing);
     }
@@ -96,8 +96,7 @@ Heads build_heads(const Clip& clip, const Cast& cast, double time_s, const HeadS
     const Actor& actor = clip.actors[i];
     glm::dmat4& place = heads.places.emplace_back(find_place(actor.place));
     if (!heads.figures[i]) {
-      heads.figures[i] =
-          build_actor_figure(actor, compute_head(actor, time_s), clip.spec.render.style, stock, cast.store);
+      heads.figures[i] = build_actor_figure(actor, compute_head(actor, time_s), render, stock, cast.store);
       heads.changing.push_back(heads.figures[i]);
       place[3].y += compute_lowering_mm(*heads.figures[i], place, cast.framing, render);
     }

@@ -35,10 +35,19 @@ std::string describe_head(const HeadSpec& head) {
   return all;
 }
 
+std::string describe_colours(const InkColours& ink) {
+  std::string all;
+  for (const glm::vec3& colour : {ink.line, ink.cavity, ink.flesh, ink.bone,
+                                  ink.shade.value_or(glm::vec3(-1)), ink.blush.value_or(glm::vec3(-1))})
+    all += fmt::format("{},{},{};", colour.r, colour.g, colour.b);
+  return all;
+}
+
 }  // namespace
 
-std::string compute_figure_key(const HeadSpec& head, Style style, const std::string& actor) {
-  return hash_hex(fmt::format("{} {} {}", describe_head(head), static_cast<int>(style), actor));
+std::string compute_figure_key(const HeadSpec& head, const RenderSpec& render, const std::string& actor) {
+  return hash_hex(fmt::format("{} {} {} {}", describe_head(head), static_cast<int>(render.style),
+                              describe_colours(render.ink), actor));
 }
 
 FigurePointer take_figure(FigureStore& store, const std::string& key,

@@ -28,7 +28,7 @@ struct FigureStore {
 };
 
 // All that a figure depends on but mien's own data, with size and time of the files that its head names.
-std::string compute_figure_key(const HeadSpec& head, Style style, const std::string& actor);
+std::string compute_figure_key(const HeadSpec& head, const RenderSpec& render, const std::string& actor);
 
 // The one kept under `key`, else what `build` makes. Throws what that throws.
 FigurePointer take_figure(FigureStore& store, const std::string& key,

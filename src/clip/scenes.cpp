@@ -71,7 +71,8 @@ void build_scene(const Clip& clip, const Cast& cast, const WrittenHeads& written
   if (!written.include.empty()) start.includes = {written.include};
   buffers.text.clear();
   append_povray_start(buffers.text, start);
-  append_actors(written.heads, time_s, {}, compute_ink_view(start.view, clip.spec.render), buffers);
+  append_actors(written.heads, time_s, {}, compute_ink_view(start.view, clip.spec.render, start.lamp),
+                buffers);
 }
 
 void write_held_frames(const Clip& clip) {
@@ -146,7 +147,8 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
   SceneBuffers buffers;
   const FrameStart start = build_start(clip, cast, still.camera, still.stage);
   append_povray_start(buffers.text, start);
-  append_actors(heads, still.time_s, still.pose, compute_ink_view(start.view, clip.spec.render), buffers);
+  append_actors(heads, still.time_s, still.pose, compute_ink_view(start.view, clip.spec.render, start.lamp),
+                buffers);
   scene.text = std::move(buffers.text);
   scene.held = list_still_held(heads, still);
   return scene;

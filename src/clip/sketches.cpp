@@ -91,7 +91,7 @@ DrawnMoment draw_moment(const Clip& clip, const std::string& include, const Fram
                         SketchBench& bench) {
   const RenderSpec& render = clip.spec.render;
   stage_moment(clip, include, start, bench);
-  const InkView view = compute_ink_view(start.view, render);
+  const InkView view = compute_ink_view(start.view, render, start.lamp);
   bench.drawings.resize(heads.figures.size());
   DrawnMoment drawn{
       fmt::format("{}x{} {} {}", render.width_px, render.height_px, hash_hex(include), bench.start), {}};

@@ -1,6 +1,9 @@
 #include "clip/staging.hpp"
 
+#include "clip/ink_lamp.hpp"
+#include "frames/drawn_gaze.hpp"
 #include "frames/place.hpp"
+#include "timeline/head_turn.hpp"
 #include "timeline/parts.hpp"
 
 namespace mien {
@@ -25,11 +28,14 @@ StageSets list_sets(const ClipSpec& clip) {
 
 FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& camera,
                        const StageMoment& stage) {
-  const bool is_ink = clip.spec.render.style == Style::ink;  // which has one lamp of its own
-  return {{},
-          is_ink ? std::vector<LightShare>{} : stage.lights,
-          stage.backgrounds,
-          compute_view(cast.framing, camera, stage, clip.spec.render)};
+  FrameStart start;
+  start.backgrounds = stage.backgrounds;
+  start.view = compute_view(cast.framing, camera, stage, clip.spec.render);
+  if (clip.spec.render.style == Style::ink)
+    start.lamp = find_ink_lamp(stage.lights, start.view);
+  else
+    start.lights = stage.lights;
+  return start;
 }
 
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,
@@ -42,9 +48,14 @@ void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std:
   draw_actor(heads, actor, moment, view, buffers, drawing);
 }
 
-void draw_actor(const Heads& heads, std::size_t actor, const Moment& moment, const InkView& view,
+void draw_actor(const Heads& heads, std::size_t actor, const Moment& asked, const InkView& view,
                 DrawBuffers& buffers, Drawing& drawing) {
   const DrawnFigure& figure = *heads.figures[actor];
+  Moment moment = asked;
+  if (figure.ink)
+    moment.pose = turn_gaze_to_camera(
+        figure, moment.pose, heads.places[actor] * compute_turn(figure.face.turn_pivot, moment.turn, 1),
+        view.camera_mm);
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, drawing);
   place_drawing(heads.places[actor], drawing);
   if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, drawing);

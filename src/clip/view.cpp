@@ -153,18 +153,24 @@ CameraView compute_view(const Framing& framing, const CameraKey& camera, const R
   return view;
 }
 
-InkView compute_ink_view(const CameraView& view, const RenderSpec& render) {
-  constexpr double kLine = 0.0029;                 // of the picture's height
-  constexpr double kAside_deg = 38, kUp_deg = 37;  // of the lamp
-  const double angle = view.angle_deg * kRadiansPerDegree, height = view.height_deg * kRadiansPerDegree;
-  const auto find_way = [](double aside, double up) {
-    return glm::dvec3(std::sin(aside) * std::cos(up), std::sin(up), std::cos(aside) * std::cos(up));
-  };
+glm::dvec3 find_direction(double angle_deg, double up_deg) {
+  const double aside = angle_deg * kRadiansPerDegree, up = up_deg * kRadiansPerDegree;
+  return {std::sin(aside) * std::cos(up), std::sin(up), std::cos(aside) * std::cos(up)};
+}
+
+glm::dvec3 find_own_lamp(const CameraView& view, double angle_deg) {
+  constexpr double kAside_deg = 38, kUp_deg = 37;
+  return find_direction(
+      view.angle_deg - kAside_deg * std::cos(view.angle_deg * kRadiansPerDegree) + angle_deg, kUp_deg);
+}
+
+InkView compute_ink_view(const CameraView& view, const RenderSpec& render,
+                         const std::optional<InkLamp>& lamp) {
+  constexpr double kLine = 0.0029;  // of the picture's height
   InkView ink;
-  ink.camera_mm =
-      glm::dvec3(view.look_at) + compute_camera_distance_mm(view) * view.distance * find_way(angle, height);
-  ink.to_light =
-      find_way(angle - kAside_deg * kRadiansPerDegree * std::cos(angle), kUp_deg * kRadiansPerDegree);
+  ink.camera_mm = glm::dvec3(view.look_at) + compute_camera_distance_mm(view) * view.distance *
+                                                 find_direction(view.angle_deg, view.height_deg);
+  ink.to_light = lamp ? lamp->to_light : find_own_lamp(view, 0);
   ink.line_mm = render.line * kLine * compute_tall_mm(view, render) * view.distance;
   return ink;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -46,8 +47,15 @@ CameraView compute_view(const Framing& framing, const CameraKey& camera, const R
 CameraView compute_view(const Framing& framing, const CameraKey& camera, const StageMoment& stage,
                         const RenderSpec& render);
 
-// What ink must know of the camera, and of templates/povray/light_ink.inc.
-InkView compute_ink_view(const CameraView& view, const RenderSpec& render);
+// A direction of length 1: so far from straight ahead of a head to its left, and up.
+glm::dvec3 find_direction(double angle_deg, double up_deg);
+
+// Toward ink's own lamp, as templates/povray/light_ink.inc has it; + brings it to the character's left.
+glm::dvec3 find_own_lamp(const CameraView& view, double angle_deg);
+
+// What ink must know of the camera and of its lamp; without one it is its own.
+InkView compute_ink_view(const CameraView& view, const RenderSpec& render,
+                         const std::optional<InkLamp>& lamp = {});
 
 // What a gaze must know of a figure where it stands and of the camera that looks at the stage.
 EyeRig compute_eyes(const Figure& figure, const glm::dmat4& world_from_figure, const Framing& framing,

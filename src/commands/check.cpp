@@ -96,7 +96,7 @@ void run_check(const Options& options) {
   for (std::size_t i = 0; i < figures.size(); ++i)
     if (!figures[i])
       figures[i] =
-          std::make_shared<const DrawnFigure>(build_drawn_figure(stock, clip.actors[i].head, Style::studio));
+          std::make_shared<const DrawnFigure>(build_drawn_figure(stock, clip.actors[i].head, RenderSpec{}));
   const std::vector<Performance> performances = list_performances(clip, cast, stock);
   std::vector<Rehearsal> rehearsals;
   for (const Performance& performance : performances) rehearsals.push_back(rehearse(performance));

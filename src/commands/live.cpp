@@ -28,6 +28,12 @@ void tell_address(const Options& options, const std::string& address) {
   std::fflush(stdout);  // whoever follows a pipe learns it now
 }
 
+// In a session of its own, so that it goes on without us.
+void open_browser(const std::string& address) {
+  require_programs({{"xdg-open", "xdg-utils"}, {"setsid", "util-linux"}});
+  run_process({"sh", "-c", "exec setsid -f xdg-open \"$1\" >/dev/null 2>&1", "sh", address}, ".");
+}
+
 std::vector<std::filesystem::path> list_watched(LiveSession& session) {
   const std::lock_guard lock(session.shelf.mutex);
   std::vector<std::filesystem::path> files = session.shelf.files;
@@ -68,7 +74,7 @@ void run_live(const Options& options) {
                           [&](const LiveRequest& request) { return answer_request(session, request); });
   tell_address(options, server.address);
   try {
-    if (options.is_opened) start_detached({"xdg-open", server.address});
+    if (options.is_opened) open_browser(server.address);
     follow_files(session);
   } catch (const Interrupted&) {  // which is how it ends
   }

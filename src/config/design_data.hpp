@@ -34,7 +34,8 @@ struct DesignNumbers {
   double lens_full = 1.05, lens_end = 3.3;  // until where it is all of that, and where it has died out: radii
   double lens_flat = 0;                     // how much of what stands forth of the ball is taken away
   double brow_rise_gain = 1, brow_gain = 1, corner_gain = 1,
-         lips_gain = 1;                      // how far areas go, times a real head's; brows up and else
+         lips_gain = 1;  // how far areas go, times a real head's; brows up and else
+  double lid_hood = 0;   // how far towards shut a brow that is low and angry takes the upper lid along
   double jaw_stretch = 0, brow_stretch = 0;  // of the head's height when the jaw is open, the brows are up
   double folds = 1;                          // of the skin
   // Eyes as ink draws them: angles at the centre of the ball.
@@ -77,6 +78,7 @@ inline constexpr std::array kDesignDials{
     DesignDial{"moves", "brow", &DesignNumbers::brow_gain, 0.3, 4},
     DesignDial{"moves", "corner", &DesignNumbers::corner_gain, 0.3, 2},
     DesignDial{"moves", "lips", &DesignNumbers::lips_gain, 0.3, 2},
+    DesignDial{"moves", "lid_hood", &DesignNumbers::lid_hood, 0, 0.6},
     DesignDial{"moves", "jaw_stretch", &DesignNumbers::jaw_stretch, 0, 0.1},
     DesignDial{"moves", "brow_stretch", &DesignNumbers::brow_stretch, 0, 0.1},
     DesignDial{"skin", "folds", &DesignNumbers::folds, 0, 1.5},

@@ -96,7 +96,7 @@ struct Sections {
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;
   Section lead, wait, cue, law, track, include, script;
   Section blink, gaze, gaze_key, direction, drift, asymmetry;
-  Section actor, place, render, bust, bust_set;
+  Section actor, place, render, ink, bust, bust_set;
 
   Sections();  // fills them; forms point at sections of the same object
   Sections(const Sections&) = delete;

@@ -37,7 +37,23 @@ void fill_actors(Sections& all) {
 
 constexpr double kThinnestLine = 0.3, kThickestLine = 3;
 
-void fill_render(Section& render) {
+void fill_ink(Section& ink) {
+  const InkColours plain;
+  ink.name = "ink";
+  ink.help = "Ink's colours. A colour stands in quotes: an unquoted `#` begins a comment.";
+  ink.expected = "colours such as {line: \"#20306a\"}";
+  const auto add = [&](const char* name, const char* help, const std::string& otherwise) {
+    ink.keys.push_back({name, {as_colour()}, help, otherwise});
+  };
+  add("line", "Outlines and strokes, but for the brows.", say_colour(plain.line));
+  add("shade", "What the lamp does not reach has its own colour times this one.", "");
+  add("mouth", "Within the mouth.", say_colour(plain.cavity));
+  add("tongue", "The tongue.", say_colour(plain.flesh));
+  add("teeth", "The upper teeth.", say_colour(plain.bone));
+  add("blush", "The cheeks; without it they are made from the skin's colour, as the design says.", "");
+}
+
+void fill_render(Section& render, const Section& ink) {
   const RenderSpec plain;
   render.name = "render";
   render.help = "The pictures.";
@@ -60,7 +76,8 @@ void fill_render(Section& render) {
                  {"line",
                   {as_number(kThinnestLine, kThickestLine, "times as thick")},
                   "How thick ink's lines are.",
-                  say(plain.line)}};
+                  say(plain.line)},
+                 {"ink", {as_section(ink)}, ink.help}};
 }
 
 std::vector<Key> build_print_keys() {
@@ -176,7 +193,8 @@ void fill_file(Sections& all) {
 
 void fill_file_sections(Sections& all) {
   fill_actors(all);
-  fill_render(all.render);
+  fill_ink(all.ink);
+  fill_render(all.render, all.ink);
   fill_busts(all);
   fill_file(all);
 }

@@ -138,6 +138,11 @@ std::string build_file_pattern(const Names& endings) {
   return fmt::format("[^/]\\.({})$", any);
 }
 
+std::string say_colour(const glm::vec3& srgb) {
+  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
+  return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.r), byte(srgb.g), byte(srgb.b));
+}
+
 std::string say(double value, std::string_view unit) { return fmt::format("{:.7g}{}", value, unit); }
 
 Key build_name_key() {

@@ -44,6 +44,7 @@ std::string build_file_pattern(const Names& endings);
 
 // Defaults as an author would write them.
 std::string say(double value, std::string_view unit = "");
+std::string say_colour(const glm::vec3& srgb);
 
 // Rows that mappings have in common.
 Key build_name_key();

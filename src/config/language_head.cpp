@@ -15,11 +15,6 @@ constexpr double kMaxLimit = 2;                              // of the head's ow
 constexpr double kLeastRadius_mm = 5, kMostRadius_mm = 150;  // of a sculpting stroke
 constexpr double kMostMove_mm = 50;                          // of a sculpting stroke, each way
 
-std::string say_colour(const glm::vec3& colour) {
-  const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
-  return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
-}
-
 void fill_look(Section& look) {
   look.name = "look";
   look.help = "Colours, a beard, and spots. A colour stands in quotes: an unquoted `#` begins a comment.";

@@ -24,6 +24,23 @@ void load_size(const YamlValue& value, RenderSpec& render) {
   render.height_px = size->second;
 }
 
+InkColours load_ink(const YamlValue& value) {
+  InkColours ink;
+  const YamlMapping entries = load_section(value);
+  const auto load = [&](const char* key, glm::vec3& into) {
+    const YamlValue* colour = find_value(entries, key);
+    return colour != nullptr && load_colour(*colour, into);
+  };
+  load("line", ink.line);
+  load("mouth", ink.cavity);
+  load("tongue", ink.flesh);
+  load("teeth", ink.bone);
+  glm::vec3 colour;
+  if (load("shade", colour)) ink.shade = colour;
+  if (load("blush", colour)) ink.blush = colour;
+  return ink;
+}
+
 }  // namespace
 
 RenderSpec load_render(const YamlValue& value) {
@@ -41,6 +58,7 @@ RenderSpec load_render(const YamlValue& value) {
     render.is_style_given = true;
   }
   if (const YamlValue* line = find_value(entries, "line")) load_number(*line, render.line);
+  if (const YamlValue* ink = find_value(entries, "ink")) render.ink = load_ink(*ink);
   return render;
 }
 

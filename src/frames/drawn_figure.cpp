@@ -18,15 +18,15 @@ void cast_in_plaster(Model& model) {
 
 }  // namespace
 
-DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, Style style) {
-  const bool is_ink = style == Style::ink;
+DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, const RenderSpec& render) {
+  const bool is_ink = render.style == Style::ink;
   DrawnFigure figure{build_figure(stock, spec, is_ink ? FigureUse::ink : FigureUse::picture), {}};
   if (is_ink) {
     HeadSpec aged = spec;
     aged.look = compute_aged_look(spec.look, spec.age);
-    figure.ink = build_ink(figure, aged);
+    figure.ink = build_ink(figure, aged, render.ink);
   }
-  if (style == Style::plaster) cast_in_plaster(figure.model);
+  if (render.style == Style::plaster) cast_in_plaster(figure.model);
   return figure;
 }
 

@@ -15,6 +15,7 @@ struct DrawnFigure : Figure {
   const Model& get_drawn_model() const { return ink ? ink->model : model; }
 };
 
-DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, Style style);
+// `render` says the style, and of ink the colours.
+DrawnFigure build_drawn_figure(const HeadStock& stock, const HeadSpec& spec, const RenderSpec& render);
 
 }  // namespace mien

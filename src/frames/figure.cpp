@@ -98,7 +98,7 @@ void redraw_parts(Figure& figure) {
 // The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
 void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
                   DeformBuffers& buffers) {
-  const Pose pose = apply_limits(figure.limits, asked);
+  const Pose pose = hood_lids(figure.redraw, apply_limits(figure.limits, asked));
   pose_cage(figure.head, figure.face, pose, buffers.points);
   const bool is_redrawn = figure.redraw.is_on();
   if (is_turned(turn) && !is_redrawn)
@@ -212,7 +212,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
                            {}});
       },
       [&] {
-        if (!is_print && !is_ink) made[5] = build_skin_spots(figure.head, spec.look);
+        if (!is_print) made[5] = build_skin_spots(figure.head, spec.look, is_ink);
       },
       [&] { made[4] = build_hair(figure.head, spec.hair, spec.look, is_ink); },
       [&] {
@@ -239,8 +239,9 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
   figure.redraw = build_redraw(figure.head, figure.face);
-  if (is_print) {  // has one height, and goes through its lens when all of it is carved
-    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;
+  if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of
+                   // it is carved
+    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = figure.redraw.lid_hood = 0;
     figure.redraw.lens = {};
   }
   if (figure.redraw.is_on()) redraw_rest(figure);

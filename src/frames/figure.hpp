@@ -39,7 +39,7 @@ struct DeformBuffers {
 
 enum class FigureUse {
   picture,
-  ink,    // the eyes are flat, and lashes, brows and spots are none: strokes stand for them (frames/ink.hpp)
+  ink,    // the eyes are flat, lashes and brows are none: strokes stand for them (frames/ink.hpp)
   print,  // the skin is smooth and of one colour: no folds, no grain and no shade are made
 };
 

@@ -14,8 +14,6 @@ namespace mien {
 
 namespace {
 
-constexpr glm::vec3 kInk{0.10f, 0.06f, 0.07f};
-
 void list_neighbours(const FineSkin& fine, Ink& ink) {
   std::vector<std::vector<std::uint32_t>> around(fine.vertex_count());
   for (const Triangle& t : fine.triangles)
@@ -32,7 +30,8 @@ void list_neighbours(const FineSkin& fine, Ink& ink) {
   }
 }
 
-// None in mouth and nostrils, and none at the margins of lids and lips, which have strokes.
+// None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids
+// and the bags beneath them: in profile they would leave ticks above and below the eye.
 void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
                   const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kNone_mm = 0.5f, kAll_mm = 5;
@@ -41,6 +40,13 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
       if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+  for (const char* point :
+       {"E2_1",  "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
+        "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
+        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"}) {
+    const std::uint32_t left = find_point(figure.head.cage, point);
+    for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) margins.push_back(positions[v]);
+  }
   for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
     float nearest = 2 * kAll_mm;
     for (const glm::vec3& margin : margins) nearest = std::min(nearest, glm::distance(margin, positions[v]));
@@ -59,8 +65,8 @@ Part make_flat_part(std::string name, const char* material, const glm::vec3& srg
   return part;
 }
 
-Part make_outline(const std::string& name) {
-  Part part = make_flat_part(name + "_outline", "ink_line", kInk);
+Part make_outline(const std::string& name, const InkColours& colours) {
+  Part part = make_flat_part(name + "_outline", "ink_line", colours.line);
   part.is_outline = true;
   return part;
 }
@@ -76,10 +82,10 @@ Part make_caster(const Figure& figure) {
 
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
 // the arch.
-void darken_backs(Part& teeth) {
+void darken_backs(const InkColours& colours, Part& teeth) {
   constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
   const float back_mm = compute_bounds(teeth.rest.positions).low.z;
-  teeth.palette.push_back({kInkMouth, 0});
+  teeth.palette.push_back({colours.cavity, 0});
   for (const Triangle& t : teeth.rest.triangles) {
     const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
                     &c = teeth.rest.positions[t[2]];
@@ -91,21 +97,19 @@ void darken_backs(Part& teeth) {
 }
 
 // What the parts of a real head become; their own tones where nothing is said.
-void set_material(const Look& look, Part& part) {
+void set_material(const Look& look, const InkColours& colours, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
     part.material = "ink_flat";
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name == "teeth_upper") flat({1, 0.985f, 0.95f});
-  if (part.name == "teeth_upper") darken_backs(part);
-  if (part.name == "gum_upper") {  // teeth are one white band
-    flat({1, 0.985f, 0.95f});
-    darken_backs(part);
+  if (part.name == "teeth_upper" || part.name == "gum_upper") {  // teeth are one white band
+    flat(colours.bone);
+    darken_backs(colours, part);
   }
   if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
-    flat(kInkMouth);  // what shows of lower teeth beside a tongue is crumbs
-  if (part.name == "tongue") flat({0.80f, 0.30f, 0.30f});
+    flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
+  if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;
   part.palette = {{find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair), 0}};
@@ -115,8 +119,8 @@ void set_material(const Look& look, Part& part) {
   part.wear = 0;
 }
 
-void add_strokes(const Figure& figure, const HeadSpec& spec, Ink& ink) {
-  Part lines = make_flat_part("lines", "ink_line", kInk);
+void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
+  Part lines = make_flat_part("lines", "ink_line", colours.line);
   Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
   ink.strokes = list_strokes(figure, spec, ink.folds);
   for (const InkStroke& stroke : ink.strokes) {
@@ -199,14 +203,14 @@ void clear_shape(PartShape& shape) {
 
 }  // namespace
 
-Ink build_ink(const Figure& figure, const HeadSpec& spec) {
+Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colours) {
   Ink ink;
   ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
   ink.model = figure.model;
-  for (Part& part : ink.model.parts) set_material(spec.look, part);
+  for (Part& part : ink.model.parts) set_material(spec.look, colours, part);
   Part& skin = ink.model.parts.front();
   const std::vector<glm::vec3> positions = skin.rest.positions;
-  InkRegions regions = cut_regions(figure, spec, positions);
+  InkRegions regions = cut_regions(figure, spec, colours, positions);
   skin.material = "ink_skin";
   skin.palette = std::move(regions.palette);
   skin.shade.clear();
@@ -223,14 +227,14 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec) {
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure));
   ink.first_outline = ink.model.parts.size();
-  std::vector<Part> outlines{make_outline("skin")};
+  std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
     if (ink.model.parts[i].material == "ink_hair") {
-      outlines.push_back(make_outline(ink.model.parts[i].name));
+      outlines.push_back(make_outline(ink.model.parts[i].name, colours));
       ink.outlined.push_back(i);
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
-  add_strokes(figure, spec, ink);
+  add_strokes(figure, spec, colours, ink);
   return ink;
 }
 
@@ -263,7 +267,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
       ink.outlined.empty() ? glm::vec3(0) : find_middle(drawing.parts[ink.outlined.front()].positions);
   for (const std::size_t part : ink.outlined) {
     // A lock has no outline before another one: the hull lies so far behind.
-    constexpr float kHair = 1.1f, kBehind_mm = 9;  // of a line
+    constexpr float kHair = 1.1f, kBehind_mm = 32;  // of a line; nearer and hidden locks leave dashes
     const PartShape& shape = drawing.parts[part];
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/model.hpp"
+#include "core/staging.hpp"
 #include "frames/figure.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
@@ -36,7 +37,7 @@ struct Ink {
 };
 
 // `spec` is that of the figure, its look as it is at its age.
-Ink build_ink(const Figure& figure, const HeadSpec& spec);
+Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colours = {});
 
 struct InkView {
   glm::dvec3 camera_mm{0, 0, 900};

@@ -92,23 +92,25 @@ std::vector<float> find_border(const FineSkin& fine, const std::vector<float>& c
   return spread_to_fine(fine, std::move(field));
 }
 
-std::vector<Shade> list_shades(const Figure& figure, const Look& look) {
+std::vector<Shade> list_shades(const Figure& figure, const Look& look, const InkColours& colours) {
   const glm::vec3 skin = glm::clamp(look.skin * 1.12f, 0.0f, 1.0f);
   const auto blush = static_cast<float>(figure.head.design.blush);
   std::vector<Shade> shades(kRegionCount, {skin, 0});
-  shades[kInside].srgb = kInkMouth;
+  shades[kInside].srgb = colours.cavity;
   shades[kHole].srgb = skin * glm::vec3(0.48f, 0.28f, 0.27f);
   shades[kRed].srgb =
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
   shades[kBearded].srgb = glm::mix(find_ink_hair(compute_beard_colour(look)), skin, 0.45f);
-  shades[kHaired].srgb = find_ink_hair(look.hair);
-  shades[kFlush].srgb = skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush);
+  shades[kHaired] = {find_ink_hair(look.hair), 1};  // with the shade of hair
+  shades[kFlush].srgb =
+      colours.blush.value_or(skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush));
   return shades;
 }
 
 }  // namespace
 
-InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const std::vector<glm::vec3>& positions) {
+InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColours& colours,
+                       const std::vector<glm::vec3>& positions) {
   constexpr float kMouthBorder = 0.5f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
   constexpr float kRim = 0.2f;  // so little of the mask about an opening is its rim still
   const FineSkin& fine = figure.folds.skin;
@@ -142,7 +144,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const std::ve
   }
   regions.cuts = std::move(cutting.cuts);
   regions.triangles = std::move(cutting.triangles);
-  regions.palette = list_shades(figure, spec.look);
+  regions.palette = list_shades(figure, spec.look, colours);
   return regions;
 }
 

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "core/staging.hpp"
 #include "frames/figure.hpp"
 
 namespace mien {
@@ -24,6 +25,7 @@ struct InkRegions {
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at
 // `positions`. `spec` tells hair, beard and colours, these as they are at its age.
-InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const std::vector<glm::vec3>& positions);
+InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColours& colours,
+                       const std::vector<glm::vec3>& positions);
 
 }  // namespace mien

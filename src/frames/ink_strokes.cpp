@@ -60,15 +60,16 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .from = 0.25,
        .to = 0.75},
       {.name = "jaw",
-       .points = {"s4_C6",    "s4_C7",   "s3_C9",   "s2_D1",    "s1_D1",    "q10_D1",   "q11_D1",
-                  "q12_D1",   "m8_D1",   "m9_D1",   "m10_D1",   "m11_D1",   "m12_D1",   "R:m11_D1",
-                  "R:m10_D1", "R:m9_D1", "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",
-                  "R:s2_D1",  "R:s3_C9", "R:s4_C7", "R:s4_C6"},
+       .points = {"s3_C9",   "s2_D1",    "s1_D1",    "q10_D1",   "q11_D1",   "q12_D1",   "m8_D1",
+                  "m9_D1",   "m10_D1",   "m11_D1",   "m12_D1",   "R:m11_D1", "R:m10_D1", "R:m9_D1",
+                  "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",  "R:s2_D1",  "R:s3_C9"},
        .is_sided = false,
        .is_ridge = true,
-       .widths = {{0, 0.3}, {0.1, 0.6}, {0.5, 0.75}, {0.9, 0.6}, {1, 0.3}},
-       .lift_mm = 0.2,
-       .flat = 0.4}};
+       .widths = {{0, 0.02}, {0.12, 0.6}, {0.5, 0.75}, {0.88, 0.6}, {1, 0.02}},
+       .lift_mm = 0.35,
+       .flat = 0.4,
+       .from = 0.03,
+       .to = 0.97}};
   return rules;
 }
 

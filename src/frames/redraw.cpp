@@ -54,10 +54,24 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   redraw.lens = build_lens(head);
   redraw.jaw_stretch = head.design.jaw_stretch;
   redraw.brow_stretch = head.design.brow_stretch;
+  redraw.lid_hood = head.design.lid_hood;
   redraw.floor_mm = compute_bounds(head.skin.positions).low.y;
   redraw.chin_mm = head.cage.points[find_point(head.cage, "m12_D1")].y;
   if (redraw.is_on()) redraw.turn_shares = spread_over_surface(*head.surface, face.turn_weights);
   return redraw;
+}
+
+Pose hood_lids(const Redraw& redraw, const Pose& pose) {
+  constexpr double kShut = -1;
+  if (redraw.lid_hood == 0) return pose;
+  Pose hooded = pose;
+  for (const Side side : {Side::left, Side::right}) {
+    // Inner ends down alone are doubt, the whole brow down alone is thought: both together are anger.
+    const double low = -0.5 * (get_value(pose, "brow", side, "up") + get_value(pose, "brow", side, "turn"));
+    double& upper = hooded.values[*find_move("lid", side, "upper")];
+    upper += redraw.lid_hood * std::clamp(low, 0.0, 1.0) * std::min(0.0, kShut - upper);
+  }
+  return hooded;
 }
 
 double compute_stretch(const Redraw& redraw, const Pose& pose) {

@@ -65,6 +65,14 @@ const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
   return found->second;
 }
 
+std::vector<glm::vec3> list_ear_skin(const NeutralHead& head) {
+  const std::vector<HairGround> grounds = list_hair_grounds(head);
+  std::vector<glm::vec3> skin;
+  for (std::size_t v = 0; v < grounds.size(); ++v)
+    if (grounds[v] == HairGround::ear) skin.push_back(head.skin.positions[v]);
+  return skin;
+}
+
 HairCut draw_cut(HairCut cut) {
   constexpr double kWidest = 0.4;  // or the short ones beside the ears are blots
   const HairInk& ink = cut.ink;
@@ -90,7 +98,9 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
                                  bool is_drawn) {
   if (name == "none") return {};
   const HairCut& worn = find_cut(head, name);
-  const HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
+  HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
+  // Ink's broad locks would come out of an ear here and there, as crumbs.
+  if (is_drawn && !scene.cut.covers_ears) scene.free = list_ear_skin(head);
   const glm::vec3 colour = compute_colour(scene, look);
   std::vector<HeadPart> parts;
   if (scene.cut.mass > 0) {

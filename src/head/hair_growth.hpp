@@ -13,9 +13,10 @@ using HairBorder = std::vector<double>;
 struct HairScene {
   HairCut cut;
   HairChart chart;
-  HairBorder hairline, ends;  // where roots end; where tips end
-  HairBorder hangs;           // 0: hair ends where it grows .. 1: it falls over what is below
-  double youth = 0;           // 1: an infant's
+  HairBorder hairline, ends;         // where roots end; where tips end
+  HairBorder hangs;                  // 0: hair ends where it grows .. 1: it falls over what is below
+  double youth = 0;                  // 1: an infant's
+  std::vector<glm::vec3> free = {};  // the skin that no lock may touch
 };
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut);

@@ -97,6 +97,17 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
   part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
 }
 
+// Whether a lock lies on what the scene keeps free.
+bool is_touching(const HairScene& scene, const HairStrand& strand, double width_mm) {
+  constexpr double kAir_mm = 2;
+  const double reach_mm = 0.5 * width_mm + kAir_mm * scene.chart.size;
+  const auto is_near = [&](const glm::vec3& skin) {
+    return std::ranges::any_of(
+        strand.points, [&](const glm::dvec3& p) { return glm::distance(p, glm::dvec3(skin)) < reach_mm; });
+  };
+  return std::ranges::any_of(scene.free, is_near);
+}
+
 void append_locks(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
@@ -106,6 +117,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (strand.points.empty()) continue;
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
+    if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
                 index);
   }

@@ -5,8 +5,6 @@
 
 namespace mien {
 
-inline constexpr glm::vec3 kInkMouth{0.36f, 0.07f, 0.09f};  // within it: dark, gums and all
-
 // srgb; `purer` times as far from the grey of the same brightness, `brighter` times as bright.
 inline glm::vec3 purify(const glm::vec3& srgb, float purer, float brighter) {
   const glm::vec3 grey(glm::dot(srgb, glm::vec3(0.30f, 0.59f, 0.11f)));

@@ -41,6 +41,8 @@ struct SpotKind {
   double ragged;                // of the outline, as a share of the radius
   glm::vec3 on_light, on_dark;  // what a full spot lets through of the light, linear
   std::vector<Area> areas;
+  double apart = 1.1;    // how near their middles come, times both radii
+  bool is_even = false;  // all as strong as the skin allows, and none drawn out
 };
 
 const std::array<SpotKind, 2>& list_kinds() {
@@ -74,6 +76,22 @@ const std::array<SpotKind, 2>& list_kinds() {
                                                                 {"q11_C5", 22, 0.7},
                                                                 {"q12_C2", 14, 0.3}}}};
   return kinds;
+}
+
+// Freckles as ink draws them: few, round and calm, across the nose and on both cheeks.
+const SpotKind& find_ink_kind() {
+  static const SpotKind kind{
+      .series = 303,
+      .count = 90,
+      .radius_mm = {1.3, 1.7},
+      .small = 1,
+      .ragged = 0,
+      .on_light = {0.74f, 0.50f, 0.40f},
+      .on_dark = {0.55f, 0.48f, 0.44f},
+      .areas = {{"q12_C2", 13, 1}, {"q11_C3", 12, 0.7}, {"p_b1", 7, 0.6}, {"c2_b2", 8, 0.8}},
+      .apart = 2.1,
+      .is_even = true};
+  return kind;
 }
 
 // The adult's skin, and for each triangle how many spots fall on it and before it.
@@ -144,7 +162,7 @@ std::vector<Spot> throw_spots(const Mesh& adult, const std::vector<double>& sums
     spot.strength = 0.28 + 0.72 * std::pow(scatter(kind.series, i, kStrength), 1.6);
     const bool is_free = std::none_of(spots.begin(), spots.end(), [&](const Spot& other) {
       return glm::distance(other.middle, spot.middle) <
-             static_cast<float>(1.1 * (other.radius_mm + spot.radius_mm));
+             static_cast<float>(kind.apart * (other.radius_mm + spot.radius_mm));
     });
     if (is_free) spots.push_back(spot);
   }
@@ -158,7 +176,7 @@ std::vector<SkinPlace> find_spot_places(const Mesh& adult, const SpotKind& kind,
   const glm::vec3 aside = std::abs(spot.normal.y) < 0.9f ? glm::vec3(0, 1, 0) : glm::vec3(1, 0, 0);
   const glm::vec3 right = glm::normalize(glm::cross(aside, spot.normal)), up = glm::cross(spot.normal, right);
   const double turn = 2 * kPi * scatter(kind.series, spot.index, kTurn),
-               stretch = 1 + kStretchMost * scatter(kind.series, spot.index, kStretch);
+               stretch = 1 + (kind.is_even ? 0 : kStretchMost) * scatter(kind.series, spot.index, kStretch);
   std::vector<SkinPlace> places{find_nearest_place(patch, spot.middle)};
   for (const double ring : kRingRadii)
     for (int k = 0; k < kSpokes; ++k) {
@@ -186,17 +204,14 @@ void append_spot_faces(Mesh& mesh, std::uint32_t first) {
   }
 }
 
-// For each kind and strength what the middle lets through.
-std::vector<Shade> make_spot_palette(float light) {
-  std::vector<Shade> palette;
-  for (const SpotKind& kind : list_kinds())
-    for (int strength = 1; strength <= kStrengths; ++strength) {
-      const glm::vec3 full = glm::mix(kind.on_dark, kind.on_light, light);
-      const glm::vec3 through =
-          glm::mix(glm::vec3(1), full, static_cast<float>(strength) / static_cast<float>(kStrengths));
-      palette.push_back({glm::pow(through, glm::vec3(1 / 2.2f)), 0});
-    }
-  return palette;
+// For each strength what the middle lets through.
+void append_spot_palette(const SpotKind& kind, float light, std::vector<Shade>& palette) {
+  for (int strength = 1; strength <= kStrengths; ++strength) {
+    const glm::vec3 full = glm::mix(kind.on_dark, kind.on_light, light);
+    const glm::vec3 through =
+        glm::mix(glm::vec3(1), full, static_cast<float>(strength) / static_cast<float>(kStrengths));
+    palette.push_back({glm::pow(through, glm::vec3(1 / 2.2f)), 0});
+  }
 }
 
 // Where the vertices of a spot lie on its grain: the middle, then ring by ring.
@@ -209,17 +224,19 @@ void append_spot_grain(std::vector<glm::vec2>& grain) {
     }
 }
 
+// With the colours of the kind.
 void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<double>& bare,
-                  std::size_t kind_index, double dial, HeadPart& part) {
-  const SpotKind& kind = list_kinds()[kind_index];
+                  const SpotKind& kind, double dial, float light, HeadPart& part) {
   constexpr double kFaint = 0.55;  // of their full strength, where the dial is near 0
   const std::vector<Spot> spots = throw_spots(adult, sum_densities(head, adult, bare, kind), kind);
   const auto shown = static_cast<std::size_t>(std::lround(dial * static_cast<double>(spots.size())));
   Mesh& mesh = part.part.rest;
+  const auto first_shade = static_cast<long>(part.part.palette.size());
+  append_spot_palette(kind, light, part.part.palette);
   for (std::size_t s = 0; s < shown; ++s) {
-    const double strength = spots[s].strength * glm::mix(kFaint, 1.0, dial);
+    const double strength = kind.is_even ? 1 : spots[s].strength * glm::mix(kFaint, 1.0, dial);
     const auto level = std::clamp<long>(std::lround(strength * kStrengths), 1, kStrengths);
-    const auto shade = static_cast<std::uint16_t>(static_cast<long>(kind_index) * kStrengths + level - 1);
+    const auto shade = static_cast<std::uint16_t>(first_shade + level - 1);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
     const std::vector<SkinPlace> places = find_spot_places(adult, kind, spots[s]);
     for (std::size_t v = 0; v < places.size(); ++v) {
@@ -241,8 +258,8 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
 
 }  // namespace
 
-std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look) {
-  if (look.freckles == 0 && look.age_spots == 0) return {};
+std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look, bool is_ink) {
+  if (look.freckles == 0 && (look.age_spots == 0 || is_ink)) return {};
   Mesh adult;
   adult.positions = compute_places_on_adult(head);
   adult.triangles = head.skin.triangles;
@@ -250,12 +267,16 @@ std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look
   const std::vector<double> bare = compute_bare_skin(head);
   HeadPart part;
   part.part.name = "spots";
-  part.part.material = "spot";
+  part.part.material = is_ink ? "ink_spot" : "spot";
   part.part.is_printed = false;
-  part.part.palette = make_spot_palette(compute_lightness(look.skin));
   part.mount = Mount::strands;
-  append_spots(head, adult, bare, 0, look.freckles, part);
-  append_spots(head, adult, bare, 1, look.age_spots, part);
+  const float light = compute_lightness(look.skin);
+  if (is_ink) {
+    append_spots(head, adult, bare, find_ink_kind(), look.freckles, light, part);
+  } else {
+    append_spots(head, adult, bare, list_kinds()[0], look.freckles, light, part);
+    append_spots(head, adult, bare, list_kinds()[1], look.age_spots, light, part);
+  }
   if (part.part.rest.triangles.empty()) return {};
   std::vector<HeadPart> parts;
   parts.push_back(std::move(part));

@@ -14,8 +14,9 @@ namespace mien {
 // edge, 1 long, where all light passes. Each vertex is bound to its own place of the skin and lies
 // kSpotLift_mm above it. Places are drawn on the adult, from a fixed seed
 // and without mirror symmetry: a spot stays at its place of the skin on every head, and a higher dial adds
-// spots to those of a lower one and darkens them. About 0.1 s.
-std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look);
+// spots to those of a lower one and darkens them. About 0.1 s. In ink freckles are few, round and all alike
+// (material "ink_spot"), and age spots are none.
+std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look, bool is_ink = false);
 
 // Lower and the smooth skin's facets come through on the nose, higher and a spot shows beside the silhouette.
 inline constexpr float kSpotLift_mm = 0.10f;

@@ -141,7 +141,7 @@ LiveAnswer answer_shapes(LiveSession& session, const Json& asked) {
   const ScenePointer scene = find_scene(session.views, moment);
   if (scene->key != take_text(asked, "model")) return build_bytes({{"model", scene->key}}, "");
   const std::vector<Moment> moments = list_moments(moment, clip, asked);
-  const InkView ink = compute_ink_view(moment.start.view, clip.spec.render);
+  const InkView ink = compute_ink_view(moment.start.view, clip.spec.render, moment.start.lamp);
   const BorrowedBuffers borrowed(session.views);
   Json outlines = Json::array();
   std::string bytes;

@@ -444,25 +444,6 @@ bool wait_for_output(Process& process) {
   return true;
 }
 
-void start_detached(const std::vector<std::string>& command) {
-  require_programs({{command.front(), "xdg-utils"}});
-  std::vector<std::string> arguments = command;
-  const std::vector<char*> argument_list = list_pointers(arguments);
-  const pid_t child = ::fork();
-  if (child < 0) throw RunError(fmt::format("cannot start {}: {}", command.front(), std::strerror(errno)));
-  if (child == 0) {  // whose child is the program, and which ends at once: the program is then init's
-    ::setsid();
-    if (::fork() != 0) ::_exit(0);
-    const int nothing = ::open("/dev/null", O_RDWR);
-    for (const int stream : {0, 1, 2}) ::dup2(nothing, stream);
-    ::execvp(argument_list[0], argument_list.data());
-    ::_exit(127);
-  }
-  int status = 0;
-  while (::waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-}
-
 ProcessResult run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                           const std::vector<std::string>& environment) {
   throw_if_interrupted();

@@ -85,10 +85,6 @@ void close_input(Process& process);
 // if a signal came.
 bool wait_for_output(Process& process);
 
-// Starts a program that is nobody's child and goes on without us, such as a browser; what it says is not
-// heard. Throws RunError if it cannot be started.
-void start_detached(const std::vector<std::string>& command);
-
 // Sleeps until at least one of `running` (not empty) has ended, usually noticing it within a millisecond, and
 // collects the output of all meanwhile. Ends those that hang. Throws Interrupted if a signal came; ending the
 // others is then their owner's affair.

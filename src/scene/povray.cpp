@@ -200,6 +200,18 @@ void append_outline(std::string& text, const Part& part, const PartShape& shape)
   text += fmt::format(" }}\nsurface_of_{}() }}\n", part.name);
 }
 
+// Before all that is made of it: eyes have their colours in head.inc.
+void append_ink_lamp(std::string& text, const InkLamp& lamp) {
+  text += "#declare Lamp_way = ";
+  append_vector(text, glm::vec3(lamp.to_light), kRigidNormalDecimals);
+  for (const auto& [name, colour] : {std::pair("lit", lamp.lit), {"dark", lamp.dark}, {"flat", lamp.flat}}) {
+    text += fmt::format(";\n#declare Lamp_{} = rgb <", name);
+    append_numbers(text, colour, kColourDecimals);
+    text += '>';
+  }
+  text += ";\n";
+}
+
 void append_camera(std::string& text, const CameraView& view) {
   const double angle = view.angle_deg * kRadiansPerDegree;
   const double height = std::clamp(view.height_deg, -kSteepest_deg, kSteepest_deg) * kRadiansPerDegree;
@@ -241,7 +253,9 @@ std::string build_povray_include(const Model& model, const RenderSpec& render, c
 }
 
 void append_povray_start(std::string& text, const FrameStart& start) {
-  text += "#version 3.7;\n#include \"head.inc\"\n";
+  text += "#version 3.7;\n";
+  if (start.lamp) append_ink_lamp(text, *start.lamp);
+  text += "#include \"head.inc\"\n";
   for (const std::string& include : start.includes) text += fmt::format("#include \"{}\"\n", include);
   append_povray_lights(text, start.lights);
   append_povray_background(text, start.backgrounds);

@@ -10,6 +10,7 @@
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <set>
 #include <string>
 #include <utility>
@@ -86,6 +87,7 @@ struct FrameStart {
   std::vector<LightShare> lights;            // none: the studio
   std::vector<BackgroundShare> backgrounds;  // none: the render's own
   CameraView view;
+  std::optional<InkLamp> lamp = {};  // of ink, instead of lights; none: its own
 };
 
 // The picture's shape is not asked: POV-Ray fits the camera's box to it.

@@ -15,10 +15,17 @@ namespace {
 const char* get_own_lights(Style style) { return style == Style::ink ? "ink" : "studio"; }
 constexpr int kShareDecimals = 6, kAngleDecimals = 4, kColourDecimals = 4;
 
+std::string format_srgb(const glm::vec3& srgb) {
+  return fmt::format("srgb <{}, {}, {}>", format_number(srgb.x, kColourDecimals),
+                     format_number(srgb.y, kColourDecimals), format_number(srgb.z, kColourDecimals));
+}
+
 // Those of the style; the studio has no use for the others.
-std::string list_materials(const Templates& templates, Style style) {
+std::string list_materials(const Templates& templates, const RenderSpec& render) {
   std::string materials = find_template(templates, "povray/materials.inc").text;
-  if (style != Style::studio) materials += find_template(templates, "povray/materials_drawn.inc").text;
+  if (render.style != Style::studio) materials += find_template(templates, "povray/materials_drawn.inc").text;
+  if (render.style == Style::ink && render.ink.shade)
+    materials += fmt::format("#declare Shade_tint = {};\n", format_srgb(*render.ink.shade));
   return materials;
 }
 
@@ -34,9 +41,7 @@ const std::string& find_named(const Templates& templates, const char* kind, cons
 // The inside of a pigment.
 std::string format_background(const BackgroundShare& background) {
   if (!background.colour) return fmt::format("background_{}(Location, Look_at)", background.name);
-  const glm::vec3& srgb = *background.colour;
-  return fmt::format("color srgb <{}, {}, {}>", format_number(srgb.x, kColourDecimals),
-                     format_number(srgb.y, kColourDecimals), format_number(srgb.z, kColourDecimals));
+  return "color " + format_srgb(*background.colour);
 }
 
 }  // namespace
@@ -53,7 +58,7 @@ std::string build_povray_stage(const std::string& parts, const RenderSpec& rende
   return fill_template(templates, "povray/head.inc",
                        {{"key_samples", std::to_string(settings.light_samples)},
                         {"key_depth", std::to_string(settings.key_depth)},
-                        {"materials", list_materials(templates, render.style)},
+                        {"materials", list_materials(templates, render)},
                         {"lights", light_sets},
                         {"background", backgrounds},
                         {"light", get_own_lights(render.style)},

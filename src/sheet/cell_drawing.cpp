@@ -5,6 +5,7 @@
 #include "clip/view.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
+#include "frames/drawn_gaze.hpp"
 #include "render/process.hpp"
 #include "sketch/overlay.hpp"
 
@@ -27,11 +28,13 @@ CellDrawing draw_cell(const CellHead& head, SheetCell& cell, CellBuffers& buffer
   const std::pair size_px(head.render.width_px, head.render.height_px);
   CellDrawing drawn;
   drawn.view = compute_cell_view(cell, measures, head.measures.at(cell.framing.scale_of));
-  deform_figure(head.figure, cell.pose, {}, buffers.deform, drawn.drawing);
+  const InkView view = compute_ink_view(drawn.view, head.render);
+  const Pose pose = head.figure.ink
+                        ? turn_gaze_to_camera(head.figure, cell.pose, glm::dmat4(1), view.camera_mm)
+                        : cell.pose;
+  deform_figure(head.figure, pose, {}, buffers.deform, drawn.drawing);
   const PartShape skin = drawn.drawing.parts.front();
-  if (head.figure.ink)
-    draw_ink(*head.figure.ink, cell.pose, compute_ink_view(drawn.view, head.render), buffers.ink,
-             drawn.drawing);
+  if (head.figure.ink) draw_ink(*head.figure.ink, pose, view, buffers.ink, drawn.drawing);
   if (cell.has_guides)
     drawn.overlays.push_back(build_guides(measures,
                                           {skin.positions, skin.normals, head.figure.head.skin.triangles},

@@ -117,7 +117,7 @@ void draw_all_cells(SheetPlan& plan, const RenderSpec& render, const fs::path& w
     throw_if_interrupted();
     RenderSpec own = render;
     if (!plan.styles.empty()) own.style = plan.styles[i];
-    const DrawnFigure figure = build_drawn_figure(resources.heads, plan.heads[i], own.style);
+    const DrawnFigure figure = build_drawn_figure(resources.heads, plan.heads[i], own);
     measures.push_back(measure_head(figure));
     const FigurePlaces places = build_places(figure);
     const CellHead head{figure, places, measures, own};

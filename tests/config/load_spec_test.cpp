@@ -114,6 +114,21 @@ busts: [{}, {express: laugh, height: 12cm}, {express: {smile: 0.5, fear: 0.2}, s
   EXPECT_EQ(spec.busts[2].height_mm, 30);
 }
 
+TEST(load_spec, reads_the_colours_of_ink) {
+  const InkColours plain = load_text("mien: 1\n").render.ink;
+  EXPECT_EQ(plain.line, InkColours{}.line);
+  EXPECT_FALSE(plain.shade);
+  EXPECT_FALSE(plain.blush);
+  const InkColours own =
+      load_text("mien: 1\nrender: {ink: {line: \"#0000ff\", shade: \"#8080c0\", teeth: \"#ffff00\"}}\n")
+          .render.ink;
+  EXPECT_EQ(own.line, glm::vec3(0, 0, 1));
+  EXPECT_EQ(own.bone, glm::vec3(1, 1, 0));
+  ASSERT_TRUE(own.shade);
+  EXPECT_NEAR(own.shade->b, 192 / 255.0, 1e-6);
+  EXPECT_EQ(own.cavity, plain.cavity);
+}
+
 TEST(load_spec, writes_the_names_of_a_set_on_its_bases) {
   std::vector<std::string> labels;
   for (const BustSpec& bust : load_text("mien: 1\nbusts: {all: tezuka}\n").busts)

@@ -7,6 +7,8 @@
 #include <map>
 #include <set>
 
+#include "core/conventions.hpp"
+#include "frames/drawn_gaze.hpp"
 #include "frames/ink_strokes.hpp"
 #include "head/landmarks.hpp"
 #include "poses.hpp"
@@ -328,6 +330,58 @@ TEST(ink, upper_teeth_are_white_where_they_look_out_and_lower_ones_never) {
   EXPECT_LT(4 * white, 3 * teeth.rest.triangles.size());
 }
 
+TEST(ink, freckles_are_a_few_dots_that_stay_on_the_skin) {
+  EXPECT_TRUE(std::ranges::none_of(comic().ink.model.parts, [](const Part& p) { return p.name == "spots"; }));
+  HeadSpec spec = make_spec("comic");
+  spec.look.freckles = 0.7;
+  const Subject subject = build_subject(spec);
+  const std::size_t index = find_part(subject.ink.model, "spots");
+  const Part& part = subject.ink.model.parts[index];
+  EXPECT_EQ(part.material, "ink_spot");
+  constexpr std::size_t kOfOne = 19;  // vertices: the middle and two rings of nine
+  const std::size_t count = part.rest.positions.size() / kOfOne;
+  EXPECT_GT(count, 12U);
+  EXPECT_LT(count, 60U);
+  std::set<std::uint16_t> strengths(part.shade.begin(), part.shade.end());
+  EXPECT_EQ(strengths.size(), 1U) << "all alike";
+  const Drawing drawing =
+      draw(subject, make_pose({{"corner.up", 1}, {"chin.down", 0.5}}), TurnKey{}, InkView{});
+  const PartShape& skin = drawing.parts.front();
+  for (std::size_t v = 0; v < drawing.parts[index].positions.size(); v += kOfOne) {
+    float nearest = 1e9f;
+    for (const glm::vec3& p : skin.positions)
+      nearest = std::min(nearest, glm::distance(p, drawing.parts[index].positions[v]));
+    EXPECT_LT(nearest, 2.5f) << v;
+  }
+}
+
+TEST(ink, is_in_the_colours_that_are_asked_for) {
+  HeadSpec spec = make_spec("comic");
+  InkColours colours;
+  colours.line = {0, 0, 1};
+  colours.cavity = {0.1f, 0.2f, 0.3f};
+  colours.flesh = {0.9f, 0.5f, 0};
+  colours.bone = {1, 1, 0};
+  colours.blush = {0, 1, 0};
+  const Ink ink = build_ink(comic().figure, spec, colours);
+  const auto find_colour = [&](const char* part) {
+    return ink.model.parts[find_part(ink.model, part)].palette.front().srgb;
+  };
+  for (const char* part : {"lines", "skin_outline", "hair_outline"})
+    EXPECT_EQ(find_colour(part), colours.line);
+  EXPECT_NE(find_colour("brow_strokes"), colours.line);
+  EXPECT_EQ(find_colour("teeth_upper"), colours.bone);
+  EXPECT_EQ(find_colour("teeth_lower"), colours.cavity);
+  EXPECT_EQ(find_colour("tongue"), colours.flesh);
+  const auto has = [](const Part& part, const glm::vec3& srgb) {
+    return std::ranges::any_of(part.palette, [&](const Shade& shade) { return shade.srgb == srgb; });
+  };
+  const Part& skin = ink.model.parts.front();
+  EXPECT_TRUE(has(skin, colours.cavity));
+  EXPECT_TRUE(has(skin, *colours.blush));
+  EXPECT_FALSE(has(comic().ink.model.parts.front(), *colours.blush));
+}
+
 TEST(ink, a_scene_takes_all_of_it) {
   const Subject& subject = comic();
   RenderSpec render;
@@ -361,6 +415,51 @@ TEST(redraw, an_open_jaw_draws_the_head_out_and_low_brows_squash_it) {
   const double height = top(rest) - redraw.floor_mm;
   EXPECT_NEAR((top(open) - redraw.floor_mm) / height,
               1 + compute_stretch(redraw, make_pose({{"chin.down", 1}})), 1e-3);
+}
+
+// How far a lid's margin is open in the middle of the left eye, mm.
+double measure_opening(const Figure& figure, const Pose& pose) {
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+  const auto height = [&](const char* point) {
+    return static_cast<double>(drawing.parts.front().positions[find_point(figure.head.cage, point)].y);
+  };
+  return height("E1_4") - height("E1_12");
+}
+
+TEST(redraw, low_and_angry_brows_take_the_lids_along) {
+  const Figure& figure = comic().figure;
+  const auto measure = [&](double up, double turn, double lid) {
+    return measure_opening(figure, make_pose({{"brow.up", up}, {"brow.turn", turn}, {"lid.upper", lid}}));
+  };
+  EXPECT_LT(measure(-0.6, -1, 0.25), 0.85 * measure(0, 0, 0)) << "anger";
+  EXPECT_NEAR(measure(-0.6, 0.6, 0), measure(0, 0, 0), 1.5) << "grief: brows alone";
+  EXPECT_NEAR(measure(-1, -1, -1), measure(0, 0, -1), 0.3) << "shut is shut";
+  EXPECT_EQ(hood_lids(Redraw{}, make_pose({{"brow.up", -1}})), make_pose({{"brow.up", -1}}));
+}
+
+TEST(drawn_gaze, goes_to_a_camera_at_the_side_and_to_no_other) {
+  const Figure& figure = comic().figure;
+  const std::size_t left = *find_move(Area::eye, Side::left, "side"),
+                    right = *find_move(Area::eye, Side::right, "side");
+  const auto turn = [&](const Pose& pose, double angle_deg) {
+    const double angle = angle_deg * kRadiansPerDegree;
+    return turn_gaze_to_camera(figure, pose, glm::dmat4(1),
+                               {900 * std::sin(angle), 0, 900 * std::cos(angle)});
+  };
+  for (const double angle_deg : {0.0, 20.0, -40.0}) EXPECT_EQ(turn(Pose{}, angle_deg), Pose{}) << angle_deg;
+  EXPECT_GT(turn(Pose{}, 90).values[left], 0.6);
+  EXPECT_LT(turn(Pose{}, -90).values[right], -0.6);
+  EXPECT_GT(turn(make_pose({{"eye.side", -1}}), 90).values[left], -1) << "who looks away does so less";
+  EXPECT_LE(turn(make_pose({{"eye.side", 0.8}}), 100).values[left], 1) << "no eye goes further than it can";
+  double before = 0;
+  for (double angle_deg = 45; angle_deg <= 90; angle_deg += 2) {
+    const double now = turn(Pose{}, angle_deg).values[left];
+    EXPECT_GE(now, before);
+    EXPECT_LT(now - before, 0.12) << "no jump";
+    before = now;
+  }
 }
 
 TEST(redraw, a_print_has_one_height) {

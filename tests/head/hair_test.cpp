@@ -13,6 +13,7 @@
 #include "frames/figure.hpp"
 #include "head/beard.hpp"
 #include "head/cage.hpp"
+#include "head/hair_chart.hpp"
 #include "head/hair_growth.hpp"
 #include "head/lids.hpp"
 #include "head/skin_tint.hpp"
@@ -147,6 +148,21 @@ TEST(hair, that_is_drawn_has_fewer_and_broader_locks) {
     EXPECT_LT(2 * few.size(), many.size() + 240) << name;  // a knot's own locks are as they were
     EXPECT_GT(few[few.size() / 2], 1.5 * many[many.size() / 2]) << name;
     EXPECT_NE(find_part(drawn, "hair_mass"), nullptr) << name;
+  }
+}
+
+// Ears that a cut leaves free have no crumbs of broad locks on them.
+TEST(hair, that_is_drawn_keeps_off_free_ears) {
+  const std::vector<HairGround> grounds = list_hair_grounds(adult());
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+    if (cut.covers_ears || cut.locks.count == 0) continue;
+    const std::vector<HeadPart> drawn = build_hair(adult(), name, Look{}, true);
+    float nearest = 1e9f;
+    for (std::size_t v = 0; v < grounds.size(); ++v)
+      if (grounds[v] == HairGround::ear)
+        for (const glm::vec3& p : find_part(drawn, "hair")->part.rest.positions)
+          nearest = std::min(nearest, glm::distance(p, adult().skin.positions[v]));
+    EXPECT_GT(nearest, 1.5f) << name;
   }
 }
 

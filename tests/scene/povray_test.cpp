@@ -115,6 +115,32 @@ TEST(povray, turns_lights_to_the_side_that_was_asked_for) {
       "#macro frame_lights(Turn)\n  light_moon(Turn + -20, 0.5)\n  light_candle(Turn + 30, 0.25)\n#end\n");
 }
 
+TEST(povray, ink_has_the_shade_that_is_asked_for) {
+  RenderSpec render;
+  render.style = Style::ink;
+  const std::string plain = build_povray_stage("", render, shipped_stock().templates);
+  render.ink.shade = glm::vec3(0.5f, 0.25f, 1);
+  const std::string own = build_povray_stage("", render, shipped_stock().templates);
+  const std::string words = "#declare Shade_tint = srgb <0.5, 0.25, 1>;\n";
+  EXPECT_EQ(plain.find(words), std::string::npos);
+  ASSERT_NE(own.find(words), std::string::npos);
+  EXPECT_GT(own.find(words), own.rfind("#declare Shade_tint = rgb"));
+  render.style = Style::studio;
+  EXPECT_EQ(build_povray_stage("", render, shipped_stock().templates).find(words), std::string::npos);
+}
+
+// Eyes have their colours in head.inc: a lamp is told before it.
+TEST(povray, tells_ink_s_lamp_before_all_that_it_shines_on) {
+  FrameStart start;
+  start.lamp = InkLamp{{0, 0.6, 0.8}, glm::vec3(1, 0.5f, 0.25f), glm::vec3(0.5f), glm::vec3(0.75f)};
+  std::string text;
+  append_povray_start(text, start);
+  EXPECT_EQ(text.substr(0, text.find("stage_camera")),
+            "#version 3.7;\n#declare Lamp_way = <0,0.6,-0.8>;\n#declare Lamp_lit = rgb <1,0.5,0.25>;\n"
+            "#declare Lamp_dark = rgb <0.5,0.5,0.5>;\n#declare Lamp_flat = rgb <0.75,0.75,0.75>;\n"
+            "#include \"head.inc\"\n");
+}
+
 TEST(povray, puts_what_is_in_front_of_the_face_toward_the_camera) {
   const Model model{{build_square("card", false)}};
   const std::vector<double> camera =
