@@ -1,6 +1,7 @@
 // `mien live`.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdio>
 
 #include "clip/clip.hpp"
@@ -48,7 +49,8 @@ void follow_files(LiveSession& session) {
     const std::vector<std::filesystem::path> files = list_watched(session);
     set_watched_files(watch, files);
     if (!wait_for_save(watch, kNewFiles_s)) continue;
-    look_at_disk(session, files.size() > 1);
+    look_at_disk(session,
+                 std::ranges::any_of(files, [&](const auto& file) { return file != session.shelf.file; }));
   }
 }
 

@@ -93,22 +93,24 @@ void meet(const NeutralHead& head, std::uint32_t t, const glm::dvec3& origin, co
 // What no ray met takes the mean of its neighbours until it settles.
 void fill_gaps(std::vector<double>& values, const std::vector<bool>& is_known) {
   constexpr int kRounds = 400;  // the gap behind an ear is 30 places wide
+  std::vector<std::pair<int, int>> gaps;
+  for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
+    for (int way = 0; way < kWays; ++way)
+      if (!is_known[slot(azimuth, way)]) gaps.emplace_back(azimuth, way);
   for (int round = 0; round < kRounds; ++round)
-    for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
-      for (int way = 0; way < kWays; ++way) {
-        if (is_known[slot(azimuth, way)]) continue;
-        double sum = 0, count = 0;
-        const auto take = [&](int a, int w) {
-          if (w < 0 || w >= kWays || values[slot(a, w)] == 0) return;
-          sum += values[slot(a, w)];
-          ++count;
-        };
-        take(azimuth - 1, way);
-        take(azimuth + 1, way);
-        take(azimuth, way - 1);
-        take(azimuth, way + 1);
-        if (count > 0) values[slot(azimuth, way)] = sum / count;
-      }
+    for (const auto& [azimuth, way] : gaps) {
+      double sum = 0, count = 0;
+      const auto take = [&](int a, int w) {
+        if (w < 0 || w >= kWays || values[slot(a, w)] == 0) return;
+        sum += values[slot(a, w)];
+        ++count;
+      };
+      take(azimuth - 1, way);
+      take(azimuth + 1, way);
+      take(azimuth, way - 1);
+      take(azimuth, way + 1);
+      if (count > 0) values[slot(azimuth, way)] = sum / count;
+    }
 }
 
 // Both halves take the mean of both: rays of the two meet other triangles, a rounding apart.

@@ -10,8 +10,8 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kSmall = 120;       // triangles of a part that is left as it is
-constexpr std::size_t kClosedShare = 12;  // one triangle in so many stays
-constexpr std::size_t kPieceShare = 4;    // one piece in so many stays
+constexpr std::size_t kClosedShare = 20;  // one triangle in so many stays
+constexpr std::size_t kPieceShare = 6;    // one piece in so many stays
 constexpr std::size_t kManyPieces = 20;   // a part of so many is of hairs
 
 std::uint32_t find_root(std::vector<std::uint32_t>& parent, std::uint32_t v) {

@@ -90,15 +90,18 @@ Json describe_values(const Pose& pose) {
 Pose read_pose(const Json& values) {
   Pose pose;
   if (!values.is_object()) throw InputError("'values' is no object of areas");
-  for (const auto& [area, moves] : values.items()) {
-    if (!moves.is_object()) throw InputError(fmt::format("'{}' is no object of moves", show_word(area)));
-    for (const auto& [move, value] : moves.items()) {
-      const auto found = std::ranges::find_if(
-          kMoves, [&](const MoveInfo& info) { return find_area_key(info) == area && info.move == move; });
-      if (found == kMoves.end() || !value.is_number())
-        throw InputError(fmt::format("'{}.{}' is no move with a number", show_word(area), show_word(move)));
+  for (const auto& area : values.items()) {
+    if (!area.value().is_object())
+      throw InputError(fmt::format("'{}' is no object of moves", show_word(area.key())));
+    for (const auto& move : area.value().items()) {
+      const auto found = std::ranges::find_if(kMoves, [&](const MoveInfo& info) {
+        return find_area_key(info) == area.key() && info.move == move.key();
+      });
+      if (found == kMoves.end() || !move.value().is_number())
+        throw InputError(
+            fmt::format("'{}.{}' is no move with a number", show_word(area.key()), show_word(move.key())));
       pose.values[static_cast<std::size_t>(found - kMoves.begin())] =
-          std::clamp(value.get<double>(), found->low * kMaxExaggerate, found->high * kMaxExaggerate);
+          std::clamp(move.value().get<double>(), found->low * kMaxExaggerate, found->high * kMaxExaggerate);
     }
   }
   return pose;

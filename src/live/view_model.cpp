@@ -5,6 +5,8 @@
 #include <map>
 #include <numeric>
 
+#include "core/pool.hpp"
+
 namespace mien {
 
 namespace {
@@ -59,18 +61,30 @@ ViewPart build_view_part(const Part& part, const SketchPart& look) {
     view.colours.push_back(pack_colour(look.textures.front().pigment.colour));
     return view;
   }
-  std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> known;
+  constexpr std::uint32_t kNone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> first(part.rest.positions.size(), kNone);  // of a vertex in its first shade
+  std::vector<std::size_t> first_shade(first.size());
+  std::map<std::pair<std::uint32_t, std::size_t>, std::uint32_t> others;
+  const auto add = [&](std::uint32_t vertex, std::size_t shade) {
+    view.vertices.push_back(vertex);
+    view.colours.push_back(pack_colour(sample_vertex(part, look, vertex, shade)));
+    return static_cast<std::uint32_t>(view.vertices.size() - 1);
+  };
   for (std::size_t t = 0; t < part.rest.triangles.size(); ++t) {
     Triangle corners{};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::uint32_t vertex = part.rest.triangles[t][i];
       const std::size_t shade = find_shade(part, t, vertex);
-      const auto [entry, is_new] =
-          known.try_emplace({vertex, shade}, static_cast<std::uint32_t>(view.vertices.size()));
-      if (is_new) {
-        view.vertices.push_back(vertex);
-        view.colours.push_back(pack_colour(sample_vertex(part, look, vertex, shade)));
+      if (first[vertex] == kNone) {
+        first[vertex] = add(vertex, shade);
+        first_shade[vertex] = shade;
       }
+      if (first_shade[vertex] == shade) {
+        corners[i] = first[vertex];
+        continue;
+      }
+      const auto [entry, is_new] = others.try_emplace({vertex, shade}, 0u);
+      if (is_new) entry->second = add(vertex, shade);
       corners[i] = entry->second;
     }
     view.triangles.push_back(corners);
@@ -108,11 +122,12 @@ void append_vertices(std::string& bytes, const std::vector<std::uint32_t>& verti
 
 ViewModel build_view_model(const Model& model, const SketchLook& look) {
   ViewModel view;
-  for (std::size_t i = 0; i < model.parts.size(); ++i) {
-    if (!look.parts[i].is_seen && !look.parts[i].has_shadow) continue;
-    view.parts.push_back(build_view_part(model.parts[i], look.parts[i]));
-    view.of.push_back(i);
-  }
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (look.parts[i].is_seen || look.parts[i].has_shadow) view.of.push_back(i);
+  view.parts.resize(view.of.size());
+  for_each_index(view.of.size(), count_workers(), [&](std::size_t i, int) {
+    view.parts[i] = build_view_part(model.parts[view.of[i]], look.parts[view.of[i]]);
+  });
   return view;
 }
 

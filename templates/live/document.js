@@ -5,7 +5,7 @@ import {debounce, keepNewest} from "./newest.js";
 import {setOwnExpressions} from "./words.js";
 import {askAboutDisk, closeNotice} from "./conflict.js";
 
-const kTyping_ms = 120;  // a check follows the last letter by this
+const kTyping_ms = 80;  // a check follows the last letter by this
 const kRetry_ms = 2000;
 const kOwnChanges = /^(edit|load|\*)/;  // whoever makes these checks at once
 const kMostTries = 3;    // of an edit while the text is being typed in
@@ -126,8 +126,7 @@ export async function save(hash = state.disk.hash) {
     return true;
   } catch (error) {
     if (error.status === 409) {
-      state.disk.hash = error.body.hash;
-      offerChoice(error.body.text);
+      offerChoice(error.body.text, error.body.hash);
     } else {
       say(error.message, true);
     }
@@ -147,8 +146,8 @@ function loadTheirs(text, hash) {
   checkNow();
 }
 
-function offerChoice(text) {
-  const hash = state.disk.hash;
+// Until one is chosen the page knows the disk's text as it was: a save is refused and asked about again.
+function offerChoice(text, hash) {
   askAboutDisk({
     mine: editor.getText(), theirs: text,
     load: () => loadTheirs(text, hash),
@@ -175,8 +174,7 @@ function hearDisk(answer) {
     loadTheirs(answer.text, answer.hash);
     say("Loaded again: the file changed on disk");
   } else {
-    state.disk.hash = answer.hash;
-    offerChoice(answer.text);
+    offerChoice(answer.text, answer.hash);
   }
 }
 

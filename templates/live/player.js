@@ -89,6 +89,16 @@ function fetchAhead(frame) {
   if (until >= count && state.isLoop) view.fetchAhead(0, Math.min(until - count, count - 1));
 }
 
+// Of the frames between two steps those whose drawing was not on the screen already: a second frame of one drawing is
+// not missed.
+function countSkipped(from, to) {
+  const {drawn} = state.clip, count = countFrames();
+  const find = (step) => drawn[(beganFrame + step) % count];
+  let skipped = 0;
+  for (let step = from + 1; step < to; ++step) if (find(step) !== find(from)) ++skipped;
+  return skipped;
+}
+
 function tick(now_ms) {
   if (!state.isPlaying) return;
   const count = countFrames();
@@ -96,7 +106,7 @@ function tick(now_ms) {
   if (step > lastStep) {
     const isOver = !state.isLoop && beganFrame + step >= count - 1;
     const frame = isOver ? count - 1 : (beganFrame + step) % count;
-    stats.dropped += Math.max(0, step - lastStep - 1);
+    stats.dropped += countSkipped(lastStep, step);
     lastStep = step;
     showInTime(frame);
     if (isOver) return stop();

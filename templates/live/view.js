@@ -1,7 +1,7 @@
 // The face as graphics: the exact vertices of the kernel, lit as POV-Ray would.
 import {askBinary} from "./server.js";
 import {openAnswer} from "./view_data.js";
-import {Figures} from "./view_figures.js";
+import {Figures, takeCoarse} from "./view_figures.js";
 import {createGhostMaterial} from "./view_shading.js";
 import {Stage} from "./view_stage.js";
 import {Marks} from "./view_marks.js";
@@ -13,6 +13,8 @@ const kSky_px = 160;        // width of the ground's picture
 const kIdle_ms = 250;       // then the picture is drawn finer
 const kMost_px = 2.2e6;     // of one picture
 const kQuick_ms = 22;       // what a drawing may take while it moves
+const kShadowSteps = 3;     // drawings to one shadow, there
+const kPause_ms = 120, kMore_ms = 900;  // after which, and at least how often, the rest is asked for
 const kSides = {front: {angle: 0, height: 0}, three_quarter: {angle: 35, height: 0}, side: {angle: 90, height: 0}};
 
 /** Makes the view inside `element`; see the methods for what it can do. */
@@ -34,6 +36,7 @@ class View {
     this.pinned = null;      // the same of the face that stands beside
     this.ghost = null;
     this.skyKey = "";
+    this.loaded_ms = -1e9;
     this.scale = 1;          // of the picture's pixels while it moves
     this.build();
   }
@@ -115,10 +118,11 @@ class View {
       const answer = known ?? await (isPlain ? this.store.find(frame) : this.store.askShapes(drawing, request));
       if (turn !== this.turn) return;
       const isNewModel = this.now?.model !== answer.model;
+      const isSame = this.now?.shapes === answer.shapes;  // on twos every other frame
       this.now = {...answer, frame};
-      this.show(isNewModel);
+      if (!isSame) this.show(isNewModel);
       this.tell("shown", {frame});
-      await this.loadMore(turn, isNewModel);
+      this.loadLater(turn, isNewModel);
     } catch (error) {
       if (turn === this.turn) this.tell("error", {message: error.message, findings: error.findings ?? []});
       throw error;
@@ -128,17 +132,37 @@ class View {
   show(isNewModel) {
     const {model, shapes} = this.now;
     if (isNewModel || !this.figures) {
-      this.figures?.dispose();
+      const old = this.figures;
+      if (old) takeCoarse(old.model, model);
       this.figures = new Figures(model, this.stage.light);
       this.stage.scene.add(this.figures.group);
       this.setWire();
       this.ghost = null;
+      if (old) {
+        old.group.visible = false;
+        this.gone?.dispose();
+        this.gone = old;  // until the next: what was compiled for it serves this one too
+      }
     }
     this.figures.show(shapes);
     this.stage.setStage(shapes.stage);
     this.shadowOf = null;
     this.marks.update();
     this.draw();
+  }
+
+  // While the face moves what comes after it comes now and then.
+  loadLater(turn, isNewModel) {
+    this.isModelNew = this.isModelNew || isNewModel;
+    const load = () => {
+      this.loaded_ms = performance.now();
+      const isNew = this.isModelNew;
+      this.isModelNew = false;
+      this.loadMore(this.turn, isNew).catch((error) => this.tell("error", {message: error.message}));
+    };
+    clearTimeout(this.later);
+    if (performance.now() - this.loaded_ms > kMore_ms) load();
+    else this.later = setTimeout(load, kPause_ms);
   }
 
   // What comes after the face: ground, ghost, marks.
@@ -166,7 +190,7 @@ class View {
       this.stage.setGround(width, height, new Uint8Array(buffer, at, 3 * width * height));
       this.skyKey = key;
       isThere = true;
-      this.draw();
+      if (turn === this.turn) this.draw();
     } catch (error) {
       if (error.name !== "AbortError") console.warn(error);
     } finally {
@@ -381,9 +405,22 @@ class View {
       if (this.ghostFigures) this.ghostFigures.group.visible = true;
       this.shadowOf = null;
     }
-    if (this.shadowOf !== this.figures) this.stage.drawShadow(this.figures);
-    this.shadowOf = this.figures;
+    if (this.shadowOf !== this.figures && !this.isShadowLate()) {
+      this.stage.drawShadow(this.figures);
+      this.shadowOf = this.figures;
+    }
     this.stage.draw(said, this.orbit, {x: (count - 1) * each, y: 0, width: each, height});
+  }
+
+  // Without a graphics card the shadow follows a moving face in steps.
+  isShadowLate() {
+    if (!this.figures.isCoarse || this.figures !== this.shadowedFigures) {
+      this.shadowedFigures = this.figures;
+      this.late = 0;
+      return false;
+    }
+    this.late = (this.late + 1) % kShadowSteps;
+    return this.late !== 0;
   }
 
   /** The picture at the clip's own size, as a PNG. */

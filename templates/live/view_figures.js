@@ -19,6 +19,14 @@ export function prepareModel(model) {
   return model;
 }
 
+/** Gives `model` the coarse triangles of an older one, where its parts have the same mesh: until its own are there. */
+export function takeCoarse(older, model) {
+  model.actors.forEach((actor, a) => actor.parts.forEach((part) => {
+    const known = older.actors[a]?.parts.find((one) => one.name === part.name);
+    if (!part.coarse && known?.coarse && known.vertices === part.vertices && known.triangles === part.triangles) part.coarse = known.coarse;
+  }));
+}
+
 function setVertices(geometry, name, array, isNormalized) {
   const attribute = geometry.getAttribute(name);
   if (attribute && attribute.array.length === array.length) {

@@ -18,6 +18,8 @@ def start_live(program, file, *options):
 
 
 class Page:
+    wait_s = WAIT_S
+
     def __init__(self, address, width=1280, height=720, is_dark=False):
         options = Options()
         options.binary_location = "/usr/bin/chromium"
@@ -47,9 +49,9 @@ class Page:
             "const done = arguments[arguments.length - 1];"
             f"(async () => {{ {script} }})().then(done, (error) => done('ERROR ' + error))")
 
-    def until(self, expression, most_s=WAIT_S):
+    def until(self, expression, most_s=None):
         """Whether the expression becomes true in time."""
-        end_s = time.monotonic() + most_s
+        end_s = time.monotonic() + (most_s or self.wait_s)
         while time.monotonic() < end_s:
             if self.find(expression):
                 return True
