@@ -426,7 +426,11 @@ class View {
   /** The picture at the clip's own size, as a PNG. */
   async takePicture() {
     const {width, height} = this.store.clip, fine = 2;
+    while (this.isSkyAsked) await new Promise((done) => setTimeout(done, 20));
     await this.loadSky(this.turn);
+    clearTimeout(this.finer);
+    this.figures.setCoarse(false);
+    this.shadowOf = null;
     this.drawInto(fine * width, fine * height, 1);
     const picture = document.createElement("canvas");
     picture.width = width;

@@ -141,8 +141,9 @@ def play(page):
 
 def picture(page, program, file):
     for frame in (0, 60):
+        go_to(page, frame)
         taken = page.wait_for(
-            f"await mienLive.view.showFrame({frame}); const blob = await mienLive.view.takePicture();"
+            "const blob = await mienLive.view.takePicture();"
             "return new Promise((done) => { const reader = new FileReader(); reader.onload = () => done(reader.result);"
             "reader.readAsDataURL(blob); })")
         with open("page.png", "wb") as output:
