@@ -2,6 +2,8 @@
 // Loomis, "Drawing the Head and Hands", 1956).
 #include "head/hair.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 

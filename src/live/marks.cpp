@@ -101,9 +101,9 @@ std::vector<float> measure_ways(const Figure& figure, Area area) {
   return ways;
 }
 
-// Lines and words of a sheet's cell, which lie in the picture's plane, put to the depth of the face.
-void append_overlay(const Overlay& overlay, const CameraView& view, float depth_mm, Json& lines,
-                    Json& words) {
+// Lines of a sheet's cell, which lie in the picture's plane, put to the depth of the face. Its words would
+// lie on each other where all areas are shown at once.
+void append_overlay(const Overlay& overlay, const CameraView& view, float depth_mm, Json& lines) {
   const glm::vec3 toward = compute_toward_camera(view);
   const auto place = [&](const glm::vec3& at) {
     const glm::vec3 on = at - toward * (glm::dot(at - view.look_at, toward) - depth_mm);
@@ -116,11 +116,6 @@ void append_overlay(const Overlay& overlay, const CameraView& view, float depth_
     for (const auto& segment : line.segments) segments.push_back({place(segment[0]), place(segment[1])});
     lines.push_back({{"colour", colour(line.srgb)}, {"segments", segments}});
   }
-  for (const OverlayWords& word : overlay.words)
-    words.push_back({{"words", word.words},
-                     {"at", place(word.at)},
-                     {"colour", colour(word.srgb)},
-                     {"align", word.align}});
 }
 
 // The rectangles and levels of `mien sheet limits`, on this head from this side.
@@ -134,11 +129,11 @@ Json describe_limits(LiveSession& session, const Spec& spec, const HeadSpec& hea
   const PlacesOfPose rest = places({});
   const glm::vec3 toward = compute_toward_camera(view);
   const float depth_mm = glm::dot(glm::vec3(rest.at("sn")) - view.look_at, toward);
-  Json lines = Json::array(), words = Json::array();
+  Json lines = Json::array();
   for (const SheetBlock& block : plan.blocks)
     for (const SheetCell& cell : block.cells)
-      append_overlay(draw_marks(cell, places, view, {400, 500}).overlay, view, depth_mm, lines, words);
-  return {{"lines", lines}, {"words", words}};
+      append_overlay(draw_marks(cell, places, view, {400, 500}).overlay, view, depth_mm, lines);
+  return {{"lines", lines}};
 }
 
 }  // namespace

@@ -12,10 +12,8 @@ namespace mien {
 // a and so much (t) of the way to b.
 LiveAnswer answer_marks(LiveSession& session, const Json& asked);
 
-// {doc, frame, actor, camera}: {areas: [{name, key, colour, mm}], limits: {lines: [{colour, segments}],
-// words:
-// [{words, at, colour, align}]}}, then for each vertex of the page's "skin" the colour of the area that moves
-// it most and how much, 4 bytes.
+// {doc, frame, actor, camera}: {areas: [{name, colour, mm}], limits: {lines: [{colour, segments}]}}, then for
+// each vertex of the page's "skin" the colour of the area that moves it most and how much, 4 bytes.
 LiveAnswer answer_areas(LiveSession& session, const Json& asked);
 
 }  // namespace mien

@@ -111,7 +111,6 @@ export class Marks {
       drawn.geometry.getAttribute("position").array.set(line.segments.flat(2));
       this.group.add(drawn);
     }
-    for (const word of this.areas.limits.words) this.label(word.words, "limit", word.at, word.align);
     const legend = document.createElement("ul");
     legend.className = "legend";
     for (const area of this.areas.areas) {
@@ -123,12 +122,12 @@ export class Marks {
     this.layer.append(legend);
   }
 
-  label(text, kind, place, align = 0.5) {
+  label(text, kind, place) {
     const element = document.createElement("span");
     element.className = `mark ${kind}`;
     element.textContent = text;
     this.layer.append(element);
-    this.labels.push({element, place: typeof place === "function" ? place : () => place, align});
+    this.labels.push({element, place});
   }
 
   /** Follows the skin. */
@@ -153,11 +152,11 @@ export class Marks {
 
   /** Puts the labels where their places are in a picture of this size on the page. */
   placeLabels(camera, left, top, width, height) {
-    for (const {element, place, align} of this.labels) {
+    for (const {element, place} of this.labels) {
       const at = project(camera, place());
       element.hidden = !at.isBefore || at.x < 0 || at.x > 1 || at.y < 0 || at.y > 1;
       element.style.transform =
-        `translate(${left + at.x * width}px, ${top + at.y * height}px) translate(${-100 * align}%, -50%)`;
+        `translate(${left + at.x * width}px, ${top + at.y * height}px) translate(-50%, -50%)`;
     }
   }
 
