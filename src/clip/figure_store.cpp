@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "config/head_files.hpp"
 #include "core/text.hpp"
 #include "timeline/head_track.hpp"
 
@@ -11,13 +12,9 @@ namespace mien {
 
 namespace {
 
-// Nothing of a file that is not there: whoever builds the head says so.
+// Where it is named belongs to it: messages say so.
 std::string describe_file(const FileReference& file) {
-  std::error_code error;
-  const auto size = std::filesystem::file_size(file.path, error);
-  const auto time = std::filesystem::last_write_time(file.path, error);
-  return fmt::format("{} {} {} {}:{};", file.path.string(), size, time.time_since_epoch().count(),
-                     file.place.line, file.place.column);
+  return fmt::format("{} {}:{};", describe_mesh_state(file.path), file.place.line, file.place.column);
 }
 
 std::string describe_head(const HeadSpec& head) {

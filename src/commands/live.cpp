@@ -31,7 +31,6 @@ void tell_address(const Options& options, const std::string& address) {
 
 // In a session of its own, so that it goes on without us.
 void open_browser(const std::string& address) {
-  require_programs({{"xdg-open", "xdg-utils"}, {"setsid", "util-linux"}});
   run_process({"sh", "-c", "exec setsid -f xdg-open \"$1\" >/dev/null 2>&1", "sh", address}, ".");
 }
 
@@ -61,7 +60,14 @@ void check_file(const Options& options, const Language& language) {
   throw InputError(fmt::format("{} is no plain file; expected one that can be saved", options.file.string()));
 }
 
+// Whatever ends the server, nobody waits for it.
+struct EndOfSession {
+  LiveSession& session;
+  ~EndOfSession() { end_session(session); }
+};
+
 void run_live(const Options& options) {
+  if (options.is_opened) require_programs({{"xdg-open", "xdg-utils"}, {"setsid", "util-linux"}});
   LiveSession session;
   session.files = list_live_files(find_data_folder());
   const Resources resources = load_resources(find_data_folder());
@@ -74,13 +80,13 @@ void run_live(const Options& options) {
   look_at_disk(session, false);
   const LiveServer server(options.port,
                           [&](const LiveRequest& request) { return answer_request(session, request); });
+  const EndOfSession end{session};
   tell_address(options, server.address);
   try {
     if (options.is_opened) open_browser(server.address);
     follow_files(session);
   } catch (const Interrupted&) {  // which is how it ends
   }
-  end_session(session);
 }
 
 }  // namespace

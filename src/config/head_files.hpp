@@ -34,6 +34,10 @@ struct HeadSource {
 // The landmarks beside a mesh: NAME.landmarks.yaml, else NAME.yaml; empty if neither is there.
 std::optional<std::filesystem::path> find_landmark_file(const std::filesystem::path& mesh);
 
+// A mesh and its landmarks as they are now: other words once one of them has been written, or is another
+// file.
+std::string describe_mesh_state(const std::filesystem::path& mesh);
+
 // `mesh: my_half.obj`, `scan: face.ply`. What the files hold is read by whoever builds the head.
 void load_mesh(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into);
 void load_scan(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into);

@@ -127,6 +127,17 @@ std::optional<fs::path> find_landmark_file(const fs::path& mesh) {
   return std::nullopt;
 }
 
+std::string describe_mesh_state(const fs::path& mesh) {
+  const auto describe = [](const fs::path& file) {
+    std::error_code error;
+    const auto written = fs::last_write_time(file, error).time_since_epoch().count();
+    const fs::path canonical = fs::weakly_canonical(file, error);
+    return fmt::format("{}\n{} {}\n", canonical.string(), fs::file_size(file, error), written);
+  };
+  const auto landmarks = find_landmark_file(mesh);
+  return describe(mesh) + (landmarks ? describe(*landmarks) : "");
+}
+
 void load_mesh(const YamlValue& value, const HeadSource& source, std::optional<FileReference>& into) {
   if (load_file(value, into) && note_landmark_file(value, into->path)) count_scan(value, source, into->path);
 }

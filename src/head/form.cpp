@@ -36,22 +36,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The file and when it was written: one that has changed meanwhile is another one.
-std::string describe_state(const fs::path& file) {
-  std::error_code error;
-  const auto written = fs::last_write_time(file, error).time_since_epoch().count();
-  const fs::path canonical = fs::weakly_canonical(file, error);
-  return fmt::format("{}\n{} {}\n", canonical.string(), fs::file_size(file, error), written);
-}
-
 // What the mesh or the scan was made into, once, however many heads are made from it.
 std::shared_ptr<const Wrap> find_start(const HeadStock& stock, const fs::path& file, bool is_half) {
   const auto build = [&] {
     return is_half ? build_own_half(stock, file) : wrap_scan(stock, load_scan_files(stock, file, false));
   };
   if (!stock.starts) return std::make_shared<const Wrap>(build());
-  std::string key = (is_half ? "mesh " : "scan ") + describe_state(file);
-  if (const auto landmarks = find_landmark_file(file)) key += describe_state(*landmarks);
+  const std::string key = (is_half ? "mesh " : "scan ") + describe_mesh_state(file);
   std::size_t number = 0;
   {
     const std::lock_guard lock(stock.starts->mutex);

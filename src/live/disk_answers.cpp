@@ -2,10 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-
 #include "config/named_file.hpp"
 #include "core/text.hpp"
+#include "live/news.hpp"
 
 namespace mien {
 
@@ -69,12 +68,7 @@ LiveAnswer answer_disk(LiveSession& session, const LiveRequest& request) {
   DiskState& disk = session.disk;
   const int known = take_version(request);
   std::unique_lock lock(disk.mutex);
-  if (disk.waiting < kMostWaitingPages) {
-    ++disk.waiting;
-    disk.changed.wait_for(lock, std::chrono::duration<double>(kLongPoll_s),
-                          [&] { return disk.is_ending || disk.version != known; });
-    --disk.waiting;
-  }
+  wait_for_news(lock, disk.changed, disk.waiting, [&] { return disk.is_ending || disk.version != known; });
   return build_answer(describe_disk(read_disk(session.shelf.file), disk.version));
 }
 

@@ -4,12 +4,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <chrono>
 
 #include "config/findings.hpp"
 #include "core/text.hpp"
 #include "live/files.hpp"
+#include "live/news.hpp"
 
 namespace mien {
 
@@ -82,12 +81,7 @@ LiveAnswer answer_jobs(LiveSession& session, const LiveRequest& request) {
   Jobs& jobs = session.jobs;
   const int known = take_version(request);
   std::unique_lock lock(jobs.mutex);
-  if (jobs.waiting < kMostWaitingPages) {
-    ++jobs.waiting;
-    jobs.changed.wait_for(lock, std::chrono::duration<double>(kLongPoll_s),
-                          [&] { return jobs.is_ending || jobs.version != known; });
-    --jobs.waiting;
-  }
+  wait_for_news(lock, jobs.changed, jobs.waiting, [&] { return jobs.is_ending || jobs.version != known; });
   Json all = Json::array();
   for (const Job& job : jobs.jobs) all.push_back(describe_job(job));
   return build_answer({{"version", jobs.version}, {"jobs", all}});

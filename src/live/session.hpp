@@ -14,10 +14,6 @@
 
 namespace mien {
 
-inline constexpr double kLongPoll_s = 25;  // a page that waits for news asks again so often
-inline constexpr int kMostWaitingPages =
-    16;  // more are answered at once: they must leave threads for requests
-
 // The file as the disk has it, and a number that counts its changes and those of the files that it includes.
 struct DiskState {
   std::mutex mutex;
