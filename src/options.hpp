@@ -1,6 +1,7 @@
 // What the command line asked. Empty means "as the file says".
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct Options {
   std::optional<std::string> area;             // --area brow.left, for explain
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::vector<std::string> beside;             // --beside real,comic, for render
+  bool has_scenes = false;                     // --keep-scenes, for render
+  std::uintmax_t store_bytes = 2'000'000'000;  // --store, for render: what pictures that it does not show may take
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

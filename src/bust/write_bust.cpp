@@ -57,7 +57,7 @@ void render_preview(const MadeBust& made, const fs::path& picture, const Templat
   render.width_px = kWidth_px;
   render.height_px = kHeight_px;
   render_frames({{1, work.path / "bust.pov", picture, ""}}, list_settings(render, {work.path}, 1),
-                [](int, bool) {});
+                {[](int, bool) {}});
 }
 
 }  // namespace

@@ -42,24 +42,23 @@ Clip widen_clip(const Clip& clip, std::size_t count) {
   return whole;
 }
 
-std::vector<WrittenScene> join_scenes(const std::vector<std::vector<WrittenScene>>& parts) {
-  std::vector<WrittenScene> scenes(parts.front().size());
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    std::string keys;
-    for (const std::vector<WrittenScene>& part : parts) keys += part[i].key;
-    scenes[i].key = hash_hex(keys);
+std::vector<std::string> join_keys(const std::vector<std::vector<std::string>>& parts) {
+  std::vector<std::string> keys(parts.front().size());
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    for (const std::vector<std::string>& part : parts) keys[i] += part[i];
+    keys[i] = hash_hex(keys[i]);
   }
-  return scenes;
+  return keys;
 }
 
 void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
-                   const std::vector<WrittenScene>& scenes) {
+                   const std::vector<std::string>& keys) {
   const FramePlan& plan = whole.plan;
   const RenderSpec& render = whole.spec.render;
   for (std::size_t i = 0; i < plan.drawings.size(); ++i) {
     throw_if_interrupted();
     const int frame = plan.drawings[i];
-    if (read_picture_key(whole.files.picture(frame)) == scenes[i].key) continue;
+    if (read_picture_key(whole.files.picture(frame)) == keys[i]) continue;
     Pixels page{{render.width_px, render.height_px}, {}};
     page.rgb.resize(std::size_t{3} * static_cast<std::size_t>(render.width_px) *
                     static_cast<std::size_t>(render.height_px));
@@ -68,7 +67,7 @@ void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
       paste_pixels(page, read_pixels(part.files.picture(frame)), left_px, 0);
       left_px += part.spec.render.width_px;
     }
-    write_file(whole.files.picture(frame), mark_picture(build_png(page), scenes[i].key));
+    write_file(whole.files.picture(frame), mark_picture(build_png(page), keys[i]));
   }
   repeat_pictures(whole);
 }

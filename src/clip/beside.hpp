@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "clip/clip.hpp"
-#include "clip/scenes.hpp"
 #include "config/design_data.hpp"
 
 namespace mien {
@@ -18,12 +17,12 @@ Clip redesign_clip(const Clip& clip, const std::string& name, const std::vector<
 // The clip of all of them: as wide as they are together.
 Clip widen_clip(const Clip& clip, std::size_t count);
 
-// What `whole` shows, from what was written of each of its parts: as many drawings, with keys of their own.
-std::vector<WrittenScene> join_scenes(const std::vector<std::vector<WrittenScene>>& parts);
+// The keys of the whole's pictures, from those of each of its parts'.
+std::vector<std::string> join_keys(const std::vector<std::vector<std::string>>& parts);
 
 // Pastes the pictures of `parts`, which have been rendered, into those of `whole`, from left to right, but
-// for those that are there already with the key of their scene.
+// for those that are there already with their key.
 void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
-                   const std::vector<WrittenScene>& scenes);
+                   const std::vector<std::string>& keys);
 
 }  // namespace mien

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "clip/pictures.hpp"
+#include "clip/trace.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 
@@ -179,10 +180,14 @@ void check_clip_folder(const Options& options, const Clip& clip, bool has_pictur
   }
   if (has_pictures)
     for (const fs::path& path :
-         {fs::path("manifest.json"), find_video_path(clip).filename(), fs::path("poster.png")})
+         {fs::path("manifest.json"), find_video_path(clip).filename(), find_preview_path(clip).filename(),
+          fs::path("poster.png")})
       all.push_back(path);
   check_output_folder(options, clip.files.folder, all, clip.spec);
-  if (!has_pictures) check_folder({"", clip.files.folder / "frames"});
+  if (has_pictures)
+    check_folder({"", find_store(clip).folder});
+  else
+    check_folder({"", clip.files.folder / "frames"});
 }
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/text.hpp"
+#include "render/picture_store.hpp"
 #include "render/video.hpp"
 #include "scene/povray.hpp"
 #include "timeline/drawings.hpp"
@@ -13,6 +14,18 @@
 namespace mien {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+// A held frame that is right already is left untouched.
+void repeat_picture(const fs::path& drawn, const fs::path& held) {
+  std::error_code ignored;
+  if (fs::equivalent(drawn, held, ignored)) return;
+  const std::string key = read_picture_key(drawn);
+  if (key.empty() || read_picture_key(held) != key) show_picture(drawn, held);
+}
+
+}  // namespace
 
 RenderSettings list_settings(const RenderSpec& render, std::vector<fs::path> libraries, int jobs) {
   RenderSettings settings;
@@ -24,25 +37,14 @@ RenderSettings list_settings(const RenderSpec& render, std::vector<fs::path> lib
   return settings;
 }
 
-void render_pictures(const Clip& clip, const std::vector<WrittenScene>& scenes, int jobs,
-                     const FrameDone& done) {
-  const FramePlan& plan = clip.plan;
-  std::vector<FrameJob> frames;
-  for (std::size_t i = 0; i < plan.drawings.size(); ++i)
-    frames.push_back({plan.drawings[i], clip.files.scene(plan.drawings[i]),
-                      clip.files.picture(plan.drawings[i]), scenes[i].key, scenes[i].files});
-  render_frames(frames, list_settings(clip.spec.render, {clip.files.scenes()}, jobs), done);
-  repeat_pictures(clip);
-}
-
 void repeat_pictures(const Clip& clip) {
   const FramePlan& plan = clip.plan;
   for (std::size_t i = 0; i < plan.frames.size(); ++i)
     if (plan.frames[i] != plan.drawn_as[i])
-      write_file(clip.files.picture(plan.frames[i]), read_file(clip.files.picture(plan.drawn_as[i])));
+      repeat_picture(clip.files.picture(plan.drawn_as[i]), clip.files.picture(plan.frames[i]));
 }
 
-std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& scenes) {
+std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys) {
   const Spec& spec = clip.spec;
   nlohmann::ordered_json manifest;
   manifest["mien"] = MIEN_VERSION;
@@ -54,10 +56,10 @@ std::string build_manifest(const Clip& clip, const std::vector<WrittenScene>& sc
   manifest["height"] = spec.render.height_px;
   nlohmann::ordered_json& drawings = manifest["drawings"];
   drawings = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < scenes.size(); ++i)
+  for (std::size_t i = 0; i < keys.size(); ++i)
     drawings.push_back({{"frame", clip.plan.drawings[i]},
                         {"picture", "frames/" + name_frame(clip.plan.drawings[i]) + ".png"},
-                        {"key", scenes[i].key}});
+                        {"key", keys[i]}});
   return manifest.dump(1) + "\n";
 }
 
@@ -67,6 +69,11 @@ fs::path find_video_path(const Clip& clip) {
   const std::string name = clip.files.name + (is_sketch(clip.spec.render) ? "_sketch" : "");
   return clip.files.folder /
          (is_whole ? name + ".mp4" : fmt::format("{}_{}-{}.mp4", name, frames.front(), frames.back()));
+}
+
+fs::path find_preview_path(const Clip& clip) {
+  fs::path path = find_video_path(clip);
+  return path.replace_filename(path.stem().string() + "_preview.mp4");
 }
 
 void write_clip_video(const Clip& clip) {
@@ -79,6 +86,20 @@ void write_poster(const Clip& clip, const fs::path& path) {
   const int poster =
       std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
   write_file(path, read_file(clip.files.picture(poster)));
+}
+
+void write_preview(const Clip& clip, const std::vector<bool>& is_there) {
+  const FramePlan& plan = clip.plan;
+  std::vector<fs::path> pictures;
+  for (std::size_t i = 0, drawing = 0; i < plan.frames.size(); ++i) {
+    // The newest drawing that is there at this frame, else the first that will be.
+    while (drawing + 1 < plan.drawings.size() && plan.drawings[drawing + 1] <= plan.drawn_as[i]) ++drawing;
+    std::size_t shown = drawing;
+    while (shown > 0 && !is_there[shown]) --shown;
+    while (shown + 1 < is_there.size() && !is_there[shown]) ++shown;
+    pictures.push_back(clip.files.picture(plan.drawings[shown]));
+  }
+  write_video(pictures, clip.spec.clip.fps, find_preview_path(clip));
 }
 
 }  // namespace mien

@@ -5,7 +5,6 @@
 #include "clip/staging.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
-#include "core/shared_cache.hpp"
 #include "core/text.hpp"
 #include "render/process.hpp"
 
@@ -29,12 +28,6 @@ std::string hash_settings(const std::string& include, const RenderSpec& render) 
   return hash_hex(text + "\n" + include);
 }
 
-struct SceneBuffers {
-  DrawBuffers draw;
-  Drawing drawing;
-  std::string text;
-};
-
 // Everybody at a time, as `view` sees them; with `pose` doing that instead.
 void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose, const InkView& view,
                    SceneBuffers& buffers) {
@@ -44,35 +37,18 @@ void append_actors(const Heads& heads, double time_s, const std::optional<Pose>&
   }
 }
 
-// The heads of one group of drawings, and the file of those parts that are not in head.inc.
-struct WrittenHeads {
-  Heads heads;
-  std::string include;  // "h0007.inc"; empty if there are no such parts
-  std::string key;      // a hash of it
-};
-
-WrittenHeads write_heads(const Clip& clip, const Cast& cast, int first_frame, const Resources& resources) {
-  WrittenHeads written;
-  const double time_s = compute_drawing_time_s(clip.spec.clip, first_frame - 1);
-  written.heads = build_heads(clip, cast, time_s, resources.heads);
-  const std::string parts = build_parts(written.heads.changing, resources.stock.templates);
-  if (parts.empty()) return written;
-  written.include = name_heads(first_frame);
-  written.key = hash_hex(parts);
-  write_file(clip.files.scenes() / written.include, parts);
-  return written;
+double find_time_s(const SceneRun& run, std::size_t drawing) {
+  return compute_drawing_time_s(run.clip.spec.clip, run.clip.plan.drawings[drawing] - 1);
 }
 
-// The text of one drawing's scene, into the buffers.
-void build_scene(const Clip& clip, const Cast& cast, const WrittenHeads& written, double time_s,
-                 SceneBuffers& buffers) {
-  FrameStart start = build_start(clip, cast, sample_performance(clip.performance, time_s).camera,
-                                 sample_stage(clip.spec.clip, time_s));
-  if (!written.include.empty()) start.includes = {written.include};
-  buffers.text.clear();
-  append_povray_start(buffers.text, start);
-  append_actors(written.heads, time_s, {}, compute_ink_view(start.view, clip.spec.render, start.lamp),
-                buffers);
+DrawnHeads build_drawn_heads(const SceneRun& run, std::size_t group) {
+  const std::size_t first = run.groups.first[group];
+  DrawnHeads drawn{build_heads(run.clip, run.cast, find_time_s(run, first), run.resources.heads), {}, {}, {}};
+  drawn.parts = build_parts(drawn.heads.changing, run.resources.stock.templates);
+  if (drawn.parts.empty()) return drawn;
+  drawn.include = name_heads(run.clip.plan.drawings[first]);
+  drawn.key = hash_hex(drawn.parts);
+  return drawn;
 }
 
 void write_held_frames(const Clip& clip) {
@@ -84,53 +60,76 @@ void write_held_frames(const Clip& clip) {
   }
 }
 
-// What all frames share: the include file with what it holds, and the key of that and of how it is rendered.
-struct SharedFiles {
-  TracedFile include;
-  std::string key;
-};
-
-SharedFiles write_shared_files(const Clip& clip, const Cast& cast, const Templates& templates) {
-  const RenderSpec& render = clip.spec.render;
+void write_shared_files(const SceneRun& run) {
+  const Clip& clip = run.clip;
   std::error_code error;
   for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale, error);
   const fs::path frames = clip.files.folder / "frames";
   fs::create_directories(frames, error);  // POV-Ray alone would not
   if (error) throw RunError(fmt::format("cannot write in {}: {}", frames.string(), error.message()));
-  const std::string include =
-      build_povray_stage(build_parts(cast.figures, templates), render, templates, list_sets(clip.spec.clip));
-  SharedFiles shared{{clip.files.scenes() / "head.inc", hash_hex(include)}, hash_settings(include, render)};
-  write_file(shared.include.path, include);
+  write_file(clip.files.scenes() / kHeadInclude, run.include);
   write_file(clip.files.scenes() / "loop.pov", build_povray_loop());
   write_file(clip.files.scenes() / (clip.files.name + ".ini"),
-             build_povray_ini(render, clip.files.name, clip.frame_count, clip.files.folder,
+             build_povray_ini(clip.spec.render, clip.files.name, clip.frame_count, clip.files.folder,
                               {clip.plan.frames.front(), clip.plan.frames.back()}));
-  return shared;
 }
 
 }  // namespace
 
+SceneRun::SceneRun(const Clip& clip_, const Cast& cast_, const Resources& resources_, int jobs)
+    : clip(clip_),
+      cast(cast_),
+      resources(resources_),
+      include(build_povray_stage(build_parts(cast.figures, resources.stock.templates), clip.spec.render,
+                                 resources.stock.templates, list_sets(clip.spec.clip))),
+      key(hash_settings(include, clip.spec.render)),
+      groups(group_drawings(clip)),
+      heads(static_cast<std::size_t>(jobs) + 1),
+      buffers(static_cast<std::size_t>(jobs)) {}
+
+SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
+  const Clip& clip = run.clip;
+  const std::size_t group = run.groups.group[drawing];
+  SceneText scene;
+  scene.heads =
+      share_thing<DrawnHeads>(run.heads, group, [&run, group] { return build_drawn_heads(run, group); });
+  const double time_s = find_time_s(run, drawing);
+  FrameStart start = build_start(clip, run.cast, sample_performance(clip.performance, time_s).camera,
+                                 sample_stage(clip.spec.clip, time_s));
+  // What the heads' file is called is nothing that pixels depend on.
+  SceneBuffers& mine = run.buffers[static_cast<std::size_t>(worker)];
+  mine.text.clear();
+  append_povray_start(mine.text, start);
+  const std::size_t start_size = mine.text.size();
+  append_actors(scene.heads->heads, time_s, {}, compute_ink_view(start.view, clip.spec.render, start.lamp),
+                mine);
+  scene.key = hash_hex(run.key + scene.heads->key + mine.text);
+  if (!scene.heads->include.empty()) {
+    start.includes = {scene.heads->include};
+    append_povray_start(scene.text, start);
+  }
+  scene.text.append(mine.text, scene.text.empty() ? 0 : start_size);
+  return scene;
+}
+
 std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
                                        int jobs, const SceneWritten& written) {
-  const SharedFiles shared = write_shared_files(clip, cast, resources.stock.templates);
-  const std::vector<int>& drawings = clip.plan.drawings;
-  const DrawingGroups groups = group_drawings(clip);
-  SharedCache<WrittenHeads> cache(static_cast<std::size_t>(jobs) + 1);
-  std::vector<WrittenScene> scenes(drawings.size());
-  std::vector<SceneBuffers> buffers(static_cast<std::size_t>(jobs));
-  for_each_index(drawings.size(), jobs, [&](std::size_t turn, int worker) {
+  SceneRun run(clip, cast, resources, jobs);
+  write_shared_files(run);
+  const TracedFile include{clip.files.scenes() / kHeadInclude, hash_hex(run.include)};
+  std::vector<WrittenScene> scenes(clip.plan.drawings.size());
+  for_each_index(scenes.size(), jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
-    const std::size_t drawing = groups.order[turn], group = groups.group[drawing];
-    const auto heads = share_thing<WrittenHeads>(
-        cache, group, [&] { return write_heads(clip, cast, drawings[groups.first[group]], resources); });
-    SceneBuffers& mine = buffers[static_cast<std::size_t>(worker)];
-    build_scene(clip, cast, *heads, compute_drawing_time_s(clip.spec.clip, drawings[drawing] - 1), mine);
-    const TracedFile scene{clip.files.scene(drawings[drawing]), hash_hex(mine.text)};
-    write_file(scene.path, mine.text);
-    scenes[drawing] = {hash_hex(shared.key + heads->key + mine.text), {shared.include, scene}};
-    if (!heads->include.empty())
-      scenes[drawing].files.push_back({clip.files.scenes() / heads->include, heads->key});
-    written(drawings[drawing]);
+    const std::size_t drawing = run.groups.order[turn];
+    const int frame = clip.plan.drawings[drawing];
+    const SceneText scene = build_scene(run, drawing, worker);
+    scenes[drawing] = {scene.key, {include, {clip.files.scene(frame), hash_hex(scene.text)}}};
+    if (!scene.heads->include.empty()) {
+      scenes[drawing].files.push_back({clip.files.scenes() / scene.heads->include, scene.heads->key});
+      write_file(scenes[drawing].files.back().path, scene.heads->parts);
+    }
+    write_file(clip.files.scene(frame), scene.text);
+    written(frame);
   });
   write_held_frames(clip);
   return scenes;

@@ -2,13 +2,58 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "clip/staging.hpp"
+#include "core/shared_cache.hpp"
 #include "render/driver.hpp"
 
 namespace mien {
+
+// The file of all that never changes in a clip, beside its scenes.
+inline constexpr const char* kHeadInclude = "head.inc";
+
+// The buffers of one thread; contents mean nothing between calls.
+struct SceneBuffers {
+  DrawBuffers draw;
+  Drawing drawing;
+  std::string text;
+};
+
+// The heads of one group of drawings, and those parts of them that are not in head.inc.
+struct DrawnHeads {
+  Heads heads;
+  std::string parts;    // POV-Ray's text; empty if there are none
+  std::string include;  // the file that holds it: "h0007.inc"; or empty
+  std::string key;      // a hash of it; or empty
+};
+
+// A clip's scenes on their way to text, in any order. However long the clip, few heads are in memory at once.
+// Neither copied nor moved; what it was made of must outlive it.
+struct SceneRun {
+  SceneRun(const Clip& clip_, const Cast& cast_, const Resources& resources_, int jobs);
+
+  const Clip& clip;
+  const Cast& cast;
+  const Resources& resources;
+  std::string include;  // the text of head.inc
+  std::string key;      // of it and of how pictures are rendered
+  DrawingGroups groups;
+  SharedCache<DrawnHeads> heads;
+  std::vector<SceneBuffers> buffers;  // one a thread
+};
+
+// The scene of one drawing of the plan.
+struct SceneText {
+  std::string text;
+  std::string key;  // of its picture: a hash of all that its pixels depend on, whatever its frame is called
+  std::shared_ptr<const DrawnHeads> heads;
+};
+
+// `worker` (below the run's jobs) is nobody else's during the call.
+SceneText build_scene(SceneRun& run, std::size_t drawing, int worker);
 
 // Told the frame of each scene as it is written; from any thread.
 using SceneWritten = std::function<void(int frame)>;

@@ -26,6 +26,8 @@ inline constexpr std::array kOptions{
     OptionInfo{"openscad", 0, "", "also have OpenSCAD make the source's STL and compare the two"},
     OptionInfo{"angle", 0, "DEG", "camera angle; more than 0 shows more of the character's left side"},
     OptionInfo{"beside", 0, "DESIGNS", "these designs of the head, side by side: real,comic"},
+    OptionInfo{"keep-scenes", 0, "", "leave POV-Ray's scenes in out/NAME/scenes/, as 'mien frames' does"},
+    OptionInfo{"store", 0, "SIZE", "how much room drawings may take that the clip does not show: 2GB (the default), 500MB, 0"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
     OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
     OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},

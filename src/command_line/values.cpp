@@ -127,6 +127,20 @@ std::string read_beside(const std::string& text, Options& options) {
   return is_right ? "" : "is not two to four designs such as real,comic";
 }
 
+// "2GB": thousands, as disks are sold.
+std::string read_store(const std::string& text, Options& options) {
+  constexpr std::pair<std::string_view, std::uintmax_t> kUnits[] = {
+      {"GB", 1'000'000'000}, {"MB", 1'000'000}, {"kB", 1'000}, {"", 1}};
+  for (const auto& [unit, bytes] : kUnits) {
+    if (!text.ends_with(unit)) continue;
+    const auto number = read_whole(std::string_view(text).substr(0, text.size() - unit.size()));
+    if (!number || *number < 0) break;
+    options.store_bytes = static_cast<std::uintmax_t>(*number) * bytes;
+    return {};
+  }
+  return "is not a size such as 2GB or 500MB";
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -138,6 +152,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "height") return read_height(text, options);
   if (name == "seed") return read_seed(text, kMaxSeed, options.seed);
   if (name == "beside") return read_beside(text, options);
+  if (name == "store") return read_store(text, options);
   if (name == "random-head") return read_seed(text, kMaxSeed, options.random_head);
   if (name == "quiet") options.is_quiet = true;
   if (name == "stl") options.has_stl = true;
@@ -146,11 +161,12 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "preview") options.has_preview = true;
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
+  if (name == "keep-scenes") options.has_scenes = true;
   if (name == "json") options.is_json = true;
   if (name == "open") options.is_opened = true;
   if (name == "read-only") options.is_read_only = true;
   for (const char* flag :
-       {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open", "read-only"})
+       {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open", "read-only", "keep-scenes"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

@@ -6,6 +6,7 @@
 
 #include "commands/report.hpp"
 #include "core/streams.hpp"
+#include "render/picture_store.hpp"
 #include "render/plan.hpp"
 #include "render/work_folder.hpp"
 
@@ -42,6 +43,8 @@ FolderLock hold_folder(const Options& options, const std::filesystem::path& fold
     remove_left_folders(folder / part);
     remove_left_parts(folder / part, is_clip_file);
   }
+  remove_left_folders(folder / "store");
+  remove_left_parts(folder / "store", is_stored_file);
   return lock;
 }
 

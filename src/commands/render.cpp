@@ -1,13 +1,18 @@
 // `mien render`.
+#include <fmt/format.h>
+#include <cstdio>
+
 #include "clip/beside.hpp"
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
+#include "clip/trace.hpp"
 #include "commands/hold.hpp"
 #include "commands/report.hpp"
 #include "commands/sketch_clip.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/streams.hpp"
 #include "core/text.hpp"
 #include "render/process.hpp"
 
@@ -15,30 +20,59 @@ namespace mien {
 
 namespace {
 
-// Scenes and pictures of a clip, whose folder is held.
-std::vector<WrittenScene> make_pictures(const Options& options, const Clip& clip, const Cast& cast,
-                                        const Resources& resources) {
-  report_starts(options, list_heads(clip), resources.heads);
-  report_clip_held(options, clip, cast, resources.heads);
-  const std::size_t count = clip.plan.drawings.size();
+namespace fs = std::filesystem;
 
-  Progress scenes = start_progress(options, "scenes", count);
-  std::vector<WrittenScene> written = write_scenes(clip, cast, resources, count_jobs(options),
-                                                   [&](int frame) { scenes.advance(false, frame); });
-  scenes.finish();
+constexpr std::size_t kWorthPreview = 24;  // pictures to trace; fewer are there soon
 
-  Progress frames = start_progress(options, "frames", count);
-  render_pictures(clip, written, count_jobs(options),
-                  [&](int frame, bool was_kept) { frames.advance(was_kept, frame); });
-  frames.finish();
-  return written;
+void report_plan(const Options& options, const Clip& clip, std::size_t missing) {
+  if (options.is_quiet || options.is_json) return;
+  const auto count = [](std::size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  write_stream(stderr, fmt::format("{}, {}, {} to trace\n", count(clip.plan.frames.size(), "frame"),
+                                   count(clip.plan.drawings.size(), "drawing"), missing));
 }
 
-void finish_clip(const Options& options, const Clip& clip, const std::vector<WrittenScene>& written) {
-  write_file(clip.files.folder / "manifest.json", build_manifest(clip, written));
+// Pictures of a clip, whose folder is held; the keys of its drawings.
+std::vector<std::string> make_pictures(const Options& options, const Clip& clip, const Cast& cast,
+                                       const Resources& resources) {
+  report_starts(options, list_heads(clip), resources.heads);
+  report_clip_held(options, clip, cast, resources.heads);
+  const int jobs = count_jobs(options);
+  const std::size_t count = clip.plan.drawings.size();
+  std::error_code ignored;
+  for (const fs::path& stale : find_stale_files(clip.files, clip.frame_count)) fs::remove(stale, ignored);
+
+  Progress scenes = start_progress(options, "scenes", count);
+  const auto computed = [&](int frame) { scenes.advance(false, frame); };
+  if (options.has_scenes) write_scenes(clip, cast, resources, jobs, [](int) {});
+  TraceRun run{{clip, cast, resources, jobs}, find_store(clip, options.store_bytes), {}, {}};
+  find_pictures(run, jobs, computed);
+  scenes.finish();
+  const std::size_t missing = count_missing(run);
+  report_plan(options, clip, missing);
+
+  Progress frames = start_progress(options, "frames", count);
+  TraceHooks hooks{[&](int frame, bool was_kept) { frames.advance(was_kept, frame); }};
+  const fs::path preview = find_preview_path(clip), poster = clip.files.folder / "poster.png";
+  if (missing >= kWorthPreview)
+    hooks.pass_ended = [&](const std::vector<bool>& is_there) {
+      write_preview(clip, is_there);
+      write_poster(clip, poster);
+      frames.clear();
+      report_result(options, "preview", preview);
+    };
+  trace_pictures(run, jobs, hooks);
+  frames.finish();
+  fs::remove(preview, ignored);
+  return run.keys;
+}
+
+void finish_clip(const Options& options, const Clip& clip, const std::vector<std::string>& keys) {
+  write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
   write_clip_video(clip);
   report_result(options, "clip", find_video_path(clip));
-  const std::filesystem::path poster = clip.files.folder / "poster.png";
+  const fs::path poster = clip.files.folder / "poster.png";
   write_poster(clip, poster);
   report_result(options, "poster", poster);
 }
@@ -50,15 +84,15 @@ void render_clip(const Options& options, const ClipParts& planned, const std::ve
     finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources));
     return;
   }
-  std::vector<std::vector<WrittenScene>> written;
+  std::vector<std::vector<std::string>> keys;
   for (std::size_t i = 0; i < planned.parts.size(); ++i) {
     const FolderLock part_lock = hold_folder(options, planned.parts[i].files.folder);
-    written.push_back(make_pictures(options, planned.parts[i], casts[i], resources));
+    keys.push_back(make_pictures(options, planned.parts[i], casts[i], resources));
   }
   const Clip whole = widen_clip(clip, planned.parts.size());
-  const std::vector<WrittenScene> scenes = join_scenes(written);
-  join_pictures(planned.parts, whole, scenes);
-  finish_clip(options, whole, scenes);
+  const std::vector<std::string> joined = join_keys(keys);
+  join_pictures(planned.parts, whole, joined);
+  finish_clip(options, whole, joined);
 }
 
 void check_folders(const Options& options, const ClipParts& planned) {
@@ -88,12 +122,13 @@ const CommandInfo command_render{
     "render",
     "Pictures",
     "FILE",
-    "scenes, frames and clip into out/NAME/",
-    "Computes every drawing of the clip, has POV-Ray render it and ffmpeg join the frames. Frames that\n"
-    "are right already are kept: after an interruption the same command goes on where it stopped. --beside\n"
-    "puts the performance on several designs of the head, side by side. With --quality sketch mien draws\n"
-    "the frames itself, in a fraction of the time, and leaves NAME_sketch.mp4 and nothing else.",
-    "beside",
+    "frames and clip into out/NAME/",
+    "Computes every drawing of the clip, has POV-Ray trace it and ffmpeg join the frames. What was traced\n"
+    "once is kept in a store: after an interruption the same command goes on where it stopped, and keys\n"
+    "that are moved, repeated or cut trace nothing that exists. --beside puts the performance on several\n"
+    "designs of the head, side by side. With --quality sketch mien draws the frames itself, in a fraction\n"
+    "of the time, and leaves NAME_sketch.mp4 and nothing else.",
+    "beside keep-scenes store",
     "mien render configs/hello.yaml --quality sketch\nmien render configs/hello.yaml\n"
     "mien render configs/hello.yaml --quality draft --size 240x300\n"
     "mien render configs/unison.yaml --beside real,comic",

@@ -55,7 +55,7 @@ void render_still(const Options& options, const Clip& clip, const Cast& cast, co
   write_file(work.path / "still.pov", scene.text);
   write_file(work.path / "head.inc", scene.include);
   render_frames({{1, work.path / "still.pov", picture, ""}}, list_settings(clip.spec.render, {work.path}, 1),
-                [](int, bool) {});
+                {[](int, bool) {}});
 }
 
 void write_sketch(const Options& options, const Clip& clip, const Cast& cast, const Still& still,

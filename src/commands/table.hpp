@@ -12,6 +12,7 @@
   X(watch)               \
   X(live)                \
   X(frames)              \
+  X(clean)               \
   X(still)               \
   X(sheet)               \
   X(mesh)                \

@@ -144,11 +144,13 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
 // The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
 // is gone.
 std::string describe_command(const FrameJob& job, const RenderSettings& settings) {
-  const std::filesystem::path folder = job.scene.has_parent_path() ? job.scene.parent_path() : ".";
-  std::vector<std::string> command{"povray", "+I" + job.scene.filename().string()};
+  const std::filesystem::path& scene = job.told_scene.empty() ? job.scene : job.told_scene;
+  const std::filesystem::path folder = scene.has_parent_path() ? scene.parent_path() : ".";
+  std::vector<std::string> command{"povray", "+I" + scene.filename().string()};
   for (const auto& library : settings.libraries) {
     std::error_code ignored;
-    if (!std::filesystem::equivalent(library, folder, ignored))
+    if (!std::filesystem::equivalent(library, job.scene.parent_path(), ignored) &&
+        !std::filesystem::equivalent(library, folder, ignored))
       command.push_back("+L" + std::filesystem::absolute(library).lexically_normal().string());
   }
   for (std::string& option : build_options(settings)) command.push_back(std::move(option));
@@ -203,7 +205,7 @@ bool has_failed_exit(const Rendering& rendering) { return rendering.process.resu
 }  // namespace
 
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
-                   const FrameDone& done) {
+                   const FrameHooks& hooks) {
   std::optional<Run> run;  // made when the first frame needs it: where all is kept, nothing is written
   const std::size_t jobs = static_cast<std::size_t>(std::max(settings.jobs, 1));
   std::list<Rendering> running, ended;
@@ -214,11 +216,12 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
       throw_if_interrupted();
       const FrameJob& job = frames[next++];
       if (!job.key.empty() && read_picture_key(job.picture) == job.key) {
-        done(job.number, true);
+        hooks.done(job.number, true);
         continue;
       }
       if (!run) run.emplace(settings, frames.front().picture.parent_path());
       try {
+        if (hooks.prepare) hooks.prepare(job);
         running.push_back(start_rendering(job, next, *run));
       } catch (const RunError& error) {
         failures.emplace(job.number, error.what());
@@ -229,10 +232,12 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
     for (const Rendering& rendering : ended) {
       try {
         finish_rendering(rendering, *run);
-        done(rendering.job->number, false);
       } catch (const RunError& error) {
+        if (hooks.failed) hooks.failed(*rendering.job);
         failures.emplace(rendering.job->number, error.what());
+        continue;
       }
+      hooks.done(rendering.job->number, false);
     }
     if (running.empty()) break;
     ended = take_ended(running);

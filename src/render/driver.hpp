@@ -25,6 +25,7 @@ struct FrameJob {
   std::filesystem::path picture;  // the .png to make
   std::string key;  // hash of all that the pixels depend on; kept inside the PNG; empty: render always
   std::vector<TracedFile> files = {};  // those that the key speaks of
+  std::filesystem::path told_scene = {};  // where the scene lies when all is over, if that is elsewhere
 };
 
 struct RenderSettings {
@@ -37,6 +38,13 @@ struct RenderSettings {
 // Told after each frame; `frame_number` was rendered, or kept because its picture is already right.
 using FrameDone = std::function<void(int frame_number, bool was_kept)>;
 
+// What the driver asks of who owns the frames, always from the thread that called it.
+struct FrameHooks {
+  FrameDone done;
+  std::function<void(const FrameJob& job)> prepare = {};  // just before a frame is traced: writes its scene
+  std::function<void(const FrameJob& job)> failed = {};   // once for each frame that failed, before that is told
+};
+
 // Renders what is missing or stale. Each frame: povray into a WorkFolder beside the first picture, checked
 // (decodes, right size, not all one colour, scene not empty), stripped of its date, marked with its key,
 // written beside its place and renamed. A failing frame lets the running ones finish, keeps them, and throws
@@ -47,6 +55,6 @@ using FrameDone = std::function<void(int frame_number, bool was_kept)>;
 // device". Throws Interrupted on a signal with all children ended and no temporary files left. Folders may
 // have any name.
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
-                   const FrameDone& done);
+                   const FrameHooks& hooks);
 
 }  // namespace mien

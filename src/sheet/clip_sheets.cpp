@@ -107,7 +107,7 @@ void render_pictures(const Performance& performance, const Figure& figure, const
   Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), "drawings",
                     static_cast<int>(jobs.size()));
   render_frames(jobs, list_settings(render, {work.path}, count_jobs(options)),
-                [&](int frame, bool was_kept) { progress.advance(was_kept, frame); });
+                {[&](int frame, bool was_kept) { progress.advance(was_kept, frame); }});
   progress.finish();
   for (std::size_t i = 0; i < jobs.size(); ++i) page.pictures[i].png = read_file(jobs[i].picture);
 }

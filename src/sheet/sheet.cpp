@@ -135,7 +135,7 @@ void render_scenes(const std::vector<FrameJob>& jobs, const RenderSettings& sett
                    const char* label) {
   Progress progress(stderr, compute_progress_style(stderr, options.is_quiet, options.is_json), label,
                     static_cast<int>(jobs.size()));
-  render_frames(jobs, settings, [&](int number, bool was_kept) { progress.advance(was_kept, number); });
+  render_frames(jobs, settings, {[&](int number, bool was_kept) { progress.advance(was_kept, number); }});
   progress.finish();
 }
 
@@ -162,7 +162,7 @@ Pixels render_page(const SheetLayout& layout, const fs::path& work, const Templa
   settings.height_px = layout.plate.height_px;
   const bool is_small = layout.plate.words.front().size_px < kLargeTitle_px;
   settings.povray_options = {"+AM1", is_small ? "+A0.0" : "+A0.02", is_small ? "+R3" : "+R4", "-J"};
-  render_frames({{1, work / "plate.pov", work / "plate.png", ""}}, settings, [](int, bool) {});
+  render_frames({{1, work / "plate.pov", work / "plate.png", ""}}, settings, {[](int, bool) {}});
   return read_pixels(work / "plate.png");
 }
 

@@ -45,7 +45,7 @@ struct Shoot {
 
   void render() {
     was_kept.clear();
-    render_frames(frames, settings, [this](int number, bool kept) { was_kept[number] = kept; });
+    render_frames(frames, settings, {[this](int number, bool kept) { was_kept[number] = kept; }});
   }
 
   std::string find_error() {

@@ -1,0 +1,187 @@
+#include "clip/trace.hpp"
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "clip/pictures.hpp"
+#include "core/pool.hpp"
+#include "core/text.hpp"
+#include "render/picture.hpp"
+#include "render/process.hpp"
+#include "render/work_folder.hpp"
+#include "timeline/drawings.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kCoarsest = 8;  // drawings from one to the next of the first pass
+
+// Whose frames show one picture, ascending.
+using DrawingsByKey = std::map<std::string, std::vector<std::size_t>>;
+
+DrawingsByKey group_by_key(const TraceRun& run) {
+  DrawingsByKey drawings;
+  for (std::size_t i = 0; i < run.keys.size(); ++i) drawings[run.keys[i]].push_back(i);
+  return drawings;
+}
+
+fs::path find_shown(const TraceRun& run, std::size_t drawing) {
+  const Clip& clip = run.scenes.clip;
+  return clip.files.picture(clip.plan.drawings[drawing]);
+}
+
+// The frame of a drawing shows its picture; one that does so already is left untouched.
+void show_drawing(const TraceRun& run, std::size_t drawing) {
+  const fs::path shown = find_shown(run, drawing);
+  const std::string& key = run.keys[drawing];
+  if (read_picture_key(shown) != key) show_picture(run.store.picture(key), shown);
+}
+
+// A frame may have what the store has lost.
+void take_back(const TraceRun& run, std::size_t drawing) {
+  const fs::path shown = find_shown(run, drawing);
+  if (read_picture_key(shown) == run.keys[drawing])
+    show_picture(shown, run.store.picture(run.keys[drawing]));
+}
+
+const fs::path& open_work(TraceRun& run) {
+  if (!run.work) {
+    run.work.emplace(run.scenes.clip.files.folder);
+    write_file(run.work->path / kHeadInclude, run.scenes.include);
+  }
+  return run.work->path;
+}
+
+fs::path name_scene(const TraceRun& run, std::size_t drawing) {
+  const Clip& clip = run.scenes.clip;
+  return clip.files.scene(clip.plan.drawings[drawing]).filename();
+}
+
+void write_scene(const SceneText& scene, const fs::path& folder, const fs::path& name) {
+  if (!scene.heads->include.empty()) write_file(folder / scene.heads->include, scene.heads->parts);
+  write_file(folder / name, scene.text);
+}
+
+bool has_changing_heads(const SceneRun& run) {
+  return std::ranges::any_of(run.cast.figures, [](const FigurePointer& figure) { return !figure; });
+}
+
+}  // namespace
+
+PictureStore find_store(const Clip& clip, std::uintmax_t most_bytes) {
+  return {clip.files.folder / kStoreFolder, most_bytes};
+}
+
+CoarseOrder order_coarsely(const FramePlan& plan, int poster_frame) {
+  CoarseOrder coarse;
+  const std::size_t count = plan.drawings.size();
+  std::vector<bool> is_taken(count, false);
+  const auto take = [&](std::size_t drawing) {
+    if (!is_taken[drawing]) coarse.order.push_back(drawing);
+    is_taken[drawing] = true;
+  };
+  const auto poster = std::ranges::upper_bound(plan.drawings, poster_frame);
+  if (count > 0) take(poster == plan.drawings.begin() ? 0 : (poster - plan.drawings.begin()) - 1);
+  for (std::size_t step = kCoarsest; step > 0; step /= 2) {
+    for (std::size_t drawing = 0; drawing < count; drawing += step) take(drawing);
+    coarse.ends.push_back(coarse.order.size());
+  }
+  return coarse;
+}
+
+void find_pictures(TraceRun& run, int jobs, const SceneWritten& computed) {
+  const Clip& clip = run.scenes.clip;
+  const std::size_t count = clip.plan.drawings.size();
+  run.keys.resize(count);
+  const bool is_kept = has_changing_heads(run.scenes);
+  if (is_kept) open_work(run);
+  for_each_index(count, jobs, [&](std::size_t turn, int worker) {
+    throw_if_interrupted();
+    const std::size_t drawing = run.scenes.groups.order[turn];
+    const SceneText scene = build_scene(run.scenes, drawing, worker);
+    run.keys[drawing] = scene.key;
+    if (is_kept && !has_picture(run.store, scene.key)) write_scene(scene, run.work->path, name_scene(run, drawing));
+    computed(clip.plan.drawings[drawing]);
+  });
+  run.is_there.assign(count, false);
+  for (const auto& [key, drawings] : group_by_key(run)) {
+    bool is_there = has_picture(run.store, key);
+    for (std::size_t i = 0; !is_there && i < drawings.size(); ++i) {
+      take_back(run, drawings[i]);
+      is_there = has_picture(run.store, key);
+    }
+    for (const std::size_t drawing : drawings) run.is_there[drawing] = is_there;
+  }
+}
+
+std::size_t count_missing(const TraceRun& run) {
+  std::size_t count = 0;
+  for (const auto& [key, drawings] : group_by_key(run)) count += run.is_there[drawings.front()] ? 0 : 1;
+  return count;
+}
+
+void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
+  const Clip& clip = run.scenes.clip;
+  const FramePlan& plan = clip.plan;
+  const DrawingsByKey by_key = group_by_key(run);
+  const CoarseOrder coarse = order_coarsely(plan, find_poster_frame(clip.spec.clip) + 1);
+  std::vector<FrameJob> frames;
+  std::map<int, std::size_t> drawing_of;  // by frame
+  for (const std::size_t drawing : coarse.order) {
+    const int frame = plan.drawings[drawing];
+    drawing_of[frame] = drawing;
+    if (run.is_there[drawing]) {
+      show_drawing(run, drawing);
+      hooks.done(frame, true);
+    } else if (by_key.at(run.keys[drawing]).front() == drawing) {
+      frames.push_back({frame, open_work(run) / name_scene(run, drawing), run.store.picture(run.keys[drawing]),
+                        run.keys[drawing]});
+      frames.back().told_scene = clip.files.scene(frame);
+    }
+  }
+  std::size_t ended_passes = 0;
+  const auto end_passes = [&] {
+    bool has_ended = false;
+    for (; ended_passes + 1 < coarse.ends.size(); ++ended_passes) {
+      const std::size_t end = coarse.ends[ended_passes];
+      if (!std::all_of(coarse.order.begin(), coarse.order.begin() + static_cast<std::ptrdiff_t>(end),
+                       [&](std::size_t drawing) { return run.is_there[drawing]; }))
+        break;
+      has_ended = true;
+    }
+    if (has_ended && hooks.pass_ended) hooks.pass_ended(run.is_there);
+  };
+  FrameHooks traced;
+  const auto write = [&](const FrameJob& job, const fs::path& folder) {
+    const std::size_t drawing = drawing_of.at(job.number);
+    write_scene(build_scene(run.scenes, drawing, 0), folder, name_scene(run, drawing));
+  };
+  traced.prepare = [&](const FrameJob& job) {
+    if (!fs::exists(job.scene)) write(job, run.work->path);
+  };
+  traced.done = [&](int frame, bool was_kept) {
+    std::error_code ignored;
+    const std::size_t first = drawing_of.at(frame);
+    fs::remove(run.work->path / name_scene(run, first), ignored);
+    for (const std::size_t drawing : by_key.at(run.keys[first])) {
+      show_drawing(run, drawing);
+      run.is_there[drawing] = true;
+      hooks.done(plan.drawings[drawing], was_kept || drawing != first);
+    }
+    end_passes();
+  };
+  traced.failed = [&](const FrameJob& job) {
+    write_file(clip.files.scenes() / kHeadInclude, run.scenes.include);
+    write(job, clip.files.scenes());
+  };
+  if (!frames.empty())
+    render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
+  repeat_pictures(clip);
+  trim_store(run.store, {run.keys.begin(), run.keys.end()});
+}
+
+}  // namespace mien
