@@ -17,6 +17,8 @@ struct Options {
   std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
   std::optional<std::filesystem::path>
       output;  // -o: a folder for render, frames and bust; a file for still and mesh
+  std::vector<std::filesystem::path> outputs;  // every -o, in their order; the last is `output`
+  std::vector<std::filesystem::path> videos;   // those of them that are clips, for render (take_videos)
   std::optional<std::pair<int, int>> frames;   // --frames A-B: first and last frame, counted from 1
   std::optional<std::pair<int, int>> size_px;  // --size WxH
   std::optional<Quality> quality;              // --quality
@@ -31,7 +33,8 @@ struct Options {
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::vector<std::string> beside;             // --beside real,comic, for render
   bool has_scenes = false;                     // --keep-scenes, for render
-  std::uintmax_t store_bytes = 2'000'000'000;  // --store, for render: what pictures that it does not show may take
+  std::uintmax_t store_bytes =
+      2'000'000'000;  // --store, for render: what pictures that it does not show may take
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

@@ -51,8 +51,7 @@ std::vector<std::string> join_keys(const std::vector<std::vector<std::string>>& 
   return keys;
 }
 
-void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
-                   const std::vector<std::string>& keys) {
+void join_pictures(const std::vector<Clip>& parts, const Clip& whole, const std::vector<std::string>& keys) {
   const FramePlan& plan = whole.plan;
   const RenderSpec& render = whole.spec.render;
   for (std::size_t i = 0; i < plan.drawings.size(); ++i) {

@@ -22,7 +22,6 @@ std::vector<std::string> join_keys(const std::vector<std::vector<std::string>>& 
 
 // Pastes the pictures of `parts`, which have been rendered, into those of `whole`, from left to right, but
 // for those that are there already with their key.
-void join_pictures(const std::vector<Clip>& parts, const Clip& whole,
-                   const std::vector<std::string>& keys);
+void join_pictures(const std::vector<Clip>& parts, const Clip& whole, const std::vector<std::string>& keys);
 
 }  // namespace mien

@@ -53,6 +53,7 @@ Clip plan_clip(const Options& options, const Language& language) {
   Clip clip = open_clip(options, language);
   plan_drawings(clip, options.frames);
   clip.files = {find_output(options, clip.spec), clip.spec.name};
+  clip.videos = options.videos;
   return clip;
 }
 

@@ -40,7 +40,8 @@ struct Clip {
   std::vector<Actor> actors;
   FramePlan plan;
   ClipFiles files;
-  int frame_count = 0;  // of the whole clip, whatever --frames says
+  int frame_count = 0;                             // of the whole clip, whatever --frames says
+  std::vector<std::filesystem::path> videos = {};  // that -o names; none: NAME.mp4 in the folder
 };
 
 // The people of a file that was read, without a plan of frames: for one moment.

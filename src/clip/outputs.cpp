@@ -13,6 +13,7 @@
 #include "clip/trace.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
+#include "render/video_kind.hpp"
 
 namespace mien {
 
@@ -102,6 +103,18 @@ void check_old_file(const OutputFile& file, const std::optional<Identity>& ident
   if (is_own_data(file.path)) fail_output(file, "it belongs to mien's own data; expected another name");
 }
 
+// The clip's own, in its folder.
+void add_videos(const Clip& clip, std::vector<fs::path>& files) {
+  if (clip.videos.empty()) files.push_back(list_video_paths(clip).front().filename());
+}
+
+// Those that -o names, anywhere.
+void check_videos(const Clip& clip) {
+  std::vector<OutputFile> files;
+  for (const fs::path& video : clip.videos) files.push_back({"-o", video});
+  check_output_files(files, clip.spec);
+}
+
 void check_folder(const OutputFile& folder) {
   std::error_code ignored;
   const fs::file_status status = fs::status(folder.path, ignored);
@@ -110,6 +123,23 @@ void check_folder(const OutputFile& folder) {
 }
 
 }  // namespace
+
+Options take_videos(const Options& asked) {
+  Options options = asked;
+  options.output.reset();
+  for (const fs::path& path : asked.outputs)
+    if (is_video_name(path) && !fs::is_directory(path))
+      options.videos.push_back(path);
+    else if (has_file_ending(path))
+      fail_output(
+          {"-o", path},
+          fmt::format(
+              "expected a folder or a clip, whose name ends in {}; '{}' is the ending of another file",
+              join_endings(list_video_endings()), path.extension().string()));
+    else
+      options.output = path;
+  return options;
+}
 
 OutputFile find_output_file(const Options& options, const fs::path& otherwise) {
   return options.output ? OutputFile{"-o", *options.output} : OutputFile{"", otherwise};
@@ -165,8 +195,10 @@ void check_output_folder(const Options& options, const fs::path& folder, const s
 }
 
 void check_sketch_folder(const Options& options, const Clip& clip) {
-  check_output_folder(options, clip.files.folder, {kSketchManifest, find_video_path(clip).filename()},
-                      clip.spec);
+  std::vector<fs::path> all{kSketchManifest};
+  add_videos(clip, all);
+  check_output_folder(options, clip.files.folder, all, clip.spec);
+  check_videos(clip);
 }
 
 void check_clip_folder(const Options& options, const Clip& clip, bool has_pictures) {
@@ -178,16 +210,19 @@ void check_clip_folder(const Options& options, const Clip& clip, bool has_pictur
     all.push_back(files.scenes() / name_heads(frame));
     if (has_pictures) all.push_back(files.picture(frame));
   }
-  if (has_pictures)
+  if (has_pictures) {
     for (const fs::path& path :
-         {fs::path("manifest.json"), find_video_path(clip).filename(), find_preview_path(clip).filename(),
-          fs::path("poster.png")})
+         {fs::path("manifest.json"), find_preview_path(clip).filename(), fs::path("poster.png")})
       all.push_back(path);
+    add_videos(clip, all);
+  }
   check_output_folder(options, clip.files.folder, all, clip.spec);
-  if (has_pictures)
+  if (has_pictures) {
     check_folder({"", find_store(clip).folder});
-  else
+    check_videos(clip);
+  } else {
     check_folder({"", clip.files.folder / "frames"});
+  }
 }
 
 }  // namespace mien

@@ -17,6 +17,10 @@ struct OutputFile {
   std::filesystem::path path;
 };
 
+// For a command that makes clips: of all that -o names those that end as clips do are `videos`, and the last
+// of the others is the folder. Throws InputError for a name that ends as other files do.
+Options take_videos(const Options& asked);
+
 // What -o names, else `otherwise`.
 OutputFile find_output_file(const Options& options, const std::filesystem::path& otherwise);
 

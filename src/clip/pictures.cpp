@@ -63,23 +63,30 @@ std::string build_manifest(const Clip& clip, const std::vector<std::string>& key
   return manifest.dump(1) + "\n";
 }
 
-fs::path find_video_path(const Clip& clip) {
+namespace {
+
+std::string name_clip(const Clip& clip) {
   const std::vector<int>& frames = clip.plan.frames;
   const bool is_whole = static_cast<int>(frames.size()) == clip.frame_count;
   const std::string name = clip.files.name + (is_sketch(clip.spec.render) ? "_sketch" : "");
-  return clip.files.folder /
-         (is_whole ? name + ".mp4" : fmt::format("{}_{}-{}.mp4", name, frames.front(), frames.back()));
+  return is_whole ? name : fmt::format("{}_{}-{}", name, frames.front(), frames.back());
+}
+
+}  // namespace
+
+std::vector<fs::path> list_video_paths(const Clip& clip) {
+  if (!clip.videos.empty()) return clip.videos;
+  return {clip.files.folder / (name_clip(clip) + ".mp4")};
 }
 
 fs::path find_preview_path(const Clip& clip) {
-  fs::path path = find_video_path(clip);
-  return path.replace_filename(path.stem().string() + "_preview.mp4");
+  return clip.files.folder / (name_clip(clip) + "_preview.mp4");
 }
 
-void write_clip_video(const Clip& clip) {
+void write_clip_videos(const Clip& clip) {
   std::vector<fs::path> pictures;
   for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
-  write_video(pictures, clip.spec.clip.fps, find_video_path(clip));
+  for (const fs::path& video : list_video_paths(clip)) write_video(pictures, clip.spec.clip.fps, video);
 }
 
 void write_poster(const Clip& clip, const fs::path& path) {

@@ -22,19 +22,19 @@ void repeat_pictures(const Clip& clip);
 // What was made, for other programs: the text of manifest.json, with the key of each drawing's picture.
 std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys);
 
-// The files that end a clip: NAME.mp4, of all frames, or NAME_A-B.mp4 of those asked for; of sketches
-// NAME_sketch.mp4.
-std::filesystem::path find_video_path(const Clip& clip);
+// The files that end a clip: those that -o names, else NAME.mp4, of all frames, or NAME_A-B.mp4 of those
+// asked for; of sketches NAME_sketch.mp4.
+std::vector<std::filesystem::path> list_video_paths(const Clip& clip);
 
 // NAME_preview.mp4: what there is of a clip while it is rendered.
 std::filesystem::path find_preview_path(const Clip& clip);
 
-// The whole clip, of which `is_there` says what drawings have their pictures: one at least. Each is held until
-// the next that is there.
+// The whole clip, of which `is_there` says what drawings have their pictures: one at least. Each is held
+// until the next that is there.
 void write_preview(const Clip& clip, const std::vector<bool>& is_there);
 
-// Joins the frames asked for into find_video_path, and copies the one nearest to the poster's.
-void write_clip_video(const Clip& clip);
+// Joins the frames asked for into each of list_video_paths, and copies the one nearest to the poster's.
+void write_clip_videos(const Clip& clip);
 void write_poster(const Clip& clip, const std::filesystem::path& path);
 
 }  // namespace mien

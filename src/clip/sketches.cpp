@@ -233,7 +233,7 @@ std::string build_sketch_manifest(const Clip& clip) {
   manifest["name"] = clip.files.name;
   manifest["title"] = clip.spec.title;
   manifest["quality"] = "sketch";
-  manifest["clip"] = find_video_path(clip).filename().string();
+  manifest["clip"] = list_video_paths(clip).front().filename().string();
   manifest["fps"] = clip.spec.clip.fps;
   manifest["frames"] = clip.plan.frames.size();
   manifest["drawings"] = clip.plan.drawings.size();
@@ -242,15 +242,18 @@ std::string build_sketch_manifest(const Clip& clip) {
   return manifest.dump(1) + "\n";
 }
 
-SketchVideo start_sketch_video(const Clip& clip) {
-  const RenderSpec& render = clip.spec.render;
-  return {&clip, start_video({render.width_px, render.height_px}, clip.spec.clip.fps, find_video_path(clip))};
+SketchVideos start_sketch_videos(const Clip& clip) {
+  SketchVideos videos{&clip, {}};
+  for (const std::filesystem::path& path : list_video_paths(clip))
+    videos.streams.push_back(start_video(find_size(clip), clip.spec.clip.fps, path));
+  return videos;
 }
 
-void append_drawing(SketchVideo& video, std::size_t drawing, const Pixels& picture) {
-  const FramePlan& plan = video.clip->plan;
+void append_drawing(SketchVideos& videos, std::size_t drawing, const Pixels& picture) {
+  const FramePlan& plan = videos.clip->plan;
   for (std::size_t i = 0; i < plan.frames.size(); ++i)
-    if (plan.drawn_as[i] == plan.drawings[drawing]) append_frame(video.stream, picture);
+    if (plan.drawn_as[i] == plan.drawings[drawing])
+      for (VideoStream& stream : videos.streams) append_frame(stream, picture);
 }
 
 }  // namespace mien

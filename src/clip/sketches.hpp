@@ -45,12 +45,12 @@ void sketch_drawings(const std::vector<Staged>& parts, const Resources& resource
 // What was made, for other programs: the text of manifest_sketch.json.
 std::string build_sketch_manifest(const Clip& clip);
 
-// Joins drawings, as sketch_drawings gives them, to the video of the frames asked for.
-struct SketchVideo {
+// Joins drawings, as sketch_drawings gives them, to the videos of the frames asked for.
+struct SketchVideos {
   const Clip* clip = nullptr;
-  VideoStream stream;
+  std::vector<VideoStream> streams;
 };
-SketchVideo start_sketch_video(const Clip& clip);
-void append_drawing(SketchVideo& video, std::size_t drawing, const Pixels& picture);
+SketchVideos start_sketch_videos(const Clip& clip);
+void append_drawing(SketchVideos& videos, std::size_t drawing, const Pixels& picture);
 
 }  // namespace mien

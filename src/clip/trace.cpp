@@ -44,8 +44,7 @@ void show_drawing(const TraceRun& run, std::size_t drawing) {
 // A frame may have what the store has lost.
 void take_back(const TraceRun& run, std::size_t drawing) {
   const fs::path shown = find_shown(run, drawing);
-  if (read_picture_key(shown) == run.keys[drawing])
-    show_picture(shown, run.store.picture(run.keys[drawing]));
+  if (read_picture_key(shown) == run.keys[drawing]) show_picture(shown, run.store.picture(run.keys[drawing]));
 }
 
 const fs::path& open_work(TraceRun& run) {
@@ -104,7 +103,8 @@ void find_pictures(TraceRun& run, int jobs, const SceneWritten& computed) {
     const std::size_t drawing = run.scenes.groups.order[turn];
     const SceneText scene = build_scene(run.scenes, drawing, worker);
     run.keys[drawing] = scene.key;
-    if (is_kept && !has_picture(run.store, scene.key)) write_scene(scene, run.work->path, name_scene(run, drawing));
+    if (is_kept && !has_picture(run.store, scene.key))
+      write_scene(scene, run.work->path, name_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
   run.is_there.assign(count, false);
@@ -138,8 +138,8 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
       show_drawing(run, drawing);
       hooks.done(frame, true);
     } else if (by_key.at(run.keys[drawing]).front() == drawing) {
-      frames.push_back({frame, open_work(run) / name_scene(run, drawing), run.store.picture(run.keys[drawing]),
-                        run.keys[drawing]});
+      frames.push_back({frame, open_work(run) / name_scene(run, drawing),
+                        run.store.picture(run.keys[drawing]), run.keys[drawing]});
       frames.back().told_scene = clip.files.scene(frame);
     }
   }
@@ -178,8 +178,7 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
     write_file(clip.files.scenes() / kHeadInclude, run.scenes.include);
     write(job, clip.files.scenes());
   };
-  if (!frames.empty())
-    render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
+  if (!frames.empty()) render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
   repeat_pictures(clip);
   trim_store(run.store, {run.keys.begin(), run.keys.end()});
 }

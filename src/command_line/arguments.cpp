@@ -33,8 +33,14 @@ void add_options(CLI::App& app, const CommandInfo& command, TypedValues& values)
     const std::string name(option->name);
     const std::string flags = option->letter ? fmt::format("-{},--{}", option->letter, name) : "--" + name;
     const auto keep = [&values, name](const std::string& value) { values[name] = value; };
+    const auto gather = [&values, name](const std::vector<std::string>& all) {
+      values[name] = all.back();
+      values[std::string(kAllOutputs)] = fmt::format("{}", fmt::join(all, std::string(1, kBetweenOutputs)));
+    };
     if (option->value.empty())
       app.add_flag_callback(flags, [keep] { keep({}); });
+    else if (name == "output")
+      app.add_option_function<std::vector<std::string>>(flags, gather)->take_all()->allow_extra_args(false);
     else
       app.add_option_function<std::string>(flags, keep)->take_last()->type_name(std::string(option->value));
   }

@@ -141,6 +141,14 @@ std::string read_store(const std::string& text, Options& options) {
   return "is not a size such as 2GB or 500MB";
 }
 
+void read_outputs(const std::string& text, Options& options) {
+  std::size_t from = 0;
+  for (std::size_t to = 0; to != text.npos; from = to + 1) {
+    to = text.find(kBetweenOutputs, from);
+    options.outputs.emplace_back(text.substr(from, to == text.npos ? to : to - from));
+  }
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -165,8 +173,8 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "json") options.is_json = true;
   if (name == "open") options.is_opened = true;
   if (name == "read-only") options.is_read_only = true;
-  for (const char* flag :
-       {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open", "read-only", "keep-scenes"})
+  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open",
+                           "read-only", "keep-scenes"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;
@@ -191,7 +199,9 @@ std::string suggest(const std::string& word, const std::vector<std::string>& nam
 Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistakes) {
   Options options;
   for (const auto& [name, text] : typed)
-    if (const std::string wrong = read_value(name, text, options); !wrong.empty())
+    if (name == kAllOutputs)
+      read_outputs(text, options);
+    else if (const std::string wrong = read_value(name, text, options); !wrong.empty())
       add_mistake(mistakes, fmt::format("--{}: '{}' {}", name, text, wrong));
   if (typed.contains("at") && typed.contains("express"))
     add_mistake(mistakes, "--at and --express ask for two things; give one of them");

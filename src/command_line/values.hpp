@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/error.hpp"
@@ -12,6 +13,10 @@ namespace mien {
 
 // By an option's long name; a flag's value is empty.
 using TypedValues = std::map<std::string, std::string>;
+
+// Under this name all values of --output, with kBetweenOutputs between them.
+inline constexpr std::string_view kAllOutputs = "outputs";
+inline constexpr char kBetweenOutputs = '\0';
 
 // A mistake with no place but the command line.
 void add_mistake(std::vector<Diagnostic>& mistakes, std::string message);

@@ -48,8 +48,9 @@ void run_clean(const Options& options) {
   for (const LookWord& design : language->words.designs) clean_clip(options, folder / design.name, cleaned);
   if (options.is_quiet) return;
   if (options.is_json)
-    fmt::print("{}\n", format_object(nlohmann::ordered_json{
-                           {"cleaned", folder.string()}, {"files", cleaned.files}, {"bytes", cleaned.bytes}}));
+    fmt::print("{}\n",
+               format_object(nlohmann::ordered_json{
+                   {"cleaned", folder.string()}, {"files", cleaned.files}, {"bytes", cleaned.bytes}}));
   else
     fmt::print("cleaned  {}: {} file{}, {:.1f} MB\n", folder.string(), cleaned.files,
                cleaned.files == 1 ? "" : "s", static_cast<double>(cleaned.bytes) / 1e6);
@@ -62,7 +63,8 @@ const CommandInfo command_clean{
     "Pictures",
     "FILE",
     "empties the store of drawings of out/NAME/",
-    "Removes what can be made again: the store of drawings, the numbered frames, which are names of the same\n"
+    "Removes what can be made again: the store of drawings, the numbered frames, which are names of the "
+    "same\n"
     "pictures, and scenes. Clips, posters, manifests, busts and all that is not mien's own stay.",
     "",
     "mien clean configs/hello.yaml",

@@ -70,8 +70,8 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
 
 void finish_clip(const Options& options, const Clip& clip, const std::vector<std::string>& keys) {
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
-  write_clip_video(clip);
-  report_result(options, "clip", find_video_path(clip));
+  write_clip_videos(clip);
+  for (const fs::path& video : list_video_paths(clip)) report_result(options, "clip", video);
   const fs::path poster = clip.files.folder / "poster.png";
   write_poster(clip, poster);
   report_result(options, "poster", poster);
@@ -101,7 +101,8 @@ void check_folders(const Options& options, const ClipParts& planned) {
   for (const Clip& part : planned.parts) check_clip_folder(options, part, true);
 }
 
-void run_render(const Options& options) {
+void run_render(const Options& asked) {
+  const Options options = take_videos(asked);
   const Resources resources = load_resources(find_data_folder());
   const ClipParts planned = plan_parts(options, resources);
   check_folders(options, planned);
@@ -127,10 +128,12 @@ const CommandInfo command_render{
     "once is kept in a store: after an interruption the same command goes on where it stopped, and keys\n"
     "that are moved, repeated or cut trace nothing that exists. --beside puts the performance on several\n"
     "designs of the head, side by side. With --quality sketch mien draws the frames itself, in a fraction\n"
-    "of the time, and leaves NAME_sketch.mp4 and nothing else.",
+    "of the time, and leaves NAME_sketch.mp4 and nothing else. -o names the folder, or the clip itself by\n"
+    "its ending: .mp4, .webm, .mov (ProRes 4444), .gif, .webp or .apng; several clips may be asked for.",
     "beside keep-scenes store",
     "mien render configs/hello.yaml --quality sketch\nmien render configs/hello.yaml\n"
     "mien render configs/hello.yaml --quality draft --size 240x300\n"
+    "mien render configs/hello.yaml -o hello.webm -o hello.gif\n"
     "mien render configs/unison.yaml --beside real,comic",
     run_render};
 

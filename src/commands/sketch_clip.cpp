@@ -32,16 +32,16 @@ void sketch_clip(const Options& options, const ClipParts& planned, const std::ve
   }
   const Clip whole = widen_clip(planned.clip, staged.size());
   Progress progress = start_progress(options, "sketches", whole.plan.drawings.size());
-  SketchVideo video = start_sketch_video(whole);
+  SketchVideos videos = start_sketch_videos(whole);
   sketch_drawings(staged, resources, count_jobs(options), store,
                   [&](std::size_t drawing, const Pixels& picture, bool was_kept) {
-                    append_drawing(video, drawing, picture);
+                    append_drawing(videos, drawing, picture);
                     progress.advance(was_kept, whole.plan.drawings[drawing]);
                   });
   progress.finish();
-  finish_video(video.stream);
+  for (VideoStream& stream : videos.streams) finish_video(stream);
   write_file(whole.files.folder / kSketchManifest, build_sketch_manifest(whole));
-  report_result(options, "clip", find_video_path(whole));
+  for (const std::filesystem::path& video : list_video_paths(whole)) report_result(options, "clip", video);
 }
 
 }  // namespace mien

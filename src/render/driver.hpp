@@ -24,7 +24,7 @@ struct FrameJob {
   std::filesystem::path scene;    // the frame's .pov; its folder is searched for #include first
   std::filesystem::path picture;  // the .png to make
   std::string key;  // hash of all that the pixels depend on; kept inside the PNG; empty: render always
-  std::vector<TracedFile> files = {};  // those that the key speaks of
+  std::vector<TracedFile> files = {};     // those that the key speaks of
   std::filesystem::path told_scene = {};  // where the scene lies when all is over, if that is elsewhere
 };
 
@@ -42,7 +42,8 @@ using FrameDone = std::function<void(int frame_number, bool was_kept)>;
 struct FrameHooks {
   FrameDone done;
   std::function<void(const FrameJob& job)> prepare = {};  // just before a frame is traced: writes its scene
-  std::function<void(const FrameJob& job)> failed = {};   // once for each frame that failed, before that is told
+  std::function<void(const FrameJob& job)> failed =
+      {};  // once for each frame that failed, before that is told
 };
 
 // Renders what is missing or stale. Each frame: povray into a WorkFolder beside the first picture, checked

@@ -41,8 +41,7 @@ std::vector<StoredFile> list_stored(const PictureStore& store) {
 bool is_stored_file(const std::string& name) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   constexpr std::size_t kKeySize = 16;
-  return name.size() == kKeySize + 4 && name.ends_with(".png") &&
-         name.find_first_not_of(kDigits) == kKeySize;
+  return name.size() == kKeySize + 4 && name.ends_with(".png") && name.find_first_not_of(kDigits) == kKeySize;
 }
 
 bool has_picture(const PictureStore& store, const std::string& key) {

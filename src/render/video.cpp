@@ -1,29 +1,20 @@
-// ffmpeg 5.1: image2 demuxer, libx264, mov muxer (ffmpeg-formats(1), ffmpeg-codecs(1)). Its exit status is no
+// ffmpeg 5.1: image2 and rawvideo demuxers (ffmpeg-formats(1)). Its exit status is no
 // proof: a gap in the numbers or an empty picture shortens the clip silently, so pictures are judged before
 // and the clip's frames are counted after.
 #include "render/video.hpp"
 
 #include <fmt/format.h>
 
-#include <map>
+#include <algorithm>
+#include <cctype>
 #include <string>
 
 #include "core/error.hpp"
+#include "render/video_kind.hpp"
 
 namespace mien {
 
 namespace {
-
-constexpr const char* kClipName = "clip.mp4";
-
-// Constant quality: at 18 flat backgrounds begin to show bands, below 14 files grow with nothing to see for
-// it.
-constexpr int kQuality_crf = 16;
-constexpr int kSketchQuality_crf = 20;  // of what is looked at once
-
-// The encoder's bytes depend on the number of its threads, so it never is the machine's. More than 4 gain
-// little on pictures of this height.
-constexpr int kThreads = 4;
 
 // What ffmpeg may still have wanted to write when it failed; enough to notice a full disk.
 constexpr std::size_t kDiskProbe = 1 << 20;  // bytes
@@ -57,57 +48,27 @@ void link_pictures(const std::vector<std::filesystem::path>& pictures, const std
   }
 }
 
-// RGB to YUV by bt709's matrix, the same on every processor; odd sides get their last row or column twice,
-// since yuv420p halves both.
-std::string build_filters(const PictureSize& size) {
-  const int right = size.width_px % 2, bottom = size.height_px % 2;
-  std::string filters;
-  if (right != 0 || bottom != 0)
-    filters = fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,", size.width_px + right,
-                          size.height_px + bottom, right, bottom);
-  return filters +
-         "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,"
-         "format=yuv420p";
+// In the work folder; a clip whose name has letters that ffmpeg would read as a pattern is called this too.
+std::string name_made(const std::filesystem::path& clip) {
+  std::string ending = clip.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return "clip" + ending;
 }
 
-// What ffmpeg reads, and how long it may think about a picture.
+// What ffmpeg reads, and whether it is for a look.
 struct VideoSource {
   std::vector<std::string> input;
-  std::string preset;
-  int quality_crf = kQuality_crf;
+  bool is_sketch = false;
 };
 
-std::vector<std::string> build_command(const VideoSource& source, const PictureSize& size, int fps) {
+std::vector<std::string> build_command(const VideoSource& source, const PictureSize& size, int fps,
+                                       const std::filesystem::path& clip) {
   std::vector<std::string> command{"ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-y"};
   command.insert(command.end(), source.input.begin(), source.input.end());
-  const std::vector<std::string> output{
-      "-vf", build_filters(size), "-map_metadata", "-1",
-      // One key frame a second, so that players step and seek fast.
-      "-c:v", "libx264", "-preset", source.preset, "-crf", std::to_string(source.quality_crf), "-g",
-      std::to_string(fps),
-      // cpu-independent: the same bytes whatever vector instructions the processor has.
-      "-x264-params", "cpu-independent=1", "-threads", std::to_string(kThreads), "-colorspace", "bt709",
-      "-color_primaries", "bt709", "-color_trc", "bt709", "-color_range", "tv", "-movflags", "+faststart",
-      "-fflags", "+bitexact", "-flags:v", "+bitexact", kClipName};
+  const std::vector<std::string> output = list_encoder_options(clip, size, fps, source.is_sketch);
   command.insert(command.end(), output.begin(), output.end());
+  command.push_back(name_made(clip));
   return command;
-}
-
-void check_frame_count(const std::filesystem::path& folder, std::size_t expected,
-                       const std::filesystem::path& clip) {
-  const std::vector<std::string> command{"ffprobe",       "-v",
-                                         "error",         "-select_streams",
-                                         "v:0",           "-count_frames",
-                                         "-show_entries", "stream=nb_read_frames",
-                                         "-of",           "csv=p=0",
-                                         kClipName};
-  const ProcessResult result = run_process(command, folder);
-  if (result.exit_code != 0)
-    throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
-  const std::string found = result.output.substr(0, result.output.find('\n'));
-  if (found != std::to_string(expected))
-    throw RunError(
-        fmt::format("ffmpeg made a clip of {} frames, not {}: {}", found, expected, clip.string()));
 }
 
 void check_encoder(const ProcessResult& result, const std::vector<std::string>& command,
@@ -118,12 +79,25 @@ void check_encoder(const ProcessResult& result, const std::vector<std::string>& 
                                 quote_command(command), result.output));
 }
 
-void place_clip(const std::filesystem::path& folder, std::size_t frame_count,
+struct VideoFacts {
+  PictureSize size;
+  int fps = 24;
+  std::size_t frame_count = 0;
+};
+
+void place_clip(const std::filesystem::path& folder, const VideoFacts& facts,
                 const std::filesystem::path& clip) {
-  check_frame_count(folder, frame_count, clip);
+  const std::string fault =
+      find_video_fault(folder, name_made(clip), facts.size, facts.fps, facts.frame_count);
+  if (!fault.empty()) throw RunError(fmt::format("{}: {}", fault, clip.string()));
   std::error_code error;
-  std::filesystem::rename(folder / kClipName, clip, error);
+  std::filesystem::rename(folder / name_made(clip), clip, error);
   if (error) throw RunError(fmt::format("cannot write {}: {}", clip.string(), error.message()));
+}
+
+// Where a half-made clip lies: beside its place.
+std::filesystem::path find_parent(const std::filesystem::path& clip) {
+  return clip.has_parent_path() ? clip.parent_path() : ".";
 }
 
 }  // namespace
@@ -131,23 +105,21 @@ void place_clip(const std::filesystem::path& folder, std::size_t frame_count,
 void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
                  const std::filesystem::path& clip) {
   const PictureSize size = check_pictures(pictures);
-  const WorkFolder work(clip.parent_path());
+  const WorkFolder work(find_parent(clip));
   link_pictures(pictures, work.path);
   const std::vector<std::string> command = build_command(
-      {{"-framerate", std::to_string(fps), "-start_number", "1", "-i", "%06d.png"}, "slow", kQuality_crf},
-      size, fps);
+      {{"-framerate", std::to_string(fps), "-start_number", "1", "-i", "%06d.png"}, false}, size, fps, clip);
   check_encoder(run_process(command, work.path), command, work.path, clip);
-  place_clip(work.path, pictures.size(), clip);
+  place_clip(work.path, {size, fps, pictures.size()}, clip);
 }
 
 VideoStream start_video(const PictureSize& size, int fps, const std::filesystem::path& clip) {
-  VideoStream video{clip, size, 0, {}, std::make_unique<WorkFolder>(clip.parent_path()), {}};
+  VideoStream video{clip, size, fps, 0, {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
   video.command = build_command(
       {{"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
         fmt::format("{}x{}", size.width_px, size.height_px), "-framerate", std::to_string(fps), "-i", "-"},
-       "veryfast",
-       kSketchQuality_crf},
-      size, fps);
+       true},
+      size, fps, clip);
   std::erase(video.command, "-nostdin");
   video.encoder = start_fed_process(video.command, video.work->path);
   return video;
@@ -170,7 +142,7 @@ void finish_video(VideoStream& video) {
   close_input(video.encoder);
   wait_for_any({&video.encoder});
   check_encoder(video.encoder.result, video.command, video.work->path, video.clip);
-  place_clip(video.work->path, video.frame_count, video.clip);
+  place_clip(video.work->path, {video.size, video.fps, video.frame_count}, video.clip);
 }
 
 }  // namespace mien

@@ -12,9 +12,10 @@
 
 namespace mien {
 
-// frames/f0001.png.. -> an H.264 MP4 that plays everywhere: yuv420p, bt709 tags, faststart, sides padded to
-// even. `pictures` are in order; a drawing held for two frames is named twice. Verified with ffprobe: throws
-// RunError if the clip has not pictures.size() frames. Written beside and renamed.
+// Pictures -> a clip of the kind that its name ends in (video_kind.hpp): an .mp4 plays everywhere (H.264,
+// yuv420p, bt709 tags, faststart, sides padded to even). `pictures` are in order; a drawing held for two
+// frames is named twice. Verified: throws RunError if the clip has not pictures.size() frames of their size
+// at this rate. Written beside and renamed.
 void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
                  const std::filesystem::path& clip);
 
@@ -23,6 +24,7 @@ void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
 struct VideoStream {
   std::filesystem::path clip;
   PictureSize size;
+  int fps = 24;
   std::size_t frame_count = 0;
   std::vector<std::string> command;
   std::unique_ptr<WorkFolder> work;

@@ -123,7 +123,16 @@ TEST(outputs, end_as_their_kind_does) {
       {"mesh a.yaml --half -o m.stl",
        "-o m.stl: unknown kind of mesh '.stl'; expected a name that ends in .obj"},
       {"new x.png", "x.png: unknown kind of file '.png'; expected a name that ends in .yaml or .yml"}};
-  for (const char* command : {"render", "frames", "bust"})
+  for (const char* name : {"out/a.png", "m.stl", "a.yaml", "old.avi"})
+    cases.push_back(
+        {fmt::format("render a.yaml -o ok.mp4 -o {}", name),
+         fmt::format(
+             "-o {}: expected a folder or a clip, whose name ends in .mp4, .webm, .mov, .gif, .webp or "
+             ".apng; '{}' is the ending of another file",
+             name, fs::path(name).extension().string())});
+  cases.push_back(
+      {"render a.yaml -o ok.mp4 -o ./ok.mp4", "-o ./ok.mp4: it is -o ok.mp4 too; expected two files"});
+  for (const char* command : {"frames", "bust"})
     for (const char* name : {"clip.gif", "clip.MP4", "out/a.png", "m.stl", "a.yaml"})
       cases.push_back({fmt::format("{} a.yaml -o {}", command, name),
                        fmt::format("-o {}: expected the name of a folder; '{}' is the ending of a file", name,

@@ -23,7 +23,7 @@ const std::filesystem::path& find_rendered() {
   static const std::filesystem::path kFolder = [] {
     const auto folder = make_folder("render");
     write_file(folder / "tiny.yaml", kTinyClip);
-    const ProgramRun run = run_shell(folder, "mien render tiny.yaml --jobs 1");
+    const ProgramRun run = run_shell(folder, "mien render tiny.yaml --jobs 1 --keep-scenes");
     EXPECT_EQ(run.status, 0) << run.err;
     EXPECT_NE(run.out.find("out/tiny/tiny.mp4"), std::string::npos) << run.out;
     return folder;
@@ -102,7 +102,7 @@ TEST(render, writes_the_same_with_one_job_and_with_four) {
   const auto one = find_rendered();
   const auto four = make_folder("render_jobs_4");
   write_file(four / "tiny.yaml", kTinyClip);
-  const ProgramRun run = run_shell(four, "mien render tiny.yaml --jobs 4");
+  const ProgramRun run = run_shell(four, "mien render tiny.yaml --jobs 4 --keep-scenes");
   ASSERT_EQ(run.status, 0) << run.err;
   ASSERT_EQ(list_files(one), list_files(four));
   for (const std::string& file : list_files(one / "out/tiny/scenes"))
@@ -126,7 +126,7 @@ TEST(render, puts_designs_beside_each_other) {
   const auto folder = make_folder("beside");
   write_file(folder / "tiny.yaml", kTinyClip);
   write_file(folder / "out/tiny/real/frames/f0001.png.4711.part", "of a run that was killed");
-  const std::string command = "mien render tiny.yaml --beside real,comic --jobs 2";
+  const std::string command = "mien render tiny.yaml --beside real,comic --jobs 2 --keep-scenes";
   const ProgramRun run = run_shell(folder, command);
   ASSERT_EQ(run.status, 0) << run.err;
   const auto out = folder / "out/tiny";

@@ -46,10 +46,11 @@ TEST(resume, renders_only_what_is_missing_damaged_or_changed) {
   EXPECT_NE(other.at("f0003.png"), mended.at("f0003.png"));
 
   // Of the same shape: the scenes stay what they are.
+  ASSERT_EQ(run_shell(folder, "mien frames tiny.yaml").status, 0);
+  const std::string scene = read_file(folder / "out/tiny/scenes/f0001.pov");
   changed.replace(changed.find("48x60"), 5, "96x120");
   write_file(folder / "tiny.yaml", changed);
-  const std::string scene = read_file(folder / "out/tiny/scenes/f0001.pov");
-  ASSERT_EQ(run_shell(folder, "mien render tiny.yaml").status, 0);
+  ASSERT_EQ(run_shell(folder, "mien render tiny.yaml --keep-scenes").status, 0);
   EXPECT_EQ(read_file(folder / "out/tiny/scenes/f0001.pov"), scene);
   for (const std::string& frame : list_files(frames)) {
     EXPECT_EQ(read_picture_size(frames / frame).width_px, 96) << frame;

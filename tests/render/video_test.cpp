@@ -8,6 +8,7 @@
 #include "render/picture.hpp"
 #include "render/process.hpp"
 #include "render/scratch.hpp"
+#include "render/video_kind.hpp"
 
 namespace mien {
 namespace {
@@ -172,6 +173,60 @@ TEST(video, says_what_is_wrong_with_a_stream) {
             "a picture of 24x32 pixels for a clip of 32x24");
   VideoStream empty = start_video({32, 24}, 24, reel.scratch.path / "empty.mp4");
   EXPECT_EQ(find_message<RunError>([&] { finish_video(empty); }), "a clip needs one picture at least");
+}
+
+// What ffprobe says of a clip of each kind, and of WebP, which it cannot read, what its chunks say.
+TEST(video, is_of_the_kind_that_its_name_ends_in) {
+  const Reel reel(3, 33, 25);
+  const auto& p = reel.pictures;
+  const auto read = [&](const char* name) {
+    const std::filesystem::path clip = reel.scratch.path / name;
+    write_video({p[0], p[0], p[1], p[2], p[2]}, 24, clip);
+    const std::string once = read_file(clip);
+    write_video({p[0], p[0], p[1], p[2], p[2]}, 24, clip);
+    EXPECT_EQ(read_file(clip), once) << name << ": the same pictures are the same bytes";
+    return run_process(
+               {"ffprobe", "-v", "error", "-count_frames", "-show_entries",
+                "stream=codec_name,width,height,pix_fmt,color_space,nb_read_frames", "-of", "csv=p=0", name},
+               reel.scratch.path)
+        .output;
+  };
+  EXPECT_EQ(read("clip.mp4"), "h264,34,26,yuv420p,bt709,5\n");
+  EXPECT_EQ(read("clip.webm"), "vp9,34,26,yuv420p,bt709,5\n");
+  EXPECT_THAT(read("clip.MOV"), testing::MatchesRegex("prores,33,25,yuv444p1[02]le,[a-z0-9]+,5\n"));
+  EXPECT_THAT(read("clip.gif"), testing::MatchesRegex("gif,33,25,bgra,[a-z]+,5\n"));
+  EXPECT_THAT(read("clip.apng"), testing::MatchesRegex("apng,33,25,rgb24,[a-z]+,5\n"));
+  read("clip.webp");
+  const std::string webp = read_file(reel.scratch.path / "clip.webp");
+  EXPECT_EQ(webp.substr(0, 4) + webp.substr(8, 4), "RIFFWEBP");
+  EXPECT_NE(webp.find("ANIM"), webp.npos);
+}
+
+TEST(video, of_one_picture_is_made_in_every_kind) {
+  const Reel reel(1);
+  for (const std::string& ending : list_video_endings())
+    EXPECT_NO_THROW(write_video(reel.pictures, 24, reel.scratch.path / ("one" + ending))) << ending;
+}
+
+TEST(video, is_judged_by_size_rate_and_count) {
+  const Reel reel(3);
+  for (const std::string& ending : list_video_endings()) {
+    const std::string name = "clip" + ending;
+    write_video(reel.pictures, 24, reel.scratch.path / name);
+    const auto find = [&](const PictureSize& size, int fps, std::size_t count) {
+      return find_video_fault(reel.scratch.path, name, size, fps, count);
+    };
+    EXPECT_EQ(find({32, 24}, 24, 3), "") << name;
+    EXPECT_EQ(find({30, 24}, 24, 3), "ffmpeg made a clip of 32x24 pixels, not 30x24") << name;
+    EXPECT_NE(find({32, 24}, 24, 4), "") << name;
+    if (ending != ".gif") EXPECT_NE(find({32, 24}, 12, 3), "") << name;
+  }
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {32, 24}, 24, 9),
+            "ffmpeg made a clip of 3 frames, not 9");
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {32, 24}, 25, 3),
+            "ffmpeg made a clip of 24/1 frames a second, not 25");
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.webp", {32, 24}, 24, 9),
+            "ffmpeg made a clip of 125 ms, not 375");
 }
 
 }  // namespace

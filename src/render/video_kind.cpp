@@ -1,0 +1,200 @@
+// ffmpeg 5.1: libx264, libvpx-vp9, prores_ks, gif, libwebp_anim and apng (ffmpeg-codecs(1)); animated WebP is
+// written by it and not read, so its chunks are read here (developers.google.com/speed/webp, "WebP Container
+// Specification").
+#include "render/video_kind.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "render/process.hpp"
+
+namespace mien {
+
+namespace {
+
+// Constant quality: at 18 flat backgrounds begin to show bands, below 14 files grow with nothing to see for
+// it.
+constexpr int kQuality_crf = 16;
+constexpr int kSketchQuality_crf = 20;  // of what is looked at once
+constexpr int kWebmQuality_crf = 20;    // VP9's own scale
+constexpr int kWebpQuality = 90;        // of 100
+
+// The encoder's bytes depend on the number of its threads, so it never is the machine's. More than 4 gain
+// little on pictures of this height.
+constexpr int kThreads = 4;
+
+std::string get_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
+}
+
+// By bt709's matrix, the same on every processor.
+constexpr const char* kScale =
+    "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,";
+
+// Odd sides get their last row or column twice, since yuv420p halves both.
+std::string build_halved_filters(const PictureSize& size) {
+  const int right = size.width_px % 2, bottom = size.height_px % 2;
+  std::string filters;
+  if (right != 0 || bottom != 0)
+    filters = fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,", size.width_px + right,
+                          size.height_px + bottom, right, bottom);
+  return filters + kScale + "format=yuv420p";
+}
+
+PictureSize find_video_size(const std::string& ending, const PictureSize& size) {
+  if (ending != ".mp4" && ending != ".webm") return size;
+  return {size.width_px + size.width_px % 2, size.height_px + size.height_px % 2};
+}
+
+using Options = std::vector<std::string>;
+
+Options join(Options first, const Options& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+Options list_kind(const std::string& ending, const PictureSize& size, int fps, bool is_sketch) {
+  const Options tags{"-colorspace", "bt709", "-color_primaries", "bt709",
+                     "-color_trc",  "bt709", "-color_range",     "tv"};
+  if (ending == ".mp4")
+    return join({"-vf", build_halved_filters(size),
+                 // One key frame a second, so that players step and seek fast.
+                 "-c:v", "libx264", "-preset", is_sketch ? "veryfast" : "slow", "-crf",
+                 std::to_string(is_sketch ? kSketchQuality_crf : kQuality_crf), "-g", std::to_string(fps),
+                 // cpu-independent: the same bytes whatever vector instructions the processor has.
+                 "-x264-params", "cpu-independent=1", "-threads", std::to_string(kThreads)},
+                join(tags, {"-movflags", "+faststart"}));
+  if (ending == ".webm")
+    return join({"-vf", build_halved_filters(size), "-c:v", "libvpx-vp9", "-b:v", "0", "-crf",
+                 std::to_string(kWebmQuality_crf), "-deadline", "good", "-cpu-used", is_sketch ? "6" : "2",
+                 "-g", std::to_string(fps), "-threads", std::to_string(kThreads)},
+                tags);
+  if (ending == ".mov")
+    return join({"-vf", std::string(kScale) + "format=yuv444p10le", "-c:v", "prores_ks", "-profile:v", "4444",
+                 "-vendor", "apl0", "-threads", std::to_string(kThreads)},
+                join(tags, {"-movflags", "+write_colr"}));
+  // One palette for the whole clip, so that a still background stays still; an ordered dither does too.
+  if (ending == ".gif")
+    return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
+            "-loop", "0"};
+  if (ending == ".webp")
+    return {"-c:v", "libwebp_anim", "-pix_fmt", "bgra", "-quality", std::to_string(kWebpQuality), "-loop",
+            "0"};
+  if (ending == ".apng") return {"-c:v", "apng", "-pix_fmt", "rgb24", "-plays", "0"};
+  throw RunError(fmt::format("internal: no clip ends in '{}'", ending));
+}
+
+std::uint32_t read_number(const std::string& bytes, std::size_t at, int count) {
+  std::uint32_t number = 0;
+  for (int i = count; i-- > 0;)
+    number = number << 8 | static_cast<unsigned char>(bytes[at + static_cast<std::size_t>(i)]);
+  return number;
+}
+
+// A picture that is held is one frame of the file, which lasts longer.
+std::string find_webp_fault(const std::string& bytes, const PictureSize& size, int fps,
+                            std::size_t frame_count) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8, kAnimationSize = 10, kFrameHeader = 16;
+  std::uint32_t length_ms = 0;
+  std::size_t frames = 0;
+  PictureSize found;
+  for (std::size_t at = kHeader; at + kChunkHeader <= bytes.size();) {
+    const std::string_view name(bytes.data() + at, 4);
+    const std::size_t count = read_number(bytes, at + 4, 4), content = at + kChunkHeader;
+    if (name == "VP8X" && content + kAnimationSize <= bytes.size())
+      found = {static_cast<int>(read_number(bytes, content + 4, 3)) + 1,
+               static_cast<int>(read_number(bytes, content + 7, 3)) + 1};
+    if (name == "ANMF" && content + kFrameHeader <= bytes.size()) {
+      length_ms += read_number(bytes, content + 12, 3);
+      ++frames;
+    }
+    at = content + count + count % 2;
+  }
+  if (frames == 0 && frame_count == 1) return {};  // a still picture
+  if (found.width_px != size.width_px || found.height_px != size.height_px)
+    return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", found.width_px, found.height_px,
+                       size.width_px, size.height_px);
+  const double expected_ms = 1000.0 * static_cast<double>(frame_count) / fps;
+  if (std::abs(length_ms - expected_ms) <= 1000.0 / fps / 2) return {};
+  return fmt::format("ffmpeg made a clip of {} ms, not {:.0f}", length_ms, expected_ms);
+}
+
+// "key=value" lines.
+std::string find_value_of(const std::string& facts, const std::string& key) {
+  std::istringstream lines(facts);
+  for (std::string line; std::getline(lines, line);)
+    if (line.starts_with(key + "=")) return line.substr(key.size() + 1);
+  return "";
+}
+
+// "24/1", or as near as a kind that counts in its own ticks comes: "100000/4167".
+bool is_rate(const std::string& rate, int fps) {
+  constexpr double kNear = 1e-3;
+  const std::size_t slash = rate.find('/');
+  if (slash == rate.npos) return false;
+  const double above = std::atof(rate.c_str()), below = std::atof(rate.c_str() + slash + 1);
+  return below > 0 && std::abs(above / below - fps) < kNear * fps;
+}
+
+}  // namespace
+
+const std::vector<std::string>& list_video_endings() {
+  static const std::vector<std::string> kEndings{".mp4", ".webm", ".mov", ".gif", ".webp", ".apng"};
+  return kEndings;
+}
+
+bool is_video_name(const std::filesystem::path& path) {
+  return std::ranges::find(list_video_endings(), get_ending(path)) != list_video_endings().end();
+}
+
+std::vector<std::string> list_encoder_options(const std::filesystem::path& clip, const PictureSize& size,
+                                              int fps, bool is_sketch) {
+  return join(list_kind(get_ending(clip), size, fps, is_sketch),
+              {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
+}
+
+std::string find_video_fault(const std::filesystem::path& folder, const std::string& file,
+                             const PictureSize& size, int fps, std::size_t frame_count) {
+  const std::string ending = get_ending(file);
+  if (ending == ".webp") return find_webp_fault(read_file(folder / file), size, fps, frame_count);
+  const std::vector<std::string> command{"ffprobe",
+                                         "-v",
+                                         "error",
+                                         "-select_streams",
+                                         "v:0",
+                                         "-count_frames",
+                                         "-show_entries",
+                                         "stream=width,height,r_frame_rate,nb_read_frames",
+                                         "-of",
+                                         "default=noprint_wrappers=1",
+                                         file};
+  const ProcessResult result = run_process(command, folder);
+  if (result.exit_code != 0)
+    throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
+  const std::string count = find_value_of(result.output, "nb_read_frames");
+  if (count != std::to_string(frame_count))
+    return fmt::format("ffmpeg made a clip of {} frames, not {}", count, frame_count);
+  const PictureSize wanted = find_video_size(ending, size);
+  const std::string width = find_value_of(result.output, "width"),
+                    height = find_value_of(result.output, "height");
+  if (width != std::to_string(wanted.width_px) || height != std::to_string(wanted.height_px))
+    return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", width, height, wanted.width_px,
+                       wanted.height_px);
+  const std::string rate = find_value_of(result.output, "r_frame_rate");
+  // A GIF counts in hundredths of a second; of one frame no rate is known.
+  if (ending != ".gif" && frame_count > 1 && !is_rate(rate, fps))
+    return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, fps);
+  return {};
+}
+
+}  // namespace mien
