@@ -8,6 +8,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <deque>
 #include <list>
 #include <map>
 #include <optional>
@@ -200,7 +201,85 @@ std::list<Rendering> take_ended(std::list<Rendering>& running) {
   return ended;
 }
 
-bool has_failed_exit(const Rendering& rendering) { return rendering.process.result.exit_code != 0; }
+// A frame to come, and whether it has failed already.
+struct Waiting {
+  const FrameJob* job;
+  bool is_second_try = false;
+  std::string what = {};  // went wrong the first time
+};
+
+struct Failure {
+  const FrameJob* job;
+  bool is_second_try = false;
+  std::string what;
+};
+
+// What is still to do, what went wrong, and what has been learnt on the way.
+struct Progression {
+  std::deque<Waiting> waiting;
+  std::map<const FrameJob*, bool> is_second_try;  // of those that run
+  std::map<int, Failure> failures;                // by frame: the first is told, whichever came first
+  bool has_worked = false;                        // a frame of this call at least
+  std::size_t failed_in_a_row = 0;
+  double slowest_s = 0;  // of those that worked
+};
+
+// A frame is tried once more, behind those that wait. Before any has worked only the first that failed is: a
+// povray that fails at all is not asked for hundreds.
+void note_failure(const FrameJob& job, const std::string& what, Progression& progression) {
+  const bool is_second = progression.is_second_try[&job];
+  ++progression.failed_in_a_row;
+  if (!is_second && progression.has_worked) return progression.waiting.push_back({&job, true, what});
+  if (!is_second && progression.failures.empty()) progression.waiting.push_front({&job, true, what});
+  progression.failures.insert_or_assign(job.number, Failure{&job, is_second, what});
+}
+
+// povray can work: who failed before that is tried again.
+void note_success(const FrameJob& job, double wall_s, Progression& progression) {
+  progression.has_worked = true;
+  progression.failed_in_a_row = 0;
+  progression.slowest_s = std::max(progression.slowest_s, wall_s);
+  progression.failures.erase(job.number);
+  std::erase_if(progression.failures, [&](const auto& failure) {
+    if (failure.second.is_second_try) return false;
+    if (std::ranges::find(progression.waiting, failure.second.job, &Waiting::job) ==
+        progression.waiting.end())
+      progression.waiting.push_back({failure.second.job, true, failure.second.what});
+    return true;
+  });
+}
+
+// While nothing has worked and something failed, only a second try is begun, alone. After some failures in a
+// row (a full disk, a povray that was taken away) nothing is.
+bool may_begin(const Progression& progression, std::size_t running, std::size_t jobs) {
+  constexpr std::size_t kMostInARow = 6;
+  if (progression.waiting.empty() || progression.failed_in_a_row >= std::max(kMostInARow, 2 * jobs))
+    return false;
+  if (progression.has_worked || progression.failures.empty()) return true;
+  return running == 0 && progression.waiting.front().is_second_try;
+}
+
+// A frame that hangs is told by how long the others took: what it may idle is far longer than they worked.
+void limit_idling(Process& process, double slowest_s) {
+  constexpr double kShortest_s = 60, kTimesTheSlowest = 10;
+  if (slowest_s <= 0 || process.limit_s <= 0) return;
+  process.limit_s = std::min(process.limit_s, std::max(kShortest_s, kTimesTheSlowest * slowest_s));
+}
+
+[[noreturn]] void tell_failures(const std::map<int, Failure>& failures) {
+  constexpr std::size_t kMostNamed = 20;
+  std::string text = failures.begin()->second.what;
+  if (failures.size() > 1) {
+    text += "\n  failed, too:";
+    std::size_t named = 0;
+    for (auto failure = std::next(failures.begin()); failure != failures.end() && named < kMostNamed;
+         ++failure)
+      text += fmt::format("{} frame {}", named++ > 0 ? "," : "", failure->first);
+    if (failures.size() - 1 > kMostNamed)
+      text += fmt::format(" and {} more", failures.size() - 1 - kMostNamed);
+  }
+  throw RunError(text);
+}
 
 }  // namespace
 
@@ -208,41 +287,59 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
                    const FrameHooks& hooks) {
   std::optional<Run> run;  // made when the first frame needs it: where all is kept, nothing is written
   const std::size_t jobs = static_cast<std::size_t>(std::max(settings.jobs, 1));
+  Progression progression;
+  for (const FrameJob& job : frames) progression.waiting.push_back({&job});
   std::list<Rendering> running, ended;
-  std::map<int, std::string> failures;  // by frame: the first is told, whichever came first
-  for (std::size_t next = 0;;) {
-    const bool has_failed = !failures.empty() || std::ranges::any_of(ended, has_failed_exit);
-    while (!has_failed && running.size() < jobs && next < frames.size()) {
+  while (true) {
+    // Those that failed among the ended are judged below, before anything is begun after them.
+    const bool is_clouded = std::ranges::any_of(
+        ended, [](const Rendering& rendering) { return rendering.process.result.exit_code != 0; });
+    while (!is_clouded && running.size() < jobs && may_begin(progression, running.size(), jobs)) {
       throw_if_interrupted();
-      const FrameJob& job = frames[next++];
+      const Waiting next = progression.waiting.front();
+      progression.waiting.pop_front();
+      const FrameJob& job = *next.job;
       if (!job.key.empty() && read_picture_key(job.picture) == job.key) {
         hooks.done(job.number, true);
         continue;
       }
       if (!run) run.emplace(settings, frames.front().picture.parent_path());
+      progression.is_second_try[&job] = next.is_second_try;
+      if (hooks.prepare) hooks.prepare(job);
       try {
-        if (hooks.prepare) hooks.prepare(job);
-        running.push_back(start_rendering(job, next, *run));
+        running.push_back(start_rendering(job, static_cast<std::size_t>(&job - frames.data()) + 1, *run));
       } catch (const RunError& error) {
-        failures.emplace(job.number, error.what());
-        break;
+        progression.is_second_try[&job] = true;  // what stands before a frame is no affair of povray's
+        note_failure(job, error.what(), progression);
+        continue;
       }
+      limit_idling(running.back().process, progression.slowest_s);
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
     for (const Rendering& rendering : ended) {
+      const FrameJob& job = *rendering.job;
       try {
         finish_rendering(rendering, *run);
       } catch (const RunError& error) {
-        if (hooks.failed) hooks.failed(*rendering.job);
-        failures.emplace(rendering.job->number, error.what());
+        note_failure(job, error.what(), progression);
         continue;
       }
-      hooks.done(rendering.job->number, false);
+      note_success(job, rendering.process.result.wall_s, progression);
+      hooks.done(job.number, false);
     }
-    if (running.empty()) break;
-    ended = take_ended(running);
+    ended.clear();
+    if (!running.empty())
+      ended = take_ended(running);
+    else if (!may_begin(progression, 0, jobs))
+      break;
   }
-  if (!failures.empty()) throw RunError(failures.begin()->second);
+  for (const Waiting& left : progression.waiting)
+    if (left.is_second_try)
+      progression.failures.emplace(left.job->number, Failure{left.job, true, left.what});
+  if (progression.failures.empty()) return;
+  for (const auto& [number, failure] : progression.failures)
+    if (hooks.failed) hooks.failed(*failure.job);
+  tell_failures(progression.failures);
 }
 
 }  // namespace mien

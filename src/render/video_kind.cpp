@@ -137,6 +137,15 @@ std::string find_value_of(const std::string& facts, const std::string& key) {
   return "";
 }
 
+// What ffprobe says of the clip's pictures.
+std::string probe(const std::filesystem::path& folder, const std::string& file, const Options& asked) {
+  const Options command = join(join({"ffprobe", "-v", "error", "-select_streams", "v:0"}, asked), {file});
+  const ProcessResult result = run_process(command, folder);
+  if (result.exit_code != 0)
+    throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
+  return result.output;
+}
+
 // "24/1", or as near as a kind that counts in its own ticks comes: "100000/4167".
 bool is_rate(const std::string& rate, int fps) {
   constexpr double kNear = 1e-3;
@@ -167,30 +176,20 @@ std::string find_video_fault(const std::filesystem::path& folder, const std::str
                              const PictureSize& size, int fps, std::size_t frame_count) {
   const std::string ending = get_ending(file);
   if (ending == ".webp") return find_webp_fault(read_file(folder / file), size, fps, frame_count);
-  const std::vector<std::string> command{"ffprobe",
-                                         "-v",
-                                         "error",
-                                         "-select_streams",
-                                         "v:0",
-                                         "-count_frames",
-                                         "-show_entries",
-                                         "stream=width,height,r_frame_rate,nb_read_frames",
-                                         "-of",
-                                         "default=noprint_wrappers=1",
-                                         file};
-  const ProcessResult result = run_process(command, folder);
-  if (result.exit_code != 0)
-    throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
-  const std::string count = find_value_of(result.output, "nb_read_frames");
+  const std::string counted =
+      probe(folder, file, {"-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0"});
+  const std::string count = counted.substr(0, counted.find('\n'));
   if (count != std::to_string(frame_count))
     return fmt::format("ffmpeg made a clip of {} frames, not {}", count, frame_count);
+  const std::string facts =
+      probe(folder, file,
+            {"-show_entries", "stream=width,height,r_frame_rate", "-of", "default=noprint_wrappers=1"});
   const PictureSize wanted = find_video_size(ending, size);
-  const std::string width = find_value_of(result.output, "width"),
-                    height = find_value_of(result.output, "height");
+  const std::string width = find_value_of(facts, "width"), height = find_value_of(facts, "height");
   if (width != std::to_string(wanted.width_px) || height != std::to_string(wanted.height_px))
     return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", width, height, wanted.width_px,
                        wanted.height_px);
-  const std::string rate = find_value_of(result.output, "r_frame_rate");
+  const std::string rate = find_value_of(facts, "r_frame_rate");
   // A GIF counts in hundredths of a second; of one frame no rate is known.
   if (ending != ".gif" && frame_count > 1 && !is_rate(rate, fps))
     return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, fps);

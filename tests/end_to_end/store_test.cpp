@@ -17,7 +17,8 @@ std::string build_clip(const std::string& keys, const std::string& more = "") {
          more + "  keys:\n" + keys;
 }
 
-constexpr const char* kThere = "    - {at: 0.25s, express: neutral}\n    - {at: 0.75s, express: smile}\n";
+constexpr const char* kThere =
+    "    - {at: 0.25s, express: neutral}\n    - {at: 0.75s, express: smile, ease: linear}\n";
 
 // How many drawings a render of clip.yaml with this text traces.
 int render(const fs::path& folder, const std::string& text, const std::string& options = "") {
@@ -40,17 +41,23 @@ TEST(store, traces_nothing_that_exists_whatever_was_edited) {
   EXPECT_EQ(read_file(folder / "out/clip/manifest.json"), manifest);
   std::string text = build_clip(kThere);
   EXPECT_EQ(render(folder, text.replace(text.find("Store"), 5, "Other")), 0) << "another title";
-  EXPECT_EQ(
-      render(folder, build_clip("    - {at: 0s, express: neutral}\n    - {at: 0.5s, express: smile}\n")), 0)
+  EXPECT_EQ(render(folder,
+                   build_clip(
+                       "    - {at: 0s, express: neutral}\n    - {at: 0.5s, express: smile, ease: linear}\n")),
+            0)
       << "moved";
   EXPECT_EQ(
-      render(folder, build_clip("    - {at: 0.25s, express: smile}\n    - {at: 0.75s, express: neutral}\n")),
+      render(folder,
+             build_clip(
+                 "    - {at: 0.25s, express: smile}\n    - {at: 0.75s, express: neutral, ease: linear}\n")),
       0)
       << "reversed";
   std::string longer = build_clip(kThere);
   EXPECT_EQ(render(folder, longer.replace(longer.find("length: 1s"), 10, "length: 3s")), 0) << "longer";
   EXPECT_EQ(
-      render(folder, build_clip("    - {at: 0.25s, express: neutral}\n    - {at: 0.75s, express: anger}\n")),
+      render(folder,
+             build_clip(
+                 "    - {at: 0.25s, express: neutral}\n    - {at: 0.75s, express: anger, ease: linear}\n")),
       6)
       << "another key: all but the first drawing";
   EXPECT_EQ(render(folder, build_clip(kThere)), 0) << "as it was at first";

@@ -149,9 +149,55 @@ TEST(driver, tells_the_first_of_many_failures_and_starts_no_more) {
   Shoot shoot(9);
   const FakeProgram fake("povray",
                          "case $1 in *f0001.pov) sleep 0.3;; esac; echo \"$1\" >> ../../said; exit 7\n");
-  EXPECT_THAT(shoot.find_error(), HasSubstr("frame 1: povray failed (exit status 7)"));
+  const std::string error = shoot.find_error();
+  EXPECT_THAT(error, HasSubstr("frame 1: povray failed (exit status 7)"));
+  EXPECT_TRUE(error.ends_with("\n  failed, too: frame 2, frame 3, frame 4")) << error;
   const std::string said = read_file(shoot.scratch.path / "said");
-  EXPECT_EQ(std::ranges::count(said, '\n'), 4);
+  EXPECT_EQ(std::ranges::count(said, '\n'), 5) << "one of them twice";
+}
+
+// It fails the first time that it is asked for a frame.
+std::string build_moody_povray(const std::string& frames) {
+  return fmt::format(
+      "case $1 in {}) if [ ! -e ../../tried${{1##*/}} ]; then : > ../../tried${{1##*/}}; exit 9; fi;; esac\n"
+      "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n",
+      frames);
+}
+
+TEST(driver, tries_a_frame_that_failed_once_more) {
+  for (const auto& [frames, jobs] :
+       {std::pair{"*f0003.pov", 2}, {"*f0001.pov", 1}, {"*.pov", 4}, {"*.pov", 1}}) {
+    Shoot shoot(5);
+    shoot.settings.jobs = jobs;
+    const FakeProgram fake("povray", build_moody_povray(frames));
+    EXPECT_NO_THROW(shoot.render()) << frames;
+    EXPECT_EQ(shoot.count_pictures(), 5) << frames;
+  }
+}
+
+TEST(driver, goes_on_after_a_frame_that_fails_twice_and_tells_them_at_the_end) {
+  Shoot shoot(7);
+  shoot.settings.jobs = 2;
+  const FakeProgram fake("povray",
+                         "case $1 in *f0003.pov | *f0005.pov) exit 9;; esac\n"
+                         "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
+  const std::string error = shoot.find_error();
+  EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
+  EXPECT_TRUE(error.ends_with("\n  failed, too: frame 5")) << error;
+  EXPECT_EQ(shoot.count_pictures(), 5);
+}
+
+TEST(driver, stops_when_nothing_works_any_more) {
+  Shoot shoot(12);
+  shoot.settings.jobs = 1;
+  const FakeProgram fake("povray",
+                         "echo \"$1\" >> ../../said\n[ $(wc -l < ../../said) -lt 3 ] || exit 9\n"
+                         "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
+  const std::string error = shoot.find_error();
+  EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
+  EXPECT_TRUE(error.ends_with("\n  failed, too: frame 4, frame 5, frame 6, frame 7, frame 8")) << error;
+  EXPECT_EQ(shoot.count_pictures(), 2);
+  EXPECT_EQ(std::ranges::count(read_file(shoot.scratch.path / "said"), '\n'), 2 + 6);
 }
 
 TEST(driver, tells_what_a_strange_povray_did) {
@@ -234,7 +280,8 @@ TEST(driver, keeps_no_picture_of_a_scene_that_was_changed) {
   const std::string scene = read_file(shoot.frames[1].scene), include = read_file(stage);
   write_file(shoot.frames[1].scene, scene + "\n");
   EXPECT_EQ(shoot.find_error(), fmt::format("frame 2: {} {}", shoot.frames[1].scene.string(), told));
-  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, false}}));
+  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, false}, {3, false}}));
+  std::filesystem::remove(shoot.frames[2].picture);
   write_file(shoot.frames[1].scene, scene);
   // While it is: the fake writes, traces, and puts back what was there.
   shoot.settings.jobs = 1;
