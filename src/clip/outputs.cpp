@@ -174,7 +174,7 @@ void check_output_files(const std::vector<OutputFile>& files, const Spec& spec) 
     check_place(file, file.path);
     if (identity) check_first(file, *old.emplace(*identity, &file).first->second);
     std::error_code error;
-    const fs::path name = fs::weakly_canonical(file.path, error);
+    const fs::path name = fs::weakly_canonical(fs::absolute(file.path), error);
     check_first(file, *named.emplace(error ? file.path : name, &file).first->second);
   }
 }

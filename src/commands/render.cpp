@@ -22,6 +22,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kPoster = "poster.png";
 constexpr std::size_t kWorthPreview = 24;  // pictures to trace; fewer are there soon
 
 void report_plan(const Options& options, const Clip& clip, std::size_t missing) {
@@ -54,11 +55,11 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
 
   Progress frames = start_progress(options, "frames", count);
   TraceHooks hooks{[&](int frame, bool was_kept) { frames.advance(was_kept, frame); }};
-  const fs::path preview = find_preview_path(clip), poster = clip.files.folder / "poster.png";
+  const fs::path preview = find_preview_path(clip);
   if (missing >= kWorthPreview)
     hooks.pass_ended = [&](const std::vector<bool>& is_there) {
       write_preview(clip, is_there);
-      write_poster(clip, poster);
+      write_poster(clip, preview.parent_path() / kPoster);
       frames.clear();
       report_result(options, "preview", preview);
     };
@@ -72,9 +73,8 @@ void finish_clip(const Options& options, const Clip& clip, const std::vector<std
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
   write_clip_videos(clip);
   for (const fs::path& video : list_video_paths(clip)) report_result(options, "clip", video);
-  const fs::path poster = clip.files.folder / "poster.png";
-  write_poster(clip, poster);
-  report_result(options, "poster", poster);
+  write_poster(clip, clip.files.folder / kPoster);
+  report_result(options, "poster", clip.files.folder / kPoster);
 }
 
 void render_clip(const Options& options, const ClipParts& planned, const std::vector<Cast>& casts,

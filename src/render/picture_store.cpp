@@ -50,7 +50,9 @@ bool has_picture(const PictureStore& store, const std::string& key) {
 
 void show_picture(const fs::path& stored, const fs::path& shown) {
   std::error_code error;
-  fs::last_write_time(stored, fs::file_time_type::clock::now(), error);
+  // Of one that a frame shows already the time stays: it would be that frame's, too.
+  if (fs::hard_link_count(stored, error) == 1)
+    fs::last_write_time(stored, fs::file_time_type::clock::now(), error);
   fs::create_directories(shown.parent_path(), error);
   if (error) throw RunError(fmt::format("cannot write {}: {}", shown.string(), error.message()));
   fs::path second = shown;

@@ -26,8 +26,8 @@ bool is_stored_file(const std::string& name);
 bool has_picture(const PictureStore& store, const std::string& key);
 
 // Gives a picture of the store a second name, which takes no second place on the disk; a copy where the disk
-// knows no such names. What stood there is replaced in one step. The picture counts as used now. Throws
-// RunError "cannot write SHOWN: reason".
+// knows no such names. What stood there is replaced in one step. The picture counts as used now, unless a
+// frame shows it. Throws RunError "cannot write SHOWN: reason".
 void show_picture(const std::filesystem::path& stored, const std::filesystem::path& shown);
 
 // Takes pictures out, those first that were used longest ago, until no more than `most_bytes` are left;

@@ -175,6 +175,7 @@ TEST(writers, clear_what_dead_runs_left_and_nothing_else) {
   }
   for (const std::string& file : others) fs::remove(folder / "X" / file);
   for (const char* bust : {"bust_neutral.scad", "bust_neutral.txt"}) fs::remove(folder / "X" / bust);
+  ASSERT_EQ(run_shell(folder, "mien frames a/p.yaml -o X --quiet").status, 0);
   fs::remove_all(folder / "X/scenes");
   EXPECT_EQ(list_files(folder / "X"), whole);
 }
