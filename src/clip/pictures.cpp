@@ -83,10 +83,18 @@ fs::path find_preview_path(const Clip& clip) {
   return clip.files.folder / (name_clip(clip) + "_preview.mp4");
 }
 
+std::optional<Sound> find_sound(const Clip& clip) {
+  const std::optional<SoundSpec>& sound = clip.spec.clip.sound;
+  if (!sound) return std::nullopt;
+  const double first_s = static_cast<double>(clip.plan.frames.front() - 1) / clip.spec.clip.fps;
+  return Sound{fs::absolute(sound->file.path), sound->at_s - first_s};
+}
+
 void write_clip_videos(const Clip& clip) {
   std::vector<fs::path> pictures;
   for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
-  for (const fs::path& video : list_video_paths(clip)) write_video(pictures, clip.spec.clip.fps, video);
+  for (const fs::path& video : list_video_paths(clip))
+    write_video(pictures, clip.spec.clip.fps, video, find_sound(clip));
 }
 
 void write_poster(const Clip& clip, const fs::path& path) {
@@ -106,7 +114,7 @@ void write_preview(const Clip& clip, const std::vector<bool>& is_there) {
     while (shown + 1 < is_there.size() && !is_there[shown]) ++shown;
     pictures.push_back(clip.files.picture(plan.drawings[shown]));
   }
-  write_video(pictures, clip.spec.clip.fps, find_preview_path(clip));
+  write_video(pictures, clip.spec.clip.fps, find_preview_path(clip), find_sound(clip));
 }
 
 }  // namespace mien

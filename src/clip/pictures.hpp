@@ -1,13 +1,14 @@
 // From a clip's scenes to its pictures, its video and what is said of them.
 #pragma once
 
-#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "clip/clip.hpp"
 #include "clip/scenes.hpp"
 #include "render/driver.hpp"
+#include "render/video_kind.hpp"
 
 namespace mien {
 
@@ -32,6 +33,9 @@ std::filesystem::path find_preview_path(const Clip& clip);
 // The whole clip, of which `is_there` says what drawings have their pictures: one at least. Each is held
 // until the next that is there.
 void write_preview(const Clip& clip, const std::vector<bool>& is_there);
+
+// What is heard from the first frame asked for on, if the file names a sound.
+std::optional<Sound> find_sound(const Clip& clip);
 
 // Joins the frames asked for into each of list_video_paths, and copies the one nearest to the poster's.
 void write_clip_videos(const Clip& clip);

@@ -245,7 +245,8 @@ std::string build_sketch_manifest(const Clip& clip) {
 SketchVideos start_sketch_videos(const Clip& clip) {
   SketchVideos videos{&clip, {}};
   for (const std::filesystem::path& path : list_video_paths(clip))
-    videos.streams.push_back(start_video(find_size(clip), clip.spec.clip.fps, path));
+    videos.streams.push_back(
+        start_video(find_size(clip), clip.spec.clip.fps, path, find_sound(clip), clip.plan.frames.size()));
   return videos;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -192,6 +193,12 @@ struct BackgroundKey {
   std::optional<glm::vec3> colour;  // instead of a named one; srgb 0..1
 };
 
+// A file that the clip is given.
+struct SoundSpec {
+  FileReference file;
+  double at_s = 0;
+};
+
 struct ClipSpec {
   int fps = 24;
   int draw = 1;                               // each drawing is held for this many frames: ones, twos, threes
@@ -209,6 +216,7 @@ struct ClipSpec {
   GazeSpec gaze;
   DriftSpec drift;
   AsymmetrySpec asymmetry;
+  std::optional<SoundSpec> sound = {};
   double length_s = 0;  // `length:`, else the time of the last key of any track, or where the last cue ends
 };
 

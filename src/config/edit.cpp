@@ -33,8 +33,11 @@ const Forms* find_forms(const YamlPath& path, std::size_t steps) {
 }
 
 // Where one value alone stands for a mapping that has it under this key.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 4> kShortForms{
-    {{"drift", "amount"}, {"asymmetry", "amount"}, {"blink", "style"}, {"include", "file"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 5> kShortForms{{{"drift", "amount"},
+                                                                                    {"asymmetry", "amount"},
+                                                                                    {"blink", "style"},
+                                                                                    {"include", "file"},
+                                                                                    {"sound", "file"}}};
 
 // The entry of a mapping that a single word or number stands for: "child: 1", "amount: 0.5"; empty if the
 // language has none such.

@@ -95,7 +95,7 @@ struct Sections {
   Section expression, dominance, growth;
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;
   Section lead, wait, cue, law, track, include, script;
-  Section blink, gaze, gaze_key, direction, drift, asymmetry;
+  Section blink, gaze, gaze_key, direction, drift, asymmetry, sound;
   Section actor, place, render, ink, bust, bust_set;
 
   Sections();  // fills them; forms point at sections of the same object

@@ -149,7 +149,8 @@ double compute_last_s(const ClipSpec& clip);
 void load_draw(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
 LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock);
 
-// What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`.
+// What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`; and what is heard,
+// `sound:`.
 void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
 
 }  // namespace mien

@@ -59,16 +59,26 @@ std::string name_made(const std::filesystem::path& clip) {
 struct VideoSource {
   std::vector<std::string> input;
   bool is_sketch = false;
+  std::optional<Sound> sound = {};
+  double length_s = 0;  // of the sound
 };
 
 std::vector<std::string> build_command(const VideoSource& source, const PictureSize& size, int fps,
                                        const std::filesystem::path& clip) {
   std::vector<std::string> command{"ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-y"};
-  command.insert(command.end(), source.input.begin(), source.input.end());
-  const std::vector<std::string> output = list_encoder_options(clip, size, fps, source.is_sketch);
-  command.insert(command.end(), output.begin(), output.end());
+  const auto append = [&command](const std::vector<std::string>& words) {
+    command.insert(command.end(), words.begin(), words.end());
+  };
+  append(source.input);
+  if (source.sound) append(list_sound_input(*source.sound));
+  append(list_encoder_options(clip, size, fps, source.is_sketch));
+  if (source.sound) append(list_sound_options(*source.sound, clip, source.length_s));
   command.push_back(name_made(clip));
   return command;
+}
+
+std::optional<Sound> find_heard(const std::optional<Sound>& sound, const std::filesystem::path& clip) {
+  return sound && can_sound(clip) ? sound : std::nullopt;
 }
 
 void check_encoder(const ProcessResult& result, const std::vector<std::string>& command,
@@ -83,12 +93,13 @@ struct VideoFacts {
   PictureSize size;
   int fps = 24;
   std::size_t frame_count = 0;
+  bool has_sound = false;
 };
 
 void place_clip(const std::filesystem::path& folder, const VideoFacts& facts,
                 const std::filesystem::path& clip) {
   const std::string fault =
-      find_video_fault(folder, name_made(clip), facts.size, facts.fps, facts.frame_count);
+      find_video_fault(folder, name_made(clip), facts.size, facts.fps, facts.frame_count, facts.has_sound);
   if (!fault.empty()) throw RunError(fmt::format("{}: {}", fault, clip.string()));
   std::error_code error;
   std::filesystem::rename(folder / name_made(clip), clip, error);
@@ -103,23 +114,32 @@ std::filesystem::path find_parent(const std::filesystem::path& clip) {
 }  // namespace
 
 void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
-                 const std::filesystem::path& clip) {
+                 const std::filesystem::path& clip, const std::optional<Sound>& sound) {
   const PictureSize size = check_pictures(pictures);
   const WorkFolder work(find_parent(clip));
   link_pictures(pictures, work.path);
-  const std::vector<std::string> command = build_command(
-      {{"-framerate", std::to_string(fps), "-start_number", "1", "-i", "%06d.png"}, false}, size, fps, clip);
+  const std::optional<Sound> heard = find_heard(sound, clip);
+  const VideoSource source{{"-framerate", std::to_string(fps), "-start_number", "1", "-i", "%06d.png"},
+                           false,
+                           heard,
+                           static_cast<double>(pictures.size()) / fps};
+  const std::vector<std::string> command = build_command(source, size, fps, clip);
   check_encoder(run_process(command, work.path), command, work.path, clip);
-  place_clip(work.path, {size, fps, pictures.size()}, clip);
+  place_clip(work.path, {size, fps, pictures.size(), heard.has_value()}, clip);
 }
 
-VideoStream start_video(const PictureSize& size, int fps, const std::filesystem::path& clip) {
-  VideoStream video{clip, size, fps, 0, {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
-  video.command = build_command(
-      {{"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
-        fmt::format("{}x{}", size.width_px, size.height_px), "-framerate", std::to_string(fps), "-i", "-"},
-       true},
-      size, fps, clip);
+VideoStream start_video(const PictureSize& size, int fps, const std::filesystem::path& clip,
+                        const std::optional<Sound>& sound, std::size_t frame_count) {
+  const std::optional<Sound> heard = find_heard(sound, clip);
+  VideoStream video{
+      clip, size, fps, 0, heard.has_value(), {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
+  const VideoSource source{
+      {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
+       fmt::format("{}x{}", size.width_px, size.height_px), "-framerate", std::to_string(fps), "-i", "-"},
+      true,
+      heard,
+      static_cast<double>(frame_count) / fps};
+  video.command = build_command(source, size, fps, clip);
   std::erase(video.command, "-nostdin");
   video.encoder = start_fed_process(video.command, video.work->path);
   return video;
@@ -142,7 +162,7 @@ void finish_video(VideoStream& video) {
   close_input(video.encoder);
   wait_for_any({&video.encoder});
   check_encoder(video.encoder.result, video.command, video.work->path, video.clip);
-  place_clip(video.work->path, {video.size, video.fps, video.frame_count}, video.clip);
+  place_clip(video.work->path, {video.size, video.fps, video.frame_count, video.has_sound}, video.clip);
 }
 
 }  // namespace mien

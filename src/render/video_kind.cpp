@@ -26,6 +26,7 @@ constexpr int kQuality_crf = 16;
 constexpr int kSketchQuality_crf = 20;  // of what is looked at once
 constexpr int kWebmQuality_crf = 20;    // VP9's own scale
 constexpr int kWebpQuality = 90;        // of 100
+constexpr int kTimeDecimals = 6;
 
 // The encoder's bytes depend on the number of its threads, so it never is the machine's. More than 4 gain
 // little on pictures of this height.
@@ -137,13 +138,31 @@ std::string find_value_of(const std::string& facts, const std::string& key) {
   return "";
 }
 
-// What ffprobe says of the clip's pictures.
-std::string probe(const std::filesystem::path& folder, const std::string& file, const Options& asked) {
-  const Options command = join(join({"ffprobe", "-v", "error", "-select_streams", "v:0"}, asked), {file});
+// What ffprobe says of the clip's pictures, or of another stream.
+std::string probe(const std::filesystem::path& folder, const std::string& file, const Options& asked,
+                  const char* stream = "v:0") {
+  const Options command = join(join({"ffprobe", "-v", "error", "-select_streams", stream}, asked), {file});
   const ProcessResult result = run_process(command, folder);
   if (result.exit_code != 0)
     throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
   return result.output;
+}
+
+// Its packets are counted, since not every kind says how long a stream is.
+std::string find_sound_fault(const std::filesystem::path& folder, const std::string& file, double length_s) {
+  const std::string times =
+      probe(folder, file, {"-show_entries", "packet=pts_time,duration_time", "-of", "csv=p=0"}, "a:0");
+  if (times.empty()) return "ffmpeg made a clip without sound";
+  double end_s = 0;
+  std::istringstream lines(times);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t comma = line.find(',');
+    if (comma == line.npos) continue;
+    end_s = std::max(end_s, std::atof(line.c_str()) + std::atof(line.c_str() + comma + 1));
+  }
+  constexpr double kPacket_s = 0.05;  // an encoder ends with a whole packet
+  if (std::abs(end_s - length_s) <= kPacket_s) return {};
+  return fmt::format("ffmpeg made a clip whose sound is {:.2f} s long, not {:.2f}", end_s, length_s);
 }
 
 // "24/1", or as near as a kind that counts in its own ticks comes: "100000/4167".
@@ -172,8 +191,31 @@ std::vector<std::string> list_encoder_options(const std::filesystem::path& clip,
               {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
 }
 
+bool can_sound(const std::filesystem::path& clip) {
+  const std::string ending = get_ending(clip);
+  return ending == ".mp4" || ending == ".webm" || ending == ".mov";
+}
+
+std::vector<std::string> list_sound_input(const Sound& sound) {
+  if (sound.at_s < 0) return {"-ss", format_number(-sound.at_s, kTimeDecimals), "-i", sound.file.string()};
+  return {"-i", sound.file.string()};
+}
+
+std::vector<std::string> list_sound_options(const Sound& sound, const std::filesystem::path& clip,
+                                            double length_s) {
+  const std::string ending = get_ending(clip);
+  Options options{
+      "-map", "0:v:0",
+      "-map", "1:a:0",
+      "-af",  fmt::format("adelay=delays={}:all=1,apad", format_number(1000 * std::max(0.0, sound.at_s), 3)),
+      "-t",   format_number(length_s, kTimeDecimals)};
+  if (ending == ".mp4") return join(options, {"-c:a", "aac", "-b:a", "192k"});
+  if (ending == ".webm") return join(options, {"-c:a", "libopus", "-b:a", "128k"});
+  return join(options, {"-c:a", "pcm_s16le"});
+}
+
 std::string find_video_fault(const std::filesystem::path& folder, const std::string& file,
-                             const PictureSize& size, int fps, std::size_t frame_count) {
+                             const PictureSize& size, int fps, std::size_t frame_count, bool has_sound) {
   const std::string ending = get_ending(file);
   if (ending == ".webp") return find_webp_fault(read_file(folder / file), size, fps, frame_count);
   const std::string counted =
@@ -193,7 +235,7 @@ std::string find_video_fault(const std::filesystem::path& folder, const std::str
   // A GIF counts in hundredths of a second; of one frame no rate is known.
   if (ending != ".gif" && frame_count > 1 && !is_rate(rate, fps))
     return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, fps);
-  return {};
+  return has_sound ? find_sound_fault(folder, file, static_cast<double>(frame_count) / fps) : "";
 }
 
 }  // namespace mien
