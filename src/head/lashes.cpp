@@ -11,7 +11,16 @@ namespace mien {
 
 namespace {
 
-enum Channel : std::uint32_t { kAlong, kLength, kTurn, kShade, kGroup, kSway, kLift, kGather };  // of scatter()
+enum Channel : std::uint32_t {
+  kAlong,
+  kLength,
+  kTurn,
+  kShade,
+  kGroup,
+  kSway,
+  kLift,
+  kGather
+};  // of scatter()
 
 // The frame a lash grows in.
 struct LashRoot {
@@ -30,8 +39,8 @@ LashRoot compute_lash_root(const Lids& lids, double t, double mix) {
   return root;
 }
 
-// Lash `index` of a row that runs from the inner corner outward. No two are alike: some are new and short, each
-// stands a little its own way, and most, but not all, lean to the middle of their group.
+// Lash `index` of a row that runs from the inner corner outward. No two are alike: some are new and short,
+// each stands a little its own way, and most, but not all, lean to the middle of their group.
 void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, const LashRowNumbers& row,
                  double growth, std::uint32_t series, std::uint32_t index, int first_shade) {
   const auto differ = [&](std::uint32_t which, Channel channel) {  // -0.5 to 0.5
@@ -62,8 +71,8 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
     const double aside_mm = length_mm * lean * s * (0.6 + 0.4 * s) + gather_mm * s * s;
     centres.push_back(root.place.point + static_cast<float>(out_mm) * root.out +
                       static_cast<float>(up_mm) * root.up + static_cast<float>(aside_mm) * root.aside);
-    // Thick at the root, so that the row draws a line along the lid from afar, and a hair's breadth soon after.
-    // Short ones are thin.
+    // Thick at the root, so that the row draws a line along the lid from afar, and a hair's breadth soon
+    // after. Short ones are thin.
     radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (0.7 + 0.3 * age) *
                                        (1 - 0.92 * std::pow(s, 0.7))));
   }
