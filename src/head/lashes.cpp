@@ -47,8 +47,9 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
     return scatter(series, which, channel) - 0.5;
   };
   const double way = (index + 0.5 + 0.7 * differ(index, kAlong)) / row.count;
-  const std::uint32_t group = index / 3;
-  const double group_way = std::min(1.0, (3.0 * group + 1.5 + 1.2 * differ(group, kGroup)) / row.count);
+  // Groups of two to four: a lash between two of them goes to either.
+  const std::uint32_t group = (index + (scatter(series, index, kGather) < 0.5 ? 1 : 0)) / 3;
+  const double group_way = std::min(1.0, (3.0 * group + 1.0 + 1.2 * differ(group, kGroup)) / row.count);
   const LashRoot root = compute_lash_root(lids, row.from + (row.to - row.from) * way, lashes.root);
 
   // Longest past the middle, short at both ends. The root of an even number: more are long than short.
@@ -56,10 +57,10 @@ void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, co
   const double age = std::sqrt(scatter(series, index, kLength));
   const double length_mm = growth * lids.scale *
                            (row.shortest_mm + (row.longest_mm - row.shortest_mm) * arch) *
-                           (0.58 + 0.54 * age);
-  const double lean = row.fan * (way - 0.42) + 0.22 * differ(group, kTurn) + 0.26 * differ(index, kSway);
+                           (0.45 + 0.68 * age);
+  const double lean = row.fan * (way - 0.42) + 0.40 * differ(group, kTurn) + 0.34 * differ(index, kSway);
   const double lift = 1 + 0.30 * differ(index, kLift);
-  const double gather_mm = lashes.clump * std::min(1.0, 1.6 * scatter(series, index, kGather)) *
+  const double gather_mm = lashes.clump * std::min(1.0, 3 * scatter(series, index, kSway)) *
                            (group_way - way) * lashes.margin_mm * lids.scale;
   constexpr int kRings = 4;
   std::vector<glm::vec3> centres;
