@@ -11,7 +11,16 @@ namespace mien {
 
 namespace {
 
-enum Channel : std::uint32_t { kAlong, kLength, kTurn, kShade };  // of scatter()
+enum Channel : std::uint32_t {
+  kAlong,
+  kLength,
+  kTurn,
+  kShade,
+  kGroup,
+  kSway,
+  kLift,
+  kGather
+};  // of scatter()
 
 // The frame a lash grows in.
 struct LashRoot {
@@ -30,34 +39,43 @@ LashRoot compute_lash_root(const Lids& lids, double t, double mix) {
   return root;
 }
 
-// Lash `index` of a row that runs from the inner corner outward.
+// Lash `index` of a row that runs from the inner corner outward. No two are alike: some are new and short,
+// each stands a little its own way, and most, but not all, lean to the middle of their group.
 void append_lash(HeadPart& part, const Lids& lids, const LashNumbers& lashes, const LashRowNumbers& row,
                  double growth, std::uint32_t series, std::uint32_t index, int first_shade) {
-  const double way = (index + 0.5 + 0.7 * (scatter(series, index, kAlong) - 0.5)) / row.count;
-  const std::uint32_t group = index / 3;
-  const double group_way = std::min(1.0, (3.0 * group + 1.5) / row.count);
+  const auto differ = [&](std::uint32_t which, Channel channel) {  // -0.5 to 0.5
+    return scatter(series, which, channel) - 0.5;
+  };
+  const double way = (index + 0.5 + 0.7 * differ(index, kAlong)) / row.count;
+  // Groups of two to four: a lash between two of them goes to either.
+  const std::uint32_t group = (index + (scatter(series, index, kGather) < 0.5 ? 1 : 0)) / 3;
+  const double group_way = std::min(1.0, (3.0 * group + 1.0 + 1.2 * differ(group, kGroup)) / row.count);
   const LashRoot root = compute_lash_root(lids, row.from + (row.to - row.from) * way, lashes.root);
 
-  // Longest past the middle, short at both ends.
+  // Longest past the middle, short at both ends. The root of an even number: more are long than short.
   const double arch = std::pow(std::sin(std::numbers::pi * std::pow(way, 1.25)), 0.6);
+  const double age = std::sqrt(scatter(series, index, kLength));
   const double length_mm = growth * lids.scale *
                            (row.shortest_mm + (row.longest_mm - row.shortest_mm) * arch) *
-                           (0.82 + 0.36 * scatter(series, index, kLength));
-  const double lean = row.fan * (way - 0.42) + 0.20 * (scatter(series, group, kTurn) - 0.5);
-  const double gather_mm = lashes.clump * (group_way - way) * lashes.margin_mm * lids.scale;
-  constexpr int kRings = 5;
+                           (0.45 + 0.68 * age);
+  const double lean = row.fan * (way - 0.42) + 0.40 * differ(group, kTurn) + 0.34 * differ(index, kSway);
+  const double lift = 1 + 0.30 * differ(index, kLift);
+  const double gather_mm = lashes.clump * std::min(1.0, 3 * scatter(series, index, kSway)) *
+                           (group_way - way) * lashes.margin_mm * lids.scale;
+  constexpr int kRings = 4;
   std::vector<glm::vec3> centres;
   std::vector<float> radii;
   for (int ring = 0; ring <= kRings; ++ring) {
     const double s = static_cast<double>(ring) / kRings;
     const double out_mm = length_mm * (row.out[0] * s + row.out[1] * s * s);
-    const double up_mm = length_mm * (row.up[0] * s + row.up[1] * s * s);
+    const double up_mm = length_mm * lift * (row.up[0] * s + row.up[1] * s * s);
     const double aside_mm = length_mm * lean * s * (0.6 + 0.4 * s) + gather_mm * s * s;
     centres.push_back(root.place.point + static_cast<float>(out_mm) * root.out +
                       static_cast<float>(up_mm) * root.up + static_cast<float>(aside_mm) * root.aside);
-    // Thick at the root, so that the row draws a line along the lid from afar, and a hair's breadth at the
-    // tip.
-    radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (1 - 0.9 * std::pow(s, 0.8))));
+    // Thick at the root, so that the row draws a line along the lid from afar, and a hair's breadth soon
+    // after. Short ones are thin.
+    radii.push_back(static_cast<float>(growth * lids.scale * row.radius_mm * (0.7 + 0.3 * age) *
+                                       (1 - 0.92 * std::pow(s, 0.7))));
   }
   append_hair(part.part.rest, centres, radii, kHairSides, root.aside);
   finish_hair(part, {root.place},

@@ -184,6 +184,24 @@ TEST(parts, hairs_stand_on_the_skin_they_are_bound_to) {
   }
 }
 
+// A rake of like wires is what lashes must not be: old ones stand beside new ones, and each is thin soon
+// after its root.
+TEST(parts, lashes_taper_and_are_of_unequal_length) {
+  constexpr std::size_t kVertices = 13, kFirst = 24,
+                        kLast = 48;  // of a lash; the middle ones of 72 upper ones
+  const std::vector<glm::vec3>& points = find_part(average_parts(), "lash_left").part.rest.positions;
+  const auto girth_mm = [&](std::size_t ring) { return glm::distance(points[ring], points[ring + 1]); };
+  double shortest_mm = 1e9, longest_mm = 0;
+  for (std::size_t lash = kFirst; lash < kLast; ++lash) {
+    const std::size_t root = kVertices * lash;
+    const double length_mm = glm::distance(points[root], points[root + kVertices - 1]);
+    shortest_mm = std::min(shortest_mm, length_mm);
+    longest_mm = std::max(longest_mm, length_mm);
+    EXPECT_LT(girth_mm(root + 6), 0.55f * girth_mm(root)) << lash;  // half way
+  }
+  EXPECT_LT(shortest_mm, 0.75 * longest_mm);
+}
+
 TEST(parts, brow_hairs_lie_along_the_skin) {
   const HeadPart& brow = find_part(average_parts(), "brow_left");
   const SkinPatch patch = build_skin_patch(average_head().skin, compute_bounds(brow.part.rest.positions));
