@@ -21,6 +21,9 @@ double get_value(const Pose& pose, std::string_view area, Side side, std::string
   return pose.values[*find_move(area, side, move)];
 }
 
+// Not the jaw, whose way is that of speech, and not the gaze, which is aimed.
+bool comes_early(std::string_view area) { return area != "chin" && area != "eye"; }
+
 glm::dvec3 stretch_point(const Redraw& redraw, double stretch, const glm::dvec3& p) {
   const double share =
       p.y >= redraw.chin_mm ? stretch : stretch * smooth_step(redraw.floor_mm, redraw.chin_mm, p.y);
@@ -54,6 +57,7 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   redraw.lens = build_lens(head);
   redraw.jaw_stretch = head.design.jaw_stretch;
   redraw.brow_stretch = head.design.brow_stretch;
+  redraw.early = head.design.early;
   redraw.lid_hood = head.design.lid_hood;
   redraw.floor_mm = compute_bounds(head.skin.positions).low.y;
   redraw.chin_mm = head.cage.points[find_point(head.cage, "m12_D1")].y;
@@ -61,10 +65,15 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   return redraw;
 }
 
-Pose hood_lids(const Redraw& redraw, const Pose& pose) {
+Pose redraw_pose(const Redraw& redraw, const Pose& pose) {
   constexpr double kShut = -1;
-  if (redraw.lid_hood == 0) return pose;
+  if (redraw.lid_hood == 0 && redraw.early == 0) return pose;
   Pose hooded = pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (comes_early(kMoves[i].area)) {
+      double& value = hooded.values[i];
+      value *= 1 + redraw.early * std::max(0.0, 1 - std::abs(value));
+    }
   for (const Side side : {Side::left, Side::right}) {
     // Inner ends down alone are doubt, the whole brow down alone is thought: both together are anger.
     const double low = -0.5 * (get_value(pose, "brow", side, "up") + get_value(pose, "brow", side, "turn"));
