@@ -241,7 +241,8 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   figure.redraw = build_redraw(figure.head, figure.face);
   if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of
                    // it is carved
-    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = figure.redraw.early = figure.redraw.lid_hood = 0;
+    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;
+    figure.redraw.early = figure.redraw.sneer = figure.redraw.lid_hood = 0;
     figure.redraw.lens = {};
   }
   if (figure.redraw.is_on()) redraw_rest(figure);
