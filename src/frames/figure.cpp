@@ -242,7 +242,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of
                    // it is carved
     figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;
-    figure.redraw.early = figure.redraw.sneer = figure.redraw.lid_hood = 0;
+    figure.redraw.early = figure.redraw.lid_hood = 0;
     figure.redraw.lens = {};
   }
   if (figure.redraw.is_on()) redraw_rest(figure);

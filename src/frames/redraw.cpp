@@ -83,7 +83,6 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   redraw.jaw_stretch = head.design.jaw_stretch;
   redraw.brow_stretch = head.design.brow_stretch;
   redraw.early = head.design.early;
-  redraw.sneer = head.design.sneer;
   redraw.lid_hood = head.design.lid_hood;
   redraw.floor_mm = compute_bounds(head.skin.positions).low.y;
   redraw.chin_mm = head.cage.points[find_point(head.cage, "m12_D1")].y;
@@ -93,14 +92,15 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
 
 Pose redraw_pose(const Redraw& redraw, const Pose& pose) {
   constexpr double kShut = -1;
-  if (redraw.lid_hood == 0 && redraw.early == 0 && redraw.sneer == 0) return pose;
+  constexpr double kSneer = 1.6;  // of a face that tells half a feeling as early as comic's: all of it
+  if (redraw.lid_hood == 0 && redraw.early == 0) return pose;
   Pose hooded = pose;
   for (std::size_t i = 0; i < kMoveCount; ++i)
     if (comes_early(kMoves[i].area)) {
       double& value = hooded.values[i];
       value *= 1 + redraw.early * std::max(0.0, 1 - std::abs(value));
     }
-  if (redraw.sneer != 0) add_sneer(redraw.sneer, hooded);
+  if (redraw.early != 0) add_sneer(kSneer * redraw.early, hooded);
   for (const Side side : {Side::left, Side::right}) {
     // Inner ends down alone are doubt, the whole brow down alone is thought: both together are anger.
     const double low = -0.5 * (get_value(pose, "brow", side, "up") + get_value(pose, "brow", side, "turn"));

@@ -103,7 +103,6 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
   if (name == "none") return {};
   const HairCut& worn = find_cut(head, name);
   HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
-  scene.is_drawn = is_drawn;
   // Ink's broad locks would come out of an ear here and there, as crumbs.
   if (is_drawn && !scene.cut.covers_ears) scene.free = list_ear_skin(head);
   const glm::vec3 colour = compute_colour(scene, look);

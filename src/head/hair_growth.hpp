@@ -17,7 +17,6 @@ struct HairScene {
   HairBorder hangs;                  // 0: hair ends where it grows .. 1: it falls over what is below
   double youth = 0;                  // 1: an infant's
   std::vector<glm::vec3> free = {};  // the skin that no lock may touch
-  bool is_drawn = false;             // in ink
 };
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut);

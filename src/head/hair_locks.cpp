@@ -132,7 +132,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
                 index);
-    if (scene.is_drawn) bind_by_vertex(part, scene);
+    if (cut.locks.widest > 0) bind_by_vertex(part, scene);  // cuts in ink alone have it
   }
 }
 

@@ -539,7 +539,7 @@ TEST(redraw, half_a_feeling_is_told_more_clearly_and_a_whole_one_is_what_it_was)
 
 TEST(redraw, disgust_goes_over_the_face_on_its_side_and_a_shout_does_not) {
   Redraw redraw;
-  redraw.sneer = 1;
+  redraw.early = 0.6;
   const auto value = [](const Pose& pose, const char* area, Side side, const char* move) {
     return pose.values[*find_move(area, side, move)];
   };
