@@ -35,7 +35,7 @@ struct DesignNumbers {
   double lens_flat = 0;                     // how much of what stands forth of the ball is taken away
   double brow_rise_gain = 1, brow_gain = 1, corner_gain = 1,
          lips_gain = 1;  // how far areas go, times a real head's; brows up and else
-  double early = 0;      // how much sooner brows, lids, lips and corners show: half way they are a quarter of it further
+  double early = 0;      // how much more clearly a face tells: brows, lids and corners half way; disgust
   double lid_hood = 0;   // how far towards shut a brow that is low and angry takes the upper lid along
   double jaw_stretch = 0, brow_stretch = 0;  // of the head's height when the jaw is open, the brows are up
   double folds = 1;                          // of the skin

@@ -51,7 +51,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
         "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
         "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
     add(point, margins);
-  for (const char* point : {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
+  for (const char* point :
+       {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
     for (const glm::vec3& place : places) most = std::min(most, glm::distance(place, at));
@@ -291,8 +292,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     for (std::size_t v = 0; v < shape.positions.size(); ++v) {
       const glm::vec3 way = glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
       const glm::vec3 aside = shape.normals[v] - glm::dot(shape.normals[v], way) * way;
-      buffers.turn[v] = shape.positions[v] + kBehind_mm * way +
-                        kHair * static_cast<float>(view.line_mm) * aside / std::max(glm::length(aside), 1e-4f);
+      buffers.turn[v] =
+          shape.positions[v] + kBehind_mm * way +
+          kHair * static_cast<float>(view.line_mm) * aside / std::max(glm::length(aside), 1e-4f);
     }
     outline.positions = buffers.turn;
     outline.triangles = ink.model.parts[part].rest.triangles;

@@ -25,8 +25,8 @@ double get_value(const Pose& pose, std::string_view area, Side side, std::string
 bool comes_early(std::string_view area) { return area == "brow" || area == "lid" || area == "corner"; }
 
 // A lip that is raised under low brows is disgust, which skin tells by the folds beside the nose: a face
-// without them tells it by all that is drawn, inner ends of the brows, narrow eyes, corners drawn wide and down.
-// Whose jaw is open shouts.
+// without them tells it by all that is drawn, inner ends of the brows, narrow eyes, corners drawn wide and
+// down. Whose jaw is open shouts.
 void add_sneer(double sneer, Pose& pose) {
   constexpr double kTurn = -0.5, kLid = 0.3, kUp = -0.4, kOut = 0.35;
   constexpr double kLip = 0.5;  // of its own way

@@ -97,8 +97,8 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
   part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
 }
 
-// A drawn head stretches and squashes: each vertex of a lock goes with the place under it, as the mass does, or
-// gaps would come between them.
+// A drawn head stretches and squashes: each vertex of a lock goes with the place under it, as the mass does,
+// or gaps would come between them.
 void bind_by_vertex(HeadPart& part, const HairScene& scene) {
   const Binding last = part.bindings.back();
   part.bindings.pop_back();
