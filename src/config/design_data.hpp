@@ -35,6 +35,7 @@ struct DesignNumbers {
   double lens_flat = 0;                     // how much of what stands forth of the ball is taken away
   double brow_rise_gain = 1, brow_gain = 1, corner_gain = 1,
          lips_gain = 1;  // how far areas go, times a real head's; brows up and else
+  double early = 0;      // how much more clearly a face tells: brows, lids and corners half way; disgust
   double lid_hood = 0;   // how far towards shut a brow that is low and angry takes the upper lid along
   double jaw_stretch = 0, brow_stretch = 0;  // of the head's height when the jaw is open, the brows are up
   double folds = 1;                          // of the skin
@@ -78,6 +79,7 @@ inline constexpr std::array kDesignDials{
     DesignDial{"moves", "brow", &DesignNumbers::brow_gain, 0.3, 4},
     DesignDial{"moves", "corner", &DesignNumbers::corner_gain, 0.3, 2},
     DesignDial{"moves", "lips", &DesignNumbers::lips_gain, 0.3, 2},
+    DesignDial{"moves", "early", &DesignNumbers::early, 0, 0.8},
     DesignDial{"moves", "lid_hood", &DesignNumbers::lid_hood, 0, 0.6},
     DesignDial{"moves", "jaw_stretch", &DesignNumbers::jaw_stretch, 0, 0.1},
     DesignDial{"moves", "brow_stretch", &DesignNumbers::brow_stretch, 0, 0.1},

@@ -20,6 +20,7 @@ struct FoldPoint {
 struct FoldLine {
   std::vector<FoldPoint> through;  // at least 2
   std::vector<double> depths;      // shares of the set's depth at even steps along the line; ends are 0
+  std::vector<double> ink;  // the same for its stroke where that is drawn otherwise; none: as it is deep
   int file_line = 0;
 };
 

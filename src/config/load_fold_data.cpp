@@ -61,6 +61,9 @@ FoldLine read_line(const YamlValue& value, const PointNames& points) {
     for (const YamlValue& depth : load_list(*depths, "a list of numbers"))
       load_number(depth, 0, 1, line.depths.emplace_back());
   if (line.depths.empty()) table.fail("a line without depths; expected one at least");
+  if (const YamlValue* ink = table.find("ink"))
+    for (const YamlValue& width : load_list(*ink, "a list of numbers"))
+      load_number(width, 0, 1, line.ink.emplace_back());
   return line;
 }
 

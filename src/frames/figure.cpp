@@ -98,7 +98,7 @@ void redraw_parts(Figure& figure) {
 // The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
 void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
                   DeformBuffers& buffers) {
-  const Pose pose = hood_lids(figure.redraw, apply_limits(figure.limits, asked));
+  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
   pose_cage(figure.head, figure.face, pose, buffers.points);
   const bool is_redrawn = figure.redraw.is_on();
   if (is_turned(turn) && !is_redrawn)
@@ -129,7 +129,7 @@ void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
                    Drawing& drawing) {
-  const Pose pose = apply_limits(figure.limits, asked);
+  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
   drawing.parts.resize(figure.parts.size());
   const bool is_neutral = pose == Pose{} && !is_turned(turn);
   const glm::dmat4 head_turn =
@@ -241,7 +241,8 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   figure.redraw = build_redraw(figure.head, figure.face);
   if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of
                    // it is carved
-    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = figure.redraw.lid_hood = 0;
+    figure.redraw.jaw_stretch = figure.redraw.brow_stretch = 0;
+    figure.redraw.early = figure.redraw.lid_hood = 0;
     figure.redraw.lens = {};
   }
   if (figure.redraw.is_on()) redraw_rest(figure);

@@ -30,27 +30,39 @@ void list_neighbours(const FineSkin& fine, Ink& ink) {
   }
 }
 
-// None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids
-// and the bags beneath them: in profile they would leave ticks above and below the eye.
+// None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids,
+// the bags beneath them and where the cheek meets the nose: in profile they would leave ticks above and below
+// the eye, and a line from there to the mouth.
 void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
                   const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kNone_mm = 0.5f, kAll_mm = 5;
+  constexpr float kCheekNone_mm = 6, kCheekAll_mm = 11;
   const FineSkin& fine = figure.folds.skin;
-  std::vector<glm::vec3> margins;
+  std::vector<glm::vec3> margins, cheeks;
+  const auto add = [&](const char* point, std::vector<glm::vec3>& places) {
+    const std::uint32_t left = find_point(figure.head.cage, point);
+    for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) places.push_back(positions[v]);
+  };
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
       if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
   for (const char* point :
        {"E2_1",  "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
         "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
-        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"}) {
-    const std::uint32_t left = find_point(figure.head.cage, point);
-    for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) margins.push_back(positions[v]);
-  }
+        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
+    add(point, margins);
+  for (const char* point :
+       {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
+    add(point, cheeks);
+  const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
+    for (const glm::vec3& place : places) most = std::min(most, glm::distance(place, at));
+    return most;
+  };
   for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
-    float nearest = 2 * kAll_mm;
-    for (const glm::vec3& margin : margins) nearest = std::min(nearest, glm::distance(margin, positions[v]));
-    ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, nearest / ink.eye_size));
+    const float margin = measure(margins, positions[v], 2 * kAll_mm) / ink.eye_size;
+    const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
+    ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
+                       smooth_step(kCheekNone_mm, kCheekAll_mm, cheek));
   }
   for (const Triangle& t : fine.triangles)
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
@@ -181,18 +193,21 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
 }
 
 // Hair is toned as the ball that it covers: the locks' own ways would make flecks of its shade and of its
-// ring of light.
-void round_hair(const glm::vec3& middle, PartShape& hair) {
-  constexpr float kOwn = 0.04f;
+// ring of light. How high a place is tells how far its ball looks up: locks over each other have one ring,
+// which bows over the forehead and falls to the sides.
+void round_hair(const Box& ball, PartShape& hair) {
+  constexpr float kOwn = 0.02f, kBow = 0.07f;
+  const glm::vec3 middle = 0.5f * (ball.low + ball.high);
+  const float radius = 0.5f * (ball.high.x - ball.low.x);
   for (std::size_t v = 0; v < hair.positions.size(); ++v) {
-    const glm::vec3 out = glm::normalize(hair.positions[v] - middle + glm::vec3(0, 0, 1e-6f));
+    const glm::vec3 way = (hair.positions[v] - middle) / radius;
+    const glm::vec2 level(way.x, way.z);
+    const glm::vec2 around = level / std::max(glm::length(level), 1e-6f);
+    const float up = std::clamp(way.y + kBow * (around.x * around.x - around.y * around.y), -1.0f, 1.0f);
+    const float flat = std::sqrt(1 - up * up);
+    const glm::vec3 out(flat * around.x, up, flat * around.y);
     hair.normals[v] = glm::normalize(kOwn * hair.normals[v] + (1 - kOwn) * out);
   }
-}
-
-glm::vec3 find_middle(const std::vector<glm::vec3>& positions) {
-  const Box box = compute_bounds(positions);
-  return 0.5f * (box.low + box.high);
 }
 
 void clear_shape(PartShape& shape) {
@@ -224,6 +239,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
+  ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure));
   ink.first_outline = ink.model.parts.size();
@@ -263,25 +279,31 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
           skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
   }
-  const glm::vec3 hair_middle =
-      ink.outlined.empty() ? glm::vec3(0) : find_middle(drawing.parts[ink.outlined.front()].positions);
+  const Box hair_ball =
+      ink.outlined.empty() ? Box{} : compute_bounds(drawing.parts[ink.outlined.front()].positions);
   for (const std::size_t part : ink.outlined) {
-    // A lock has no outline before another one: the hull lies so far behind.
-    constexpr float kHair = 1.1f, kBehind_mm = 32;  // of a line; nearer and hidden locks leave dashes
+    // What is drawn behind hair is all of it, larger by a line: thin locks have no far side that a hull would
+    // need. A lock has no outline before another one, so far behind it lies.
+    constexpr float kHair = 1.0f, kBehind_mm = 32;  // of a line; nearer and hidden locks leave dashes
     const PartShape& shape = drawing.parts[part];
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
     buffers.turn.resize(shape.positions.size());
-    for (std::size_t v = 0; v < shape.positions.size(); ++v)
-      buffers.turn[v] = shape.positions[v] + kHair * static_cast<float>(view.line_mm) * shape.normals[v] +
-                        kBehind_mm * glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
-    append_away(view, ink.model.parts[part].rest.triangles, buffers, buffers.turn, outline);
-    round_hair(hair_middle, drawing.parts[part]);
+    for (std::size_t v = 0; v < shape.positions.size(); ++v) {
+      const glm::vec3 way = glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
+      const glm::vec3 aside = shape.normals[v] - glm::dot(shape.normals[v], way) * way;
+      buffers.turn[v] =
+          shape.positions[v] + kBehind_mm * way +
+          kHair * static_cast<float>(view.line_mm) * aside / std::max(glm::length(aside), 1e-4f);
+    }
+    outline.positions = buffers.turn;
+    outline.triangles = ink.model.parts[part].rest.triangles;
+    round_hair(hair_ball, drawing.parts[part]);
   }
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
-  const Pose pose = apply_limits(ink.limits, asked);
+  const Pose pose = redraw_pose(ink.redraw, apply_limits(ink.limits, asked));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;

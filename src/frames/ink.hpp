@@ -33,6 +33,7 @@ struct Ink {
   std::vector<InkStroke> strokes;
   std::vector<FoldField> folds;  // that strokes are drawn of, without their vertices
   LimitShares limits;
+  Redraw redraw;
   float eye_size = 1;  // of the ball against an adult's
 };
 

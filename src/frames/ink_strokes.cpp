@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "core/smooth.hpp"
+#include "head/binding.hpp"
 #include "head/cage.hpp"
 #include "head/tubes.hpp"
 
@@ -83,11 +84,35 @@ std::uint32_t find_sided(const Cage& cage, std::string_view name, float side) {
 StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength) {
   constexpr double kEnd = 0.02;
   StrokeRule rule{.name = set.name.c_str(), .points = {}, .widths = {}, .lift_mm = 0.35, .flat = 0.4};
-  for (std::size_t i = 0; i < line.depths.size(); ++i)
+  const std::vector<double>& depths = line.ink.empty() ? line.depths : line.ink;
+  for (std::size_t i = 0; i < depths.size(); ++i)
     rule.widths.push_back(
-        {static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(2, line.depths.size()) - 1),
-         std::max(kEnd, set.ink * strength * line.depths[i])});
+        {static_cast<double>(i) / static_cast<double>(std::max<std::size_t>(2, depths.size()) - 1),
+         std::max(kEnd, set.ink * strength * depths[i])});
   return rule;
+}
+
+// The places of a fold's line on the fine skin at rest: a chord between points of the cage would dive into
+// the skin and come out again, as dashes.
+std::vector<StrokePoint> trace_line(const Mesh& skin, const Cage& cage, const FoldLine& line, float side) {
+  constexpr int kPlaces = 24;
+  constexpr float kRoom_mm = 6;
+  std::vector<glm::vec3> way;
+  for (const FoldPoint& point : line.through)
+    way.push_back(glm::mix(skin.positions[find_sided(cage, point.from, side)],
+                           skin.positions[find_sided(cage, point.to, side)],
+                           static_cast<float>(point.share)));
+  Box box = compute_bounds(way);
+  box.low -= kRoom_mm;
+  box.high += kRoom_mm;
+  const SkinPatch patch = build_skin_patch(skin, box);
+  std::vector<StrokePoint> places;
+  for (int i = 0; i < kPlaces; ++i) {
+    const double at = static_cast<double>(i) / (kPlaces - 1) * static_cast<double>(way.size() - 1);
+    const SkinPlace place = find_nearest_place(patch, sample_curve(way, at));
+    places.push_back({skin.triangles[place.triangle], place.barycentric});
+  }
+  return places;
 }
 
 constexpr double kBrowEye_mm = 16;  // the eye that brows and wings are told on: a drawn adult's, nearly
@@ -103,7 +128,8 @@ double find_width(const std::vector<StrokeWidth>& widths, double at) {
 
 std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
                                     std::vector<FoldField>& folds) {
-  constexpr double kMostStrength = 1.3;
+  // What is drawn says more than skin would show: a child's frown is a thin line, not none.
+  constexpr double kMostStrength = 1.3, kTold = 0.7;
   const Cage& cage = figure.head.cage;
   std::vector<InkStroke> strokes;
   for (const StrokeRule& rule : list_stroke_rules())
@@ -112,13 +138,13 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
       InkStroke stroke{rule, {}, {}, side, {}};
       for (const char* name : rule.points) {
         const std::uint32_t point = find_sided(cage, name, side);
-        stroke.points.push_back({point, point, 0});
+        stroke.points.push_back({{point, point, point}, {1, 0, 0}});
       }
       for (const char* name : rule.facing) stroke.facing.push_back(find_sided(cage, name, side));
       strokes.push_back(std::move(stroke));
     }
   const FoldData& data = figure.head.data->folds;
-  const double strength = std::min(kMostStrength, compute_fold_strength(data, spec));
+  const double strength = std::min(kMostStrength, std::pow(compute_fold_strength(data, spec), kTold));
   for (std::size_t f = 0; f < data.sets.size(); ++f) {
     if (data.sets[f].ink == 0) continue;
     FoldField field = figure.folds.fields[f];
@@ -126,9 +152,7 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
     for (const FoldLine& line : data.sets[f].lines)
       for (const float side : {1.0f, -1.0f}) {
         InkStroke stroke{make_crease(data.sets[f], line, strength), {}, {}, side, folds.size()};
-        for (const FoldPoint& point : line.through)
-          stroke.points.push_back({find_sided(cage, point.from, side), find_sided(cage, point.to, side),
-                                   static_cast<float>(point.share)});
+        stroke.points = trace_line(figure.model.parts.front().rest, cage, line, side);
         strokes.push_back(std::move(stroke));
       }
     folds.push_back(std::move(field));
@@ -163,9 +187,14 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   };
   const auto eye = static_cast<float>(ground.eye_size * 13 / kBrowEye_mm);
   std::vector<glm::vec3> line, ups;
-  for (const auto& [from, to, share] : stroke.points) {
-    line.push_back(glm::mix(ground.positions[from], ground.positions[to], share));
-    ups.push_back(glm::normalize(glm::mix(ground.normals[from], ground.normals[to], share)));
+  for (const StrokePoint& point : stroke.points) {
+    const auto mix = [&](const std::vector<glm::vec3>& values) {
+      glm::vec3 sum(0);
+      for (int i = 0; i < 3; ++i) sum += point.shares[i] * values[point.vertices[i]];
+      return sum;
+    };
+    line.push_back(mix(ground.positions));
+    ups.push_back(glm::normalize(mix(ground.normals)));
   }
   if (!stroke.facing.empty()) {
     glm::vec3 facing(0);

@@ -27,10 +27,10 @@ struct StrokeRule {
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
 };
 
-// A place of the skin between two of the cage's points.
+// A place of the skin: in a triangle of its vertices, by their shares.
 struct StrokePoint {
-  std::uint32_t from = 0, to = 0;
-  float share = 0;  // of the way
+  Triangle vertices{0, 0, 0};
+  glm::vec3 shares{1, 0, 0};
 };
 
 // A stroke on one side, or across the middle.

@@ -21,6 +21,34 @@ double get_value(const Pose& pose, std::string_view area, Side side, std::string
   return pose.values[*find_move(area, side, move)];
 }
 
+// Not jaw and lips, whose ways are those of speech, and not the gaze, which is aimed.
+bool comes_early(std::string_view area) { return area == "brow" || area == "lid" || area == "corner"; }
+
+// A lip that is raised under low brows is disgust, which skin tells by the folds beside the nose: a face
+// without them tells it by all that is drawn, inner ends of the brows, narrow eyes, corners drawn wide and
+// down. Whose jaw is open shouts.
+void add_sneer(double sneer, Pose& pose) {
+  constexpr double kTurn = -0.5, kLid = 0.3, kUp = -0.4, kOut = 0.35;
+  constexpr double kLip = 0.5;  // of its own way
+  const double lip = get_value(pose, "lips", Side::none, "upper") *
+                     std::clamp(1 - get_value(pose, "chin", Side::none, "down"), 0.0, 1.0);
+  double most_share = 0;
+  for (const Side side : {Side::left, Side::right}) {
+    const double share = sneer * std::clamp(std::min(lip, -get_value(pose, "brow", side, "up")), 0.0, 1.0);
+    const auto add = [&](const char* area, const char* move, double by) {
+      double& value = pose.values[*find_move(area, side, move)];
+      const double least = std::min(-1.0, value), most = std::max(1.0, value);
+      value = std::clamp(value + share * by, least, most);
+    };
+    add("brow", "turn", kTurn);
+    add("lid", "lower", kLid);
+    add("corner", "up", kUp);
+    add("corner", "out", kOut);
+    most_share = std::max(most_share, share);
+  }
+  pose.values[*find_move("lips", Side::none, "upper")] *= 1 + kLip * std::min(1.0, 2 * most_share);
+}
+
 glm::dvec3 stretch_point(const Redraw& redraw, double stretch, const glm::dvec3& p) {
   const double share =
       p.y >= redraw.chin_mm ? stretch : stretch * smooth_step(redraw.floor_mm, redraw.chin_mm, p.y);
@@ -54,6 +82,7 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   redraw.lens = build_lens(head);
   redraw.jaw_stretch = head.design.jaw_stretch;
   redraw.brow_stretch = head.design.brow_stretch;
+  redraw.early = head.design.early;
   redraw.lid_hood = head.design.lid_hood;
   redraw.floor_mm = compute_bounds(head.skin.positions).low.y;
   redraw.chin_mm = head.cage.points[find_point(head.cage, "m12_D1")].y;
@@ -61,10 +90,17 @@ Redraw build_redraw(const NeutralHead& head, const Face& face) {
   return redraw;
 }
 
-Pose hood_lids(const Redraw& redraw, const Pose& pose) {
+Pose redraw_pose(const Redraw& redraw, const Pose& pose) {
   constexpr double kShut = -1;
-  if (redraw.lid_hood == 0) return pose;
+  constexpr double kSneer = 1.6;  // of a face that tells half a feeling as early as comic's: all of it
+  if (redraw.lid_hood == 0 && redraw.early == 0) return pose;
   Pose hooded = pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (comes_early(kMoves[i].area)) {
+      double& value = hooded.values[i];
+      value *= 1 + redraw.early * std::max(0.0, 1 - std::abs(value));
+    }
+  if (redraw.early != 0) add_sneer(kSneer * redraw.early, hooded);
   for (const Side side : {Side::left, Side::right}) {
     // Inner ends down alone are doubt, the whole brow down alone is thought: both together are anger.
     const double low = -0.5 * (get_value(pose, "brow", side, "up") + get_value(pose, "brow", side, "turn"));

@@ -1,5 +1,5 @@
 // What a design does to a head that is posed: its lens about the eyes, the whole head drawn out or squashed
-// as jaw and brows go (squash and stretch), and upper lids that go with low brows.
+// as jaw and brows go (squash and stretch), and a pose that is told more clearly.
 #pragma once
 
 #include <vector>
@@ -17,7 +17,7 @@ namespace mien {
 // Of one head; built once.
 struct Redraw {
   Lens lens;
-  double jaw_stretch = 0, brow_stretch = 0, lid_hood = 0;
+  double jaw_stretch = 0, brow_stretch = 0, early = 0, lid_hood = 0;
   double floor_mm = 0, chin_mm = 0;  // the stretch begins at the neck's end, and is whole from the chin on
   std::vector<float> turn_shares;    // of each vertex of the surface: how far it goes with a turning head
 
@@ -26,8 +26,9 @@ struct Redraw {
 
 Redraw build_redraw(const NeutralHead& head, const Face& face);
 
-// The pose with upper lids as low as the brows have them: large eyes would stare beneath a frown.
-Pose hood_lids(const Redraw& redraw, const Pose& pose);
+// The pose as a design has it: what is half shown is shown more clearly, at their limits areas are where they
+// were; and upper lids are as low as the brows have them, or large eyes would stare beneath a frown.
+Pose redraw_pose(const Redraw& redraw, const Pose& pose);
 
 // How much taller the head is in a pose, as a share of its height; below 0: lower.
 double compute_stretch(const Redraw& redraw, const Pose& pose);

@@ -77,6 +77,7 @@ std::vector<glm::vec3> list_ear_skin(const NeutralHead& head) {
 
 HairCut draw_cut(HairCut cut) {
   constexpr double kWidest = 0.4;  // or the short ones beside the ears are blots
+  constexpr int kFiner = 2;        // rings along a lock: its outline shows corners that shading hides
   const HairInk& ink = cut.ink;
   if (ink.count > 0) cut.locks.count = ink.count;
   if (ink.width_mm > 0) cut.locks.width_mm = ink.width_mm;
@@ -87,6 +88,7 @@ HairCut draw_cut(HairCut cut) {
     for (double& length : *lengths) length *= ink.longer;
   cut.down.count = 0;
   cut.locks.widest = kWidest;
+  cut.locks.rings *= kFiner;
   return cut;
 }
 

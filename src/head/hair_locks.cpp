@@ -97,6 +97,18 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
   part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
 }
 
+// A drawn head stretches and squashes: each vertex of a lock goes with the place under it, as the mass does,
+// or gaps would come between them.
+void bind_by_vertex(HeadPart& part, const HairScene& scene) {
+  const Binding last = part.bindings.back();
+  part.bindings.pop_back();
+  for (std::uint32_t v = last.first; v < last.first + last.count; ++v) {
+    const HairSeat& seat =
+        find_seat(scene, compute_hair_place(scene.chart, glm::dvec3(part.part.rest.positions[v])));
+    part.bindings.push_back({seat.triangle, seat.barycentric, v, 1});
+  }
+}
+
 // Whether a lock lies on what the scene keeps free.
 bool is_touching(const HairScene& scene, const HairStrand& strand, double width_mm) {
   constexpr double kAir_mm = 2;
@@ -120,6 +132,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
                 index);
+    if (cut.locks.widest > 0) bind_by_vertex(part, scene);  // cuts in ink alone have it
   }
 }
 

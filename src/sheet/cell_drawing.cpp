@@ -28,7 +28,11 @@ CellDrawing draw_cell(const CellHead& head, SheetCell& cell, CellBuffers& buffer
   const std::pair size_px(head.render.width_px, head.render.height_px);
   CellDrawing drawn;
   drawn.view = compute_cell_view(cell, measures, head.measures.at(cell.framing.scale_of));
-  const InkView view = compute_ink_view(drawn.view, head.render);
+  // Without perspective all is seen from far away: what ink draws behind the head must not grow past it.
+  constexpr double kFar = 1000;
+  InkView view = compute_ink_view(drawn.view, head.render);
+  const glm::dvec3 middle(drawn.view.look_at);
+  view.camera_mm = middle + kFar * (view.camera_mm - middle);
   const Pose pose = head.figure.ink
                         ? turn_gaze_to_camera(head.figure, cell.pose, glm::dmat4(1), view.camera_mm)
                         : cell.pose;

@@ -6,6 +6,7 @@
 #include <functional>
 #include <map>
 #include <set>
+#include <string>
 
 #include "core/conventions.hpp"
 #include "frames/drawn_gaze.hpp"
@@ -179,19 +180,94 @@ TEST(ink, the_rest_is_drawn_as_it_stands) {
   }
 }
 
-TEST(ink, outlines_are_what_faces_away) {
+TEST(ink, outlines_of_the_skin_are_what_faces_away) {
   const Subject& subject = comic();
   const InkView view{{300, 40, 850}, glm::normalize(glm::dvec3(-1, 1, 1)), 1};
   const Drawing drawing = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, view);
-  for (const char* name : {"skin_outline", "hair_outline", "hair_mass_outline"}) {
-    const PartShape& outline = drawing.parts[find_part(subject.ink.model, name)];
-    EXPECT_GT(outline.triangles.size(), 1000U) << name;
-    for (const Triangle& t : outline.triangles) {
-      const glm::vec3 &a = outline.positions[t[0]], &b = outline.positions[t[1]],
-                      &c = outline.positions[t[2]];
-      EXPECT_GT(glm::dot(a - glm::vec3(view.camera_mm), glm::cross(b - a, c - a)), 0) << name;
+  const PartShape& outline = drawing.parts[find_part(subject.ink.model, "skin_outline")];
+  EXPECT_GT(outline.triangles.size(), 1000U);
+  for (const Triangle& t : outline.triangles) {
+    const glm::vec3 &a = outline.positions[t[0]], &b = outline.positions[t[1]], &c = outline.positions[t[2]];
+    EXPECT_GT(glm::dot(a - glm::vec3(view.camera_mm), glm::cross(b - a, c - a)), 0);
+  }
+}
+
+TEST(ink, outlines_of_hair_are_all_of_it_behind_it_and_a_line_larger) {
+  const Subject& subject = comic();
+  const InkView view{{300, 40, 850}, glm::normalize(glm::dvec3(-1, 1, 1)), 1.5};
+  const Drawing drawing = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, view);
+  for (const std::string name : {"hair", "hair_mass"}) {
+    const std::size_t part = find_part(subject.ink.model, name);
+    const PartShape &hair = drawing.parts[part],
+                    &outline = drawing.parts[find_part(subject.ink.model, name + "_outline")];
+    EXPECT_EQ(outline.triangles, subject.ink.model.parts[part].rest.triangles) << name;
+    ASSERT_EQ(outline.positions.size(), hair.positions.size()) << name;
+    for (std::size_t v = 0; v < hair.positions.size(); v += 7) {
+      const glm::vec3 way = glm::normalize(hair.positions[v] - glm::vec3(view.camera_mm)),
+                      moved = outline.positions[v] - hair.positions[v];
+      EXPECT_GT(glm::dot(moved, way), 20) << name;
+      EXPECT_NEAR(glm::length(moved - glm::dot(moved, way) * way), view.line_mm, 0.02) << name;
     }
   }
+}
+
+// Locks lie over each other: one ring of light goes over all of them.
+TEST(ink, hair_is_as_light_as_it_is_high) {
+  const Subject& subject = comic();
+  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, InkView{});
+  const PartShape& hair = drawing.parts[find_part(subject.ink.model, "hair")];
+  std::vector<std::pair<float, float>> front;  // height, how far up it looks
+  for (std::size_t v = 0; v < hair.positions.size(); ++v)
+    if (std::abs(hair.positions[v].x) < 4 && hair.positions[v].z > 20)
+      front.emplace_back(hair.positions[v].y, hair.normals[v].y);
+  ASSERT_GT(front.size(), 20U);
+  std::ranges::sort(front);
+  for (std::size_t i = 1; i < front.size(); ++i)
+    EXPECT_GT(front[i].second, front[i - 1].second - 0.03f) << front[i].first;
+}
+
+// How far the locks' vertices are off the nearest of the mass, changes.
+TEST(ink, locks_stay_on_the_mass_while_the_head_stretches) {
+  const Subject& subject = comic();
+  const std::size_t locks = find_part(subject.ink.model, "hair"),
+                    mass = find_part(subject.ink.model, "hair_mass");
+  const Drawing rest = draw(subject, Pose{}, TurnKey{}, InkView{}),
+                tall = draw(subject, make_pose({{"chin.down", 1}, {"brow.up", 1}}), TurnKey{}, InkView{});
+  for (std::size_t v = 0; v < rest.parts[locks].positions.size(); v += 11) {
+    const glm::vec3& at = rest.parts[locks].positions[v];
+    const std::vector<glm::vec3>& shell = rest.parts[mass].positions;
+    const auto nearest = static_cast<std::size_t>(
+        std::ranges::min_element(shell, {}, [&](const glm::vec3& p) { return glm::distance(p, at); }) -
+        shell.begin());
+    EXPECT_NEAR(glm::distance(shell[nearest], at),
+                glm::distance(tall.parts[mass].positions[nearest], tall.parts[locks].positions[v]), 2.5)
+        << v;
+  }
+}
+
+TEST(ink, creases_lie_on_the_skin_all_their_way) {
+  const Subject& subject = comic();
+  const Mesh& skin = subject.figure.model.parts.front().rest;
+  std::size_t count = 0;
+  for (const InkStroke& stroke : subject.ink.strokes) {
+    if (!stroke.fold) continue;
+    for (const StrokePoint& point : stroke.points) {
+      EXPECT_NEAR(point.shares.x + point.shares.y + point.shares.z, 1, 1e-5);
+      EXPECT_GE(std::min({point.shares.x, point.shares.y, point.shares.z}), -1e-5f);
+      for (int i = 0; i < 3; ++i) ASSERT_LT(point.vertices[i], skin.positions.size());
+      ++count;
+    }
+    for (std::size_t i = 1; i < stroke.points.size(); ++i) {
+      const auto find_place = [&](const StrokePoint& point) {
+        glm::vec3 sum(0);
+        for (int k = 0; k < 3; ++k) sum += point.shares[k] * skin.positions[point.vertices[k]];
+        return sum;
+      };
+      EXPECT_LT(glm::distance(find_place(stroke.points[i - 1]), find_place(stroke.points[i])), 8)
+          << stroke.rule.name << ": no step to another fold of the skin";
+    }
+  }
+  EXPECT_GT(count, 200U);
 }
 
 TEST(ink, lines_are_as_wide_as_the_view_says) {
@@ -436,7 +512,52 @@ TEST(redraw, low_and_angry_brows_take_the_lids_along) {
   EXPECT_LT(measure(-0.6, -1, 0.25), 0.85 * measure(0, 0, 0)) << "anger";
   EXPECT_NEAR(measure(-0.6, 0.6, 0), measure(0, 0, 0), 1.5) << "grief: brows alone";
   EXPECT_NEAR(measure(-1, -1, -1), measure(0, 0, -1), 0.3) << "shut is shut";
-  EXPECT_EQ(hood_lids(Redraw{}, make_pose({{"brow.up", -1}})), make_pose({{"brow.up", -1}}));
+  EXPECT_EQ(redraw_pose(Redraw{}, make_pose({{"brow.up", -1}})), make_pose({{"brow.up", -1}}));
+}
+
+TEST(redraw, half_a_feeling_is_told_more_clearly_and_a_whole_one_is_what_it_was) {
+  Redraw redraw;
+  redraw.early = 0.6;
+  const auto measure = [&](const char* move, double value) {
+    const Pose pose = redraw_pose(redraw, make_pose({{move, value}}));
+    const std::string text = move;
+    const std::string area = text.substr(0, text.find('.')), name = text.substr(text.find('.') + 1);
+    for (const Side side : {Side::none, Side::left})
+      if (const auto found = find_move(area, side, name)) return pose.values[*found];
+    return -9.0;
+  };
+  for (const char* move : {"brow.up", "brow.turn", "lid.lower", "corner.up"}) {
+    for (const double same : {0.0, 1.0, -1.0, 1.4}) EXPECT_EQ(measure(move, same), same) << move;
+    EXPECT_NEAR(measure(move, 0.5), 0.65, 1e-9) << move;
+    EXPECT_NEAR(measure(move, -0.5), -0.65, 1e-9) << move;
+    for (double value = -1; value < 1; value += 0.05)
+      EXPECT_GT(measure(move, value + 0.05), measure(move, value)) << move;
+  }
+  for (const char* move : {"chin.down", "lips.upper", "lips.press", "eye.side"})
+    EXPECT_EQ(measure(move, 0.5), 0.5) << move << ": speech and gaze are what they are";
+}
+
+TEST(redraw, disgust_goes_over_the_face_on_its_side_and_a_shout_does_not) {
+  Redraw redraw;
+  redraw.early = 0.6;
+  const auto value = [](const Pose& pose, const char* area, Side side, const char* move) {
+    return pose.values[*find_move(area, side, move)];
+  };
+  const Pose disgust = redraw_pose(redraw, make_pose({{"lips.upper", 1}, {"brow.up", -1}}));
+  for (const Side side : {Side::left, Side::right}) {
+    EXPECT_LT(value(disgust, "brow", side, "turn"), -0.3);
+    EXPECT_GT(value(disgust, "lid", side, "lower"), 0.2);
+    EXPECT_LT(value(disgust, "corner", side, "up"), -0.2);
+  }
+  EXPECT_GT(value(disgust, "lips", Side::none, "upper"), 1);
+  Pose one = make_pose({{"lips.upper", 1}});
+  one.values[*find_move("brow", Side::left, "up")] = -1;
+  EXPECT_LT(value(redraw_pose(redraw, one), "brow", Side::left, "turn"), -0.3);
+  EXPECT_EQ(value(redraw_pose(redraw, one), "brow", Side::right, "turn"), 0);
+  for (const Pose& other :
+       {make_pose({{"lips.upper", 1}, {"brow.up", -1}, {"chin.down", 1}}), make_pose({{"lips.upper", 1}}),
+        make_pose({{"brow.up", -1}}), make_pose({{"lips.upper", 0.5}, {"brow.up", 0.4}})})
+    EXPECT_EQ(redraw_pose(redraw, other), other);
 }
 
 TEST(drawn_gaze, goes_to_a_camera_at_the_side_and_to_no_other) {
@@ -466,6 +587,8 @@ TEST(redraw, a_print_has_one_height) {
   const Figure figure = build_figure(shipped().heads, make_spec("comic"), FigureUse::print);
   EXPECT_FALSE(figure.redraw.lens.is_on());  // the print goes through it when all is carved
   EXPECT_EQ(compute_stretch(figure.redraw, make_pose({{"chin.down", 1}, {"brow.up", 1}})), 0);
+  const Pose pose = make_pose({{"lips.upper", 0.5}, {"brow.up", -0.5}});
+  EXPECT_EQ(redraw_pose(figure.redraw, pose), pose) << "its sliders are its areas";
 }
 
 // A turned head is the posed one turned: the lens goes with it.
