@@ -221,7 +221,8 @@ std::vector<std::optional<double>> list_item_times(const EditText& text, std::ui
     const YamlMapping entries = load_free_mapping(item, "");
     const YamlValue* at = find_value(entries, "at");
     double at_s = 0;
-    times_s.push_back(at != nullptr && load_time(*at, clock, at_s) ? std::optional(at_s) : std::nullopt);
+    times_s.push_back(load_time(at == nullptr ? item : *at, clock, at_s) ? std::optional(at_s)
+                                                                         : std::nullopt);
   }
   return times_s;
 }
