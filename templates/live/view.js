@@ -120,7 +120,7 @@ class View {
       const isNewModel = this.now?.model !== answer.model;
       const isSame = this.now?.shapes === answer.shapes;  // on twos every other frame
       this.now = {...answer, frame};
-      if (!isSame) this.show(isNewModel);
+      if (!isSame) this.show();
       this.tell("shown", {frame});
       this.loadLater(turn, isNewModel);
     } catch (error) {
@@ -129,13 +129,13 @@ class View {
     }
   }
 
-  show(isNewModel) {
+  show() {
     const {model, shapes} = this.now;
     if (!this.figures) {
       this.figures = new Figures(model, this.stage.light);
       this.stage.scene.add(this.figures.group);
       this.setWire();
-    } else if (isNewModel) {
+    } else if (this.figures.model !== model) {
       takeOver(this.figures.model, model);
       this.figures.become(model);
       this.setWire();

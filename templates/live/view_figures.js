@@ -121,7 +121,8 @@ export class Figures {
       this.setLook(old.mesh, part, null);
       return old.mesh;
     }));
-    for (const {mesh} of before.flatMap((meshes) => [...meshes.values()])) {
+    const kept = new Set(this.meshes.flat());
+    for (const mesh of [...this.group.children].filter((one) => !kept.has(one))) {
       this.group.remove(mesh);
       mesh.geometry.dispose();
     }

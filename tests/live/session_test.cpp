@@ -173,10 +173,12 @@ TEST(live_session, what_stands_in_no_line_has_no_place) {
     EXPECT_EQ(refused.status, 400);
     return std::string(Json::parse(refused.body)["error"]);
   };
-  EXPECT_EQ(move(blink), "'clip.blinks[0]' waits for another key; expected a time such as 1.5s, 36f or 500ms");
-  EXPECT_EQ(move(answer["clip"]["cameras"][0]),
-            "it has no place in this text, but comes from another file or from mien itself; expected a key or "
-            "cue of this text");
+  EXPECT_EQ(move(blink),
+            "'clip.blinks[0]' waits for another key; expected a time such as 1.5s, 36f or 500ms");
+  EXPECT_EQ(
+      move(answer["clip"]["cameras"][0]),
+      "it has no place in this text, but comes from another file or from mien itself; expected a key or "
+      "cue of this text");
 }
 
 TEST(live_session, a_face_posed_by_hand_is_made_as_it_is_posed) {
@@ -189,18 +191,20 @@ TEST(live_session, a_face_posed_by_hand_is_made_as_it_is_posed) {
     return words;
   };
   const std::string file = (opened.folder / "face.yaml").string();
-  EXPECT_EQ(find_command({{"kind", "still_sketch"},
-                          {"values", {{"brow.left", {{"up", 0.5}}}, {"lips", {{"press", 0.4}}}}},
-                          {"strength", 0.5}}),
-            "|still|" + file + "|--json|--quality|sketch|--express={brow.left: {up: 0.25}, lips: {press: 0.2}}|");
+  EXPECT_EQ(
+      find_command({{"kind", "still_sketch"},
+                    {"values", {{"brow.left", {{"up", 0.5}}}, {"lips", {{"press", 0.4}}}}},
+                    {"strength", 0.5}}),
+      "|still|" + file + "|--json|--quality|sketch|--express={brow.left: {up: 0.25}, lips: {press: 0.2}}|");
   EXPECT_EQ(find_command({{"kind", "bust"}, {"values", Json::object()}, {"actor", "ann"}}),
             "|bust|" + file + "|--json|--no-stl|--express={}|--actor=ann|");
-  EXPECT_EQ(find_command({{"kind", "stl"}, {"express", "smile"}}), "|bust|" + file + "|--json|--express=smile|");
+  EXPECT_EQ(find_command({{"kind", "stl"}, {"express", "smile"}}),
+            "|bust|" + file + "|--json|--express=smile|");
   const LiveAnswer wrong = opened.post("api/job", {{"kind", "stl"}, {"values", {{"lips", {{"sing", 1}}}}}});
   EXPECT_EQ(wrong.status, 400);
   EXPECT_EQ(Json::parse(wrong.body)["error"], "'lips.sing' is no move with a number");
-  const LiveAnswer strong = opened.post(
-      "api/job", {{"kind", "stl"}, {"values", Json::object()}, {"strength", 3}});
+  const LiveAnswer strong =
+      opened.post("api/job", {{"kind", "stl"}, {"values", Json::object()}, {"strength", 3}});
   EXPECT_EQ(Json::parse(strong.body)["error"], "'strength' is 3; expected 0 to 1");
 }
 
@@ -427,8 +431,7 @@ TEST(live_session, wrong_questions_are_told_what_was_expected) {
   expect_refusal("api/pose_at", {{"doc", doc}, {"frame", -1}}, 400, "'frame' is -1; expected 0 to 100000");
   expect_refusal("api/pose_at", {{"doc", doc}, {"frame", 0}, {"actor", "bob"}}, 400,
                  "there is no actor 'bob'");
-  expect_refusal("api/shapes",
-                 {{"doc", doc}, {"frame", 0}, {"values", {{"lips", {{"sing", 1}}}}}}, 400,
+  expect_refusal("api/shapes", {{"doc", doc}, {"frame", 0}, {"values", {{"lips", {{"sing", 1}}}}}}, 400,
                  "'lips.sing' is no move with a number");
   expect_refusal("api/sky", {{"doc", doc}, {"frame", 0}, {"width", 9999}, {"height", 9}}, 400,
                  "'width' is 9999; expected 1 to 640");
@@ -442,8 +445,7 @@ TEST(live_session, what_a_text_asks_of_a_pose_stays_within_reason) {
   Opened opened;
   const std::string doc = opened.check();
   const Json huge{{"corner.left", {{"up", 1e300}}}};
-  EXPECT_EQ(opened.post("api/shapes", {{"doc", doc}, {"frame", 0}, {"values", huge}}).status,
-            200);
+  EXPECT_EQ(opened.post("api/shapes", {{"doc", doc}, {"frame", 0}, {"values", huge}}).status, 200);
 }
 
 TEST(live_session, old_texts_are_forgotten) {
