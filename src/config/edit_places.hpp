@@ -13,8 +13,8 @@ struct TimedPlace {
   Place place;
 };
 
-// The items of `clip.TRACK` ("camera", "blinks") that have a time, in the order of the text; of an actor's own
-// clip if there is one of that name. What other files add, or an alias hides, has no place here.
+// The items of `clip.TRACK` ("camera", "blinks") that have a time, in the order of the text; of an actor's
+// own clip if there is one of that name. What other files add, or an alias hides, has no place here.
 std::vector<TimedPlace> list_timed_places(const EditText& text, const std::string& actor,
                                           const std::string& track, int fps);
 

@@ -198,8 +198,8 @@ Expression read_expression(const Spec& spec, const std::string& words) {
   }
   if (!findings.mistakes.empty()) throw InputError("--express: " + findings.mistakes.front().message);
   if (drafts.size() != 1)
-    throw InputError(fmt::format("--express is '{}'; expected a name or one expression in braces",
-                                 show_word(words)));
+    throw InputError(
+        fmt::format("--express is '{}'; expected a name or one expression in braces", show_word(words)));
   return book.expressions[drafts.front().expression];
 }
 

@@ -175,8 +175,8 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
   return build_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field));
 }
 
-// Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread. Those
-// that hold and move the same points go to one thread, one after the other.
+// Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
+// Those that hold and move the same points go to one thread, one after the other.
 std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& data, const Scales& scales) {
   const Cage& cage = head.cage;
   const Anchors anchors = compute_anchors(cage, data);

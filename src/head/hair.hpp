@@ -16,7 +16,8 @@ namespace mien {
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& cut, const Look& look,
                                  bool is_drawn);
 
-// The parts of build_hair that are not drawn, and what paint_scalp gives, of one chart: half the time of both.
+// The parts of build_hair that are not drawn, and what paint_scalp gives, of one chart: half the time of
+// both.
 struct WornHair {
   std::vector<HeadPart> parts;
   std::vector<float> scalp;

@@ -117,9 +117,10 @@ void fill_gaps(std::vector<double>& values, const std::vector<bool>& is_known) {
   };
   std::vector<Gap> filled;
   for (const auto& [azimuth, way] : gaps)
-    filled.push_back({slot(azimuth, way),
-                      {slot(azimuth - 1, way), slot(azimuth + 1, way), way > 0 ? slot(azimuth, way - 1) : nowhere,
-                       way + 1 < kWays ? slot(azimuth, way + 1) : nowhere}});
+    filled.push_back(
+        {slot(azimuth, way),
+         {slot(azimuth - 1, way), slot(azimuth + 1, way), way > 0 ? slot(azimuth, way - 1) : nowhere,
+          way + 1 < kWays ? slot(azimuth, way + 1) : nowhere}});
   for (int round = 0; round < kRounds; ++round) {
     bool is_settled = true;
     for (const Gap& gap : filled) {

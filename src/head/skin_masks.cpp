@@ -106,7 +106,7 @@ void add_rings(const NeutralHead& head, SkinMasks& masks) {
 
 // Spots lie on the left half; |x| puts their mirror images on the right one.
 void add_spots(const NeutralHead& head, SkinMasks& masks) {
-  constexpr float kNothing = 20;  // exp(-20) from 1 is 1 in a float
+  constexpr float kNothing = 20;                           // exp(-20) from 1 is 1 in a float
   const double size = head.eye.centre.x / Eye{}.centre.x;  // of this face against the adult's
   for (const Spot& spot : kSpots) {
     const glm::vec3 centre = head.skin.positions[find_point(head.cage, spot.point)];

@@ -247,7 +247,9 @@ SpotPlaces::Kind place_kind(const Mesh& adult, const std::vector<double>& sums, 
   return placed;
 }
 
-bool has_spots(const Look& look, bool is_ink) { return look.freckles != 0 || (look.age_spots != 0 && !is_ink); }
+bool has_spots(const Look& look, bool is_ink) {
+  return look.freckles != 0 || (look.age_spots != 0 && !is_ink);
+}
 
 void append_spots(const NeutralHead& head, const SpotPlaces::Kind& placed, const Dial& dial, float light,
                   HeadPart& part) {

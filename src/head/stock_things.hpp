@@ -9,8 +9,8 @@
 
 namespace mien {
 
-// What `build` gives, or gave under that name before. Few are kept: those used last. Any number of threads may
-// ask. A stock without a store keeps nothing.
+// What `build` gives, or gave under that name before. Few are kept: those used last. Any number of threads
+// may ask. A stock without a store keeps nothing.
 std::shared_ptr<const void> share_any_thing(const HeadStock& stock, const std::string& name,
                                             const std::function<std::shared_ptr<const void>()>& build);
 

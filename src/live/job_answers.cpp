@@ -50,8 +50,7 @@ Json describe_job(const Job& job) {
 }
 
 // A face of somebody's own instead of the clip's.
-void add_face(const Json& asked, const std::string& expression,
-              std::vector<std::string>& command) {
+void add_face(const Json& asked, const std::string& expression, std::vector<std::string>& command) {
   // Beside its option's name in one word, so that none of its letters is taken for another option.
   command.push_back("--express=" + expression);
   const std::string actor = asked.contains("actor") ? take_text(asked, "actor") : "";
