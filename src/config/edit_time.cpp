@@ -245,8 +245,9 @@ std::string move_time(const std::string& bytes, const TimeMove& move) {
                                  static_cast<double>(kMaxFrames) / move.fps));
   YamlPath path = item->path;
   const Trail to_item = find_trail(text, path);
-  const bool is_bare =
-      text.document.nodes[to_item.nodes.back()].kind == NodeKind::text && move.member == "at";
+  const std::uint32_t own = to_item.nodes.back();
+  const bool is_bare = move.member == "at" &&
+                       (text.document.nodes[own].kind == NodeKind::text || has_entry(text, own, "after"));
   if (!is_bare) path.emplace_back(move.member);
   const Trail trail = find_trail(text, path);
   if (trail.nodes.size() <= path.size())

@@ -7,7 +7,6 @@
 
 #include "config/edit.hpp"
 #include "config/findings.hpp"
-#include "config/pose_mix.hpp"
 #include "core/text.hpp"
 #include "live/files.hpp"
 #include "live/news.hpp"
@@ -70,7 +69,8 @@ LiveAnswer answer_job(LiveSession& session, const Json& asked) {
   std::string title(kind->title);
   if (kind->has_moment && asked.contains("values")) {
     const double strength = take_number(asked, "strength", 0, 1, 1);
-    const Pose pose = mix_poses({{1, read_pose(asked["values"])}}, strength);
+    Pose pose = read_pose(asked["values"]);
+    for (double& value : pose.values) value *= strength;
     add_face(asked, format_expression(pose), command);
     title += ", posed by hand";
   } else if (kind->has_moment && asked.contains("express")) {

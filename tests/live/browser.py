@@ -83,6 +83,9 @@ class Page:
                     "value": node.get("value", {}).get("value")}
             for entry in node.get("properties", []):
                 told[entry["name"]] = entry["value"].get("value")
+            if told.get("focusable") and told["role"] == "generic":  # those that only scripts focus are no controls
+                page_node = self.driver.execute_cdp_cmd("DOM.describeNode", {"backendNodeId": node["backendDOMNodeId"]})["node"]
+                told["focusable"] = "-1" not in page_node["attributes"]
             nodes.append(told)
         return nodes
 

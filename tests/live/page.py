@@ -213,7 +213,7 @@ def stage_keys(page):
     for kind in kinds:
         mark = f"[...document.querySelectorAll('.mark_{kind}')].at(-1)"
         line = int(page.find(f"{mark}.dataset.line"))
-        page.run(f"{mark}.scrollIntoView()")
+        page.run(f"{mark}.scrollIntoView({{block: 'center'}})")
         page.act().click(page.find(mark)).perform()
         check(f"a click goes to its line: {kind}", page.until(f"{EDITOR}.cm.getCursor().line === {line - 1}"))
         before = page.find(f"{EDITOR}.cm.getLine({line - 1})")

@@ -121,8 +121,8 @@ TEST(live_session, keys_of_all_tracks_have_a_place_from_which_they_can_be_moved)
     EXPECT_EQ(key["column"], column) << key;
     EXPECT_DOUBLE_EQ(key["at_s"].get<double>(), at_s) << key;
   };
-  expect_place(clip["blinks"][0], 4, 18, 0.25);  // by time, wherever they stand
-  expect_place(clip["blinks"][1], 4, 13, 0.5);
+  expect_place(clip["blinks"][0], 4, 17, 0.25);  // by time, wherever they stand
+  expect_place(clip["blinks"][1], 4, 12, 0.5);
   expect_place(clip["cameras"][1], 7, 7, 1);
   expect_place(clip["lights"][0], 8, 11, 0.5);
   expect_place(clip["backgrounds"][0], 10, 7, 1);
