@@ -15,7 +15,8 @@ struct OptionInfo {
 
 inline constexpr std::array kOptions{
     OptionInfo{"at", 0, "TIME", "the moment of the clip: 1.2s, 500ms or 36f"},
-    OptionInfo{"express", 0, "NAME", "an expression instead of the clip's: smile, tezuka/anger"},
+    OptionInfo{"express", 0, "NAME",
+               "an expression instead of the clip's: smile, tezuka/anger, or its areas in braces"},
     OptionInfo{"actor", 0, "NAME", "this one of the file's actors"},
     OptionInfo{"area", 0, "AREA", "this area alone, all its moves: brow.left, lips"},
     OptionInfo{"height", 0, "LENGTH", "height of the bust, over the file's: 80mm, 6cm"},

@@ -41,6 +41,9 @@ std::string write_key(const std::string& text, const KeyEdit& edit, const Langua
 // An expression of the file's own; one of that name is replaced.
 std::string write_expression(const std::string& text, const std::string& name, const Pose& pose);
 
+// What stands there: "{brows: {up: 0.5}, lips: {press: 0.2}}".
+std::string format_expression(const Pose& pose);
+
 // Another time of a key, a cue or a blink.
 struct TimeMove {
   int line = 0, column = 0;  // in it, as Place has them

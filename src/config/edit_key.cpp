@@ -149,10 +149,14 @@ std::string write_expression(const std::string& text, const std::string& name, c
     throw InputError(fmt::format(
         "'{}' cannot name an expression; expected a letter, then letters, digits, '_' or '-', {} at most",
         show_word(name), kMaxExpressionName));
+  return set_value(text, {"expressions", name}, format_expression(pose));
+}
+
+std::string format_expression(const Pose& pose) {
   ExpressionBook plain;
-  PoseWords words = find_pose_words({}, plain, pose);
-  if (!words.exaggerate.empty()) words.areas += ", exaggerate: " + words.exaggerate;
-  return set_value(text, {"expressions", name}, "{" + words.areas + "}");
+  const PoseWords words = find_pose_words({}, plain, pose);
+  if (words.exaggerate.empty()) return "{" + words.areas + "}";
+  return fmt::format("{{{}, exaggerate: {}}}", words.areas, words.exaggerate);
 }
 
 }  // namespace mien

@@ -221,7 +221,8 @@ std::vector<std::optional<double>> list_item_times(const EditText& text, std::ui
     const YamlMapping entries = load_free_mapping(item, "");
     const YamlValue* at = find_value(entries, "at");
     double at_s = 0;
-    times_s.push_back(at != nullptr && load_time(*at, clock, at_s) ? std::optional(at_s) : std::nullopt);
+    times_s.push_back(load_time(at == nullptr ? item : *at, clock, at_s) ? std::optional(at_s)
+                                                                         : std::nullopt);
   }
   return times_s;
 }
@@ -244,8 +245,9 @@ std::string move_time(const std::string& bytes, const TimeMove& move) {
                                  static_cast<double>(kMaxFrames) / move.fps));
   YamlPath path = item->path;
   const Trail to_item = find_trail(text, path);
-  const bool is_bare =
-      text.document.nodes[to_item.nodes.back()].kind == NodeKind::text && move.member == "at";
+  const std::uint32_t own = to_item.nodes.back();
+  const bool is_bare = move.member == "at" &&
+                       (text.document.nodes[own].kind == NodeKind::text || has_entry(text, own, "after"));
   if (!is_bare) path.emplace_back(move.member);
   const Trail trail = find_trail(text, path);
   if (trail.nodes.size() <= path.size())

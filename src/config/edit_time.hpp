@@ -19,8 +19,8 @@ std::string format_frame(std::int64_t frame, int fps, const std::string& unit);
 
 std::int64_t find_frame(double time_s, int fps);
 
-// The times of a list's items as the clip has them, those that wait for others too. `is_known`: none where an
-// item has no time.
+// The times of a list's items as the clip has them, those that wait for others too; an item without `at` is a
+// time itself. None where it has no time.
 std::vector<std::optional<double>> list_item_times(const EditText& text, std::uint32_t list,
                                                    const std::string& actor, int fps);
 

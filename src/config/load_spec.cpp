@@ -179,7 +179,34 @@ const Expression& find_expression(const Spec& spec, const std::string& name) {
   return spec.expressions[*index];
 }
 
+namespace {
+
+// "{brows: {up: 0.5}}" as an expression of the file.
+Expression read_expression(const Spec& spec, const std::string& words) {
+  ExpressionBook book = build_book(spec.expressions);
+  std::erase(book.libraries, "");
+  book.library = spec.library;
+  Findings findings;
+  auto source = build_source("--express", "expressions: {posed: " + words + "}\n", findings);
+  const auto document = source ? scan_document(std::move(*source), findings) : std::nullopt;
+  std::vector<ExpressionDraft> drafts;
+  if (document) {
+    const YamlMapping entries = load_section(find_root(*document, findings), find_sections().file);
+    if (const YamlValue* expressions = find_value(entries, "expressions"))
+      load_drafts(*expressions, "", book, drafts);
+    build_drafts(drafts, book);
+  }
+  if (!findings.mistakes.empty()) throw InputError("--express: " + findings.mistakes.front().message);
+  if (drafts.size() != 1)
+    throw InputError(
+        fmt::format("--express is '{}'; expected a name or one expression in braces", show_word(words)));
+  return book.expressions[drafts.front().expression];
+}
+
+}  // namespace
+
 Expression take_expression(const Spec& spec, const std::string& name) {
+  if (name.starts_with('{')) return read_expression(spec, name);
   Expression expression = find_expression(spec, name);
   HeldPose held = hold_pose({expression.pose, expression.reach, 1, {}, spec.exaggerate});
   expression.pose = held.pose;

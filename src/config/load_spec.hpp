@@ -43,7 +43,9 @@ Spec load_spec(const std::filesystem::path& file, std::string text, const Langua
 // InputError "unknown expression 'smlie'; did you mean 'smile'?".
 const Expression& find_expression(const Spec& spec, const std::string& name);
 
-// A copy of it with the file's `exaggerate`: the face that --express asks for.
+// A copy of it with the file's `exaggerate`: the face that --express asks for. In braces it is what could
+// stand under `expressions:` of the file, "{from: smile, brows: {up: 0.5}}", is called "posed", and goes as
+// far as it says. Throws InputError "--express: ..." on what could not.
 Expression take_expression(const Spec& spec, const std::string& name);
 
 // A bust of this expression that is printed as the file's busts are: as the first that the file lists of it;

@@ -176,14 +176,23 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
 }
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
+// Those that hold and move the same points go to one thread, one after the other.
 std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& data, const Scales& scales) {
   const Cage& cage = head.cage;
   const Anchors anchors = compute_anchors(cage, data);
   std::vector<std::function<DrivenField(const FieldSolver&)>> works;
+  std::map<std::string, std::vector<std::size_t>> alike;  // works by what they hold and move
+  const auto add = [&](const MoveTable& table, const Handles& handles,
+                       std::function<DrivenField(const FieldSolver&)> work) {
+    std::string key = fmt::format("{} {}", table.anchors, table.is_sided);
+    for (const auto& [point, move] : handles) key += ' ' + point;
+    alike[key].push_back(works.size());
+    works.push_back(std::move(work));
+  };
   for (const MoveTable& table : data.moves)
     for (const int sign : {1, -1})
       if (!(sign > 0 ? table.plus : table.minus).empty())
-        works.push_back([&, sign](const FieldSolver& solver) {
+        add(table, sign > 0 ? table.plus : table.minus, [&, sign](const FieldSolver& solver) {
           DrivenField driven = build_move_field(solver, anchors, scales, table, sign);
           const double gain = get_gain(head.design, table.area, table.move, sign);
           if (gain != 1)
@@ -192,22 +201,24 @@ std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& d
           return driven;
         });
   for (const CorrectiveTable& corrective : data.correctives)
-    works.push_back(
+    add(corrective.table, corrective.table.plus,
         [&](const FieldSolver& solver) { return build_corrective(solver, anchors, scales, corrective); });
   MoveTable corner_in;
   corner_in.units = {"mouth_width", "mouth_nose", "mouth_width"};
   corner_in.anchors = "corner";
   corner_in.plus = data.jaw.corner_in;
-  works.push_back([&](const FieldSolver& solver) {
+  add(corner_in, corner_in.plus, [&](const FieldSolver& solver) {
     return build_corrective(solver, anchors, scales, {corner_in, {{"chin", "down", 1}}});
   });
 
   std::vector<DrivenField> fields(works.size());
   std::vector<std::optional<FieldSolver>> solvers(static_cast<std::size_t>(count_workers()));
-  for_each_index(works.size(), count_workers(), [&](std::size_t i, int worker) {
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [key, group] : alike) groups.push_back(std::move(group));
+  for_each_index(groups.size(), count_workers(), [&](std::size_t i, int worker) {
     std::optional<FieldSolver>& solver = solvers[static_cast<std::size_t>(worker)];
     if (!solver) solver = build_field_solver(cage);
-    fields[i] = works[i](*solver);
+    for (const std::size_t work : groups[i]) fields[work] = works[work](*solver);
   });
   const std::vector<LipRoom> rooms = list_lip_rooms(cage, head.design);
   for (DrivenField& field : fields)

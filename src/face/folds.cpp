@@ -6,7 +6,9 @@
 #include <cmath>
 #include <map>
 
+#include "core/pool.hpp"
 #include "core/smooth.hpp"
+#include "face/fold_ground.hpp"
 #include "face/fold_tracks.hpp"
 #include "head/tubes.hpp"
 
@@ -25,19 +27,29 @@ double compute_left_share(const FoldSet& set, double x_mm) {
   return smooth_step(-set.across_mm, set.across_mm, x_mm);
 }
 
-FoldField build_field(const FineSkin& skin, const std::vector<glm::vec3>& adult,
-                      const std::vector<Track>& tracks, const FoldSet& set, double scale, double rest) {
+FoldField build_field(const FineSkin& skin, const std::vector<FoldHeight>& heights, const FoldSet& set,
+                      double scale, double rest) {
   FoldField field{set.drives, set.from, set.to, rest, {}};
-  for (std::uint32_t v = 0; v < skin.vertex_count(); ++v) {
-    if (adult[v].x < 0) continue;
-    const auto [left, right] = compute_heights_mm(tracks, set, adult[v]);
+  for (const auto& [v, mm, left_own] : heights) {
+    const auto [left, right] = mm;
     if (scale * std::max(std::abs(left), std::abs(right)) < kNothing_mm) continue;
     const bool is_middle = skin.mirror[v] == v;
-    const double own = is_middle ? 0.5 : compute_left_share(set, adult[v].x);
+    const double own = is_middle ? 0.5 : left_own;
     const auto of = [&](double height, double share) { return static_cast<float>(scale * height * share); };
     field.vertices.push_back({v, of(left, own), of(left, 1 - own), of(right, own), of(right, 1 - own)});
   }
   return field;
+}
+
+std::vector<FoldHeight> list_heights(const std::vector<Track>& tracks, const FoldSet& set,
+                                     const std::vector<glm::vec3>& adult) {
+  std::vector<FoldHeight> heights;
+  for (std::uint32_t v = 0; v < adult.size(); ++v) {
+    if (adult[v].x < 0) continue;
+    const std::array<double, 2> mm = compute_heights_mm(tracks, set, adult[v]);
+    if (mm[0] != 0 || mm[1] != 0) heights.push_back({v, mm, compute_left_share(set, adult[v].x)});
+  }
+  return heights;
 }
 
 // The mean of what a table says of the ages; `other` for those that it does not name.
@@ -66,11 +78,14 @@ double read_driver(const Driver& driver, const Pose& pose, Side side) {
 // Which triangles and vertices of folds.skin the folds need; from here on the fields name vertices by their
 // place among those.
 void find_touched(const std::vector<bool>& is_folded, Folds& folds) {
-  std::map<std::uint32_t, std::uint32_t> slot_of;  // of left vertices
+  constexpr auto kNone = static_cast<std::uint32_t>(-1);
+  std::vector<std::uint32_t> slot_of(folds.skin.vertex_count(), kNone);  // of left vertices
   const auto take = [&](std::uint32_t left) {
-    const auto [entry, is_new] = slot_of.try_emplace(left, static_cast<std::uint32_t>(folds.vertices.size()));
-    if (is_new) folds.vertices.push_back({left, folds.skin.mirror[left]});
-    return entry->second;
+    if (slot_of[left] == kNone) {
+      slot_of[left] = static_cast<std::uint32_t>(folds.vertices.size());
+      folds.vertices.push_back({left, folds.skin.mirror[left]});
+    }
+    return slot_of[left];
   };
   for (std::uint32_t t = 0; t < folds.skin.triangles.size(); t += 2) {
     const Triangle& left = folds.skin.triangles[t];
@@ -99,7 +114,7 @@ double compute_fold_strength(const FoldData& data, const HeadSpec& spec) {
   return ages * mixed * (1 + std::abs(spec.character) * (other - 1));
 }
 
-Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
+FoldGround build_fold_ground(const NeutralHead& head) {
   const FoldData& data = head.data->folds;
   Mesh adult{{}, {}, head.skin.triangles};
   std::vector<Float4> packed;
@@ -107,20 +122,35 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
   deform_surface(*head.surface, packed, adult.positions);
   update_surface_normals(*head.surface, adult.positions, adult.normals);
   const std::vector<Track> tracks = build_tracks(head, adult, data);
+  FoldGround ground;
+  ground.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
+  append_fine_points(ground.skin, adult.positions, adult.normals);
+  ground.sets.resize(data.sets.size());
+  for_each_index(data.sets.size(), count_workers(), [&](std::size_t i, int) {
+    ground.sets[i] = list_heights(tracks, data.sets[i], adult.positions);
+  });
+  return ground;
+}
 
+Folds build_folds(const FoldGround& ground, const NeutralHead& head, const HeadSpec& spec) {
+  const FoldData& data = head.data->folds;
   Folds folds;
-  folds.skin = refine_skin(*head.surface, adult.triangles, adult.positions, limit_edges(tracks, data.edge));
-  append_fine_points(folds.skin, adult.positions, adult.normals);
+  folds.skin = ground.skin;
   const double scale =
       head.design.folds * compute_fold_strength(data, spec) * head.eye.centre.x / head.adult_eye.centre.x;
   const double rest = compute_rest(data, spec);
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
-  for (const FoldSet& set : data.sets) {
-    folds.fields.push_back(build_field(folds.skin, adult.positions, tracks, set, scale, rest * set.rest));
+  for (std::size_t i = 0; i < data.sets.size(); ++i) {
+    const FoldSet& set = data.sets[i];
+    folds.fields.push_back(build_field(folds.skin, ground.sets[i], set, scale, rest * set.rest));
     for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.slot] = true;
   }
   find_touched(is_folded, folds);
   return folds;
+}
+
+Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
+  return build_folds(build_fold_ground(head), head, spec);
 }
 
 double compute_fold_amount(const FoldField& field, const Pose& pose, Side side) {

@@ -7,12 +7,14 @@
 #include "core/conventions.hpp"
 #include "core/float4.hpp"
 #include "core/pool.hpp"
+#include "face/fold_ground.hpp"
 #include "head/beard.hpp"
 #include "head/hair.hpp"
 #include "head/ink_eyes.hpp"
 #include "head/skin_look.hpp"
 #include "head/skin_spots.hpp"
 #include "head/skin_tint.hpp"
+#include "head/stock_things.hpp"
 #include "head/surface.hpp"
 #include "timeline/head_turn.hpp"
 
@@ -200,10 +202,14 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   // Independent of each other, the slow ones first.
   std::array<std::vector<HeadPart>, 7> made;
   std::vector<SkinTint> tints;
+  std::vector<float> scalp;
   const std::array<std::function<void()>, 10> works{
       [&] { figure.face = build_face(figure.head); },
       [&] {
-        if (!is_print) figure.folds = build_folds(figure.head, spec);
+        if (is_print) return;
+        const auto ground =
+            share_stock_thing(stock, "fold ground", [&] { return build_fold_ground(figure.head); });
+        figure.folds = build_folds(*ground, figure.head, spec);
       },
       [&] {
         made[0].push_back({is_print || is_ink ? build_plain_skin_part(figure.head, spec.look)
@@ -212,9 +218,21 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
                            {}});
       },
       [&] {
-        if (!is_print) made[5] = build_skin_spots(figure.head, spec.look, is_ink);
+        if (is_print) return;
+        const auto places = share_stock_thing(stock, name_spot_places(spec.look, is_ink), [&] {
+          return list_spot_places(figure.head, spec.look, is_ink);
+        });
+        made[5] = build_skin_spots(*places, figure.head, spec.look, is_ink);
       },
-      [&] { made[4] = build_hair(figure.head, spec.hair, spec.look, is_ink); },
+      [&] {
+        if (is_print || is_ink) {
+          made[4] = build_hair(figure.head, spec.hair, spec.look, is_ink);
+        } else {
+          WornHair hair = build_worn_hair(figure.head, spec.hair, spec.look);
+          made[4] = std::move(hair.parts);
+          scalp = std::move(hair.scalp);
+        }
+      },
       [&] {
         if (!is_print && !is_ink) tints = list_hair_tints(figure.head, spec);
       },
@@ -227,6 +245,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
         made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
       }};
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
+  tints.push_back({std::move(scalp), 0.8f * spec.look.hair});
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
     for (HeadPart& part : parts) figure.parts.push_back(std::move(part));

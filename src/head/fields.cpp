@@ -34,6 +34,7 @@ void symmetrise(const Cage& cage, Field& field) {
 struct FieldSolver::State {
   Matrix energy;  // (L^T L), L the 1/length-weighted Laplacian
   Eigen::SimplicialLDLT<Matrix> factors;
+  std::vector<bool> factored;  // the points that were constrained in `factors`; empty: none yet
 };
 
 FieldSolver build_field_solver(const Cage& cage) {
@@ -67,14 +68,17 @@ namespace {
 // Solves (energy + diag(constraint)) u = constraint * target, for the columns of `target`.
 Eigen::MatrixXd solve_constrained(const FieldSolver& solver, const std::vector<bool>& is_constrained,
                                   const Eigen::MatrixXd& target) {
-  Matrix matrix = solver.state->energy;
-  Eigen::MatrixXd right = target * kConstraint;
-  for (Eigen::Index i = 0; i < right.rows(); ++i)
-    if (is_constrained[i]) matrix.coeffRef(i, i) += kConstraint;
-  Eigen::SimplicialLDLT<Matrix>& factors = solver.state->factors;
-  factors.factorize(matrix);
-  if (factors.info() != Eigen::Success) throw RunError("a field's equations cannot be solved");
-  return factors.solve(right);
+  FieldSolver::State& state = *solver.state;
+  if (state.factored != is_constrained) {
+    state.factored.clear();
+    Matrix matrix = state.energy;
+    for (Eigen::Index i = 0; i < target.rows(); ++i)
+      if (is_constrained[i]) matrix.coeffRef(i, i) += kConstraint;
+    state.factors.factorize(matrix);
+    if (state.factors.info() != Eigen::Success) throw RunError("a field's equations cannot be solved");
+    state.factored = is_constrained;
+  }
+  return state.factors.solve(Eigen::MatrixXd(target * kConstraint));
 }
 
 }  // namespace

@@ -22,7 +22,8 @@ using Field = std::vector<glm::dvec3>;
 // Which side of the head a table of handles of the left half moves.
 enum class Reach { both, left };
 
-// Ready to solve fields on one cage: the energy is assembled once.
+// Ready to solve fields on one cage: the energy is assembled once. Fields that hold and move the same points
+// one after the other are solved with the same factors.
 struct FieldSolver {
   struct State;  // the sparse matrix and its symbolic factors
   std::shared_ptr<State> state;

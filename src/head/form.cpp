@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <list>
 #include <map>
 #include <mutex>
 
@@ -19,18 +21,51 @@
 #include "head/sculpt.hpp"
 #include "head/shapes.hpp"
 #include "head/solve.hpp"
+#include "head/stock_things.hpp"
 #include "head/surface.hpp"
 #include "head/wrap.hpp"
 
 namespace mien {
 
 constexpr std::size_t kMostStarts = 64;  // kept at once, some 100 kB each
+constexpr std::size_t kMostThings = 16;  // of share_any_thing, some megabytes each
 
 struct StartStore {
   std::mutex mutex;
   std::map<std::string, std::size_t> numbers;  // of files as they are
   SharedCache<Wrap> starts{kMostStarts};
+  std::mutex things_mutex;
+  struct Thing {
+    HeadDataPointer data;  // what it is made from: a copy of a stock may have other data
+    std::string name;
+    std::shared_ptr<const void> made;
+  };
+  std::list<Thing> things;  // the one used last comes first
 };
+
+std::shared_ptr<const void> share_any_thing(const HeadStock& stock, const std::string& name,
+                                            const std::function<std::shared_ptr<const void>()>& build) {
+  if (!stock.starts) return build();
+  StartStore& store = *stock.starts;
+  const auto find = [&]() -> std::shared_ptr<const void> {
+    const auto found = std::ranges::find_if(store.things, [&](const StartStore::Thing& thing) {
+      return thing.data == stock.data && thing.name == name;
+    });
+    if (found == store.things.end()) return nullptr;
+    store.things.splice(store.things.begin(), store.things, found);
+    return store.things.front().made;
+  };
+  {
+    const std::lock_guard lock(store.things_mutex);
+    if (auto known = find()) return known;
+  }
+  std::shared_ptr<const void> thing = build();
+  const std::lock_guard lock(store.things_mutex);
+  if (auto known = find()) return known;  // somebody else was quicker
+  store.things.push_front({stock.data, name, thing});
+  if (store.things.size() > kMostThings) store.things.pop_back();
+  return thing;
+}
 
 namespace {
 

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/pool.hpp"
 #include "core/smooth.hpp"
 #include "head/binding.hpp"
 #include "head/hair_growth.hpp"
@@ -98,47 +99,51 @@ HairCut find_drawn_cut(const NeutralHead& head, const std::string& name) {
   return draw_cut(find_cut(head, name));
 }
 
-std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look,
-                                 bool is_drawn) {
-  if (name == "none") return {};
-  const HairCut& worn = find_cut(head, name);
-  HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
-  // Ink's broad locks would come out of an ear here and there, as crumbs.
-  if (is_drawn && !scene.cut.covers_ears) scene.free = list_ear_skin(head);
+namespace {
+
+HeadPart build_mass(const NeutralHead&, const HairScene& scene, const Look& look, const glm::vec3& colour) {
+  const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
+  HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.3f}});
+  append_mass(mass, scene);
+  update_normals(mass.part.rest);
+  return mass;
+}
+
+HeadPart build_locks(const NeutralHead& head, const HairScene& scene, const Look& look,
+                     const glm::vec3& colour) {
+  HeadPart locks = make_part("hair", "lock", make_tones(colour));
+  append_locks(locks, scene);
+  if (scene.cut.comb.scalp_mm > 0) {
+    // Of the skin, in the shade of the hair on both sides of it.
+    locks.part.palette.push_back({glm::mix(look.skin, colour, 0.35f), 0});
+    append_part_line(locks, scene);
+  }
+  if (scene.cut.tail.radius_mm > 0) append_tail(locks, scene);
+  if (scene.cut.is_mirrored) add_mirror_image(locks, head.skin);
+  if (scene.cut.bun_radius_mm > 0) append_bun(locks, scene);
+  return locks;
+}
+
+HeadPart build_down(const NeutralHead& head, const HairScene& scene, const Look&, const glm::vec3& colour) {
+  HeadPart down = make_part("hair_fine", "hair", make_hair_palette(colour, 0.3f, 0.2f));
+  append_down(down, scene);
+  if (scene.cut.is_mirrored) add_mirror_image(down, head.skin);
+  return down;
+}
+
+std::vector<HeadPart> grow_hair(const NeutralHead& head, const HairScene& scene, const Look& look) {
   const glm::vec3 colour = compute_colour(scene, look);
-  std::vector<HeadPart> parts;
-  if (scene.cut.mass > 0) {
-    const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
-    HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.3f}});
-    append_mass(mass, scene);
-    update_normals(mass.part.rest);
-    parts.push_back(std::move(mass));
-  }
-  if (scene.cut.locks.count > 0) {
-    HeadPart locks = make_part("hair", "lock", make_tones(colour));
-    append_locks(locks, scene);
-    if (scene.cut.comb.scalp_mm > 0) {
-      // Of the skin, in the shade of the hair on both sides of it.
-      locks.part.palette.push_back({glm::mix(look.skin, colour, 0.35f), 0});
-      append_part_line(locks, scene);
-    }
-    if (scene.cut.tail.radius_mm > 0) append_tail(locks, scene);
-    if (scene.cut.is_mirrored) add_mirror_image(locks, head.skin);
-    if (scene.cut.bun_radius_mm > 0) append_bun(locks, scene);
-    parts.push_back(std::move(locks));
-  }
-  if (scene.cut.down.count > 0) {
-    HeadPart down = make_part("hair_fine", "hair", make_hair_palette(colour, 0.3f, 0.2f));
-    append_down(down, scene);
-    if (scene.cut.is_mirrored) add_mirror_image(down, head.skin);
-    parts.push_back(std::move(down));
-  }
+  std::vector<HeadPart (*)(const NeutralHead&, const HairScene&, const Look&, const glm::vec3&)> works;
+  if (scene.cut.mass > 0) works.push_back(build_mass);
+  if (scene.cut.locks.count > 0) works.push_back(build_locks);
+  if (scene.cut.down.count > 0) works.push_back(build_down);
+  std::vector<HeadPart> parts(works.size());
+  for_each_index(works.size(), count_workers(),
+                 [&](std::size_t i, int) { parts[i] = works[i](head, scene, look, colour); });
   return parts;
 }
 
-std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name) {
-  if (name == "none") return {};
-  const HairScene scene = build_hair_scene(head, find_cut(head, name));
+std::vector<float> paint_ground(const NeutralHead& head, const HairScene& scene) {
   constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
   const std::vector<HairGround> grounds = list_hair_grounds(head);
   const double soft = scene.cut.soft_mm / kWay_mm;
@@ -158,6 +163,36 @@ std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name)
     covers.push_back(cover);
   }
   return covers;
+}
+
+}  // namespace
+
+std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look,
+                                 bool is_drawn) {
+  if (name == "none") return {};
+  const HairCut& worn = find_cut(head, name);
+  HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
+  // Ink's broad locks would come out of an ear here and there, as crumbs.
+  if (is_drawn && !scene.cut.covers_ears) scene.free = list_ear_skin(head);
+  return grow_hair(head, scene, look);
+}
+
+std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name) {
+  if (name == "none") return {};
+  return paint_ground(head, build_hair_scene(head, find_cut(head, name)));
+}
+
+WornHair build_worn_hair(const NeutralHead& head, const std::string& name, const Look& look) {
+  WornHair hair;
+  if (name == "none") return hair;
+  const HairScene scene = build_hair_scene(head, find_cut(head, name));
+  for_each_index(2, count_workers(), [&](std::size_t i, int) {
+    if (i == 0)
+      hair.parts = grow_hair(head, scene, look);
+    else
+      hair.scalp = paint_ground(head, scene);
+  });
+  return hair;
 }
 
 }  // namespace mien

@@ -16,6 +16,14 @@ namespace mien {
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& cut, const Look& look,
                                  bool is_drawn);
 
+// The parts of build_hair that are not drawn, and what paint_scalp gives, of one chart: half the time of
+// both.
+struct WornHair {
+  std::vector<HeadPart> parts;
+  std::vector<float> scalp;
+};
+WornHair build_worn_hair(const NeutralHead& head, const std::string& cut, const Look& look);
+
 // A cut with the locks that it has where it is drawn. Throws RunError for an unknown cut.
 HairCut find_drawn_cut(const NeutralHead& head, const std::string& name);
 

@@ -2,6 +2,7 @@
 #include "head/hair_chart.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <string_view>
@@ -18,6 +19,7 @@ namespace mien {
 namespace {
 
 constexpr int kAzimuths = HairChart::kAzimuths, kWays = HairChart::kWays;
+constexpr std::size_t kShare = 1024;  // vertices that a thread takes at a time
 
 HairGround find_ground(std::string_view name) {
   name = strip_side(name);
@@ -44,13 +46,22 @@ struct Target {
   double first_way = 0, last_way = 0;
 };
 
-std::vector<std::vector<Target>> sort_by_azimuth(const NeutralHead& head, const HairChart& chart) {
+// Those of scalp and ears, in their order.
+std::vector<std::vector<Target>> sort_by_azimuth(const NeutralHead& head, const HairChart& chart,
+                                                 const std::vector<HairGround>& grounds) {
   constexpr double kMore = 0.06;  // of a way: between its corners a triangle may reach a little further
+  std::vector<HairPlace> places(head.skin.positions.size());
+  for_each_index(places.size() / kShare + 1, count_workers(), [&](std::size_t share, int) {
+    for (std::size_t v = share * kShare; v < std::min(places.size(), (share + 1) * kShare); ++v)
+      places[v] = compute_hair_place(chart, glm::dvec3(head.skin.positions[v]));
+  });
   std::vector<std::vector<Target>> bins(kAzimuths);
   for (std::uint32_t t = 0; t < head.skin.triangles.size(); ++t) {
+    const HairGround ground = grounds[head.skin.triangles[t][0]];
+    if (ground != HairGround::scalp && ground != HairGround::ear) continue;
     double low = 1e9, high = -1e9, nearest = 1e9, furthest = -1e9;
     for (const std::uint32_t v : head.skin.triangles[t]) {
-      const HairPlace place = compute_hair_place(chart, glm::dvec3(head.skin.positions[v]));
+      const HairPlace& place = places[v];
       low = std::min(low, place.azimuth_deg);
       high = std::max(high, place.azimuth_deg);
       nearest = std::min(nearest, place.way);
@@ -97,20 +108,35 @@ void fill_gaps(std::vector<double>& values, const std::vector<bool>& is_known) {
   for (int azimuth = 0; azimuth < kAzimuths; ++azimuth)
     for (int way = 0; way < kWays; ++way)
       if (!is_known[slot(azimuth, way)]) gaps.emplace_back(azimuth, way);
-  for (int round = 0; round < kRounds; ++round)
-    for (const auto& [azimuth, way] : gaps) {
+  // A value of 0 is unknown, and stands for neighbours beyond the chart's ends too.
+  const std::size_t nowhere = values.size();
+  values.push_back(0);
+  struct Gap {
+    std::size_t at = 0;
+    std::array<std::size_t, 4> beside{};
+  };
+  std::vector<Gap> filled;
+  for (const auto& [azimuth, way] : gaps)
+    filled.push_back(
+        {slot(azimuth, way),
+         {slot(azimuth - 1, way), slot(azimuth + 1, way), way > 0 ? slot(azimuth, way - 1) : nowhere,
+          way + 1 < kWays ? slot(azimuth, way + 1) : nowhere}});
+  for (int round = 0; round < kRounds; ++round) {
+    bool is_settled = true;
+    for (const Gap& gap : filled) {
       double sum = 0, count = 0;
-      const auto take = [&](int a, int w) {
-        if (w < 0 || w >= kWays || values[slot(a, w)] == 0) return;
-        sum += values[slot(a, w)];
-        ++count;
-      };
-      take(azimuth - 1, way);
-      take(azimuth + 1, way);
-      take(azimuth, way - 1);
-      take(azimuth, way + 1);
-      if (count > 0) values[slot(azimuth, way)] = sum / count;
+      for (const std::size_t other : gap.beside) {
+        sum += values[other];
+        count += values[other] != 0 ? 1 : 0;
+      }
+      if (count == 0) continue;
+      const double mean = sum / count;
+      is_settled = is_settled && mean == values[gap.at];
+      values[gap.at] = mean;
     }
+    if (is_settled) break;
+  }
+  values.pop_back();
 }
 
 // Both halves take the mean of both: rays of the two meet other triangles, a rounding apart.
@@ -233,27 +259,35 @@ HairChart build_hair_chart(const NeutralHead& head, double whorl_deg, double cen
   chart.drop_mm *= chart.size;
 
   const std::vector<HairGround> grounds = list_hair_grounds(head);
-  const auto bins = sort_by_azimuth(head, chart);
+  const auto bins = sort_by_azimuth(head, chart, grounds);
   const std::size_t count = static_cast<std::size_t>(kAzimuths) * kWays;
   chart.skin_mm.assign(count, 0);
   chart.cover_mm.assign(count, 0);
   chart.seats.resize(count);
   for_each_index(kAzimuths, count_workers(), [&](std::size_t azimuth, int) {
+    struct Ray {
+      double way = 0;
+      glm::dvec3 origin{0}, out{0};
+      Hit scalp, ear;
+    };
+    std::array<Ray, kWays> rays;
     for (int way = 0; way < kWays; ++way) {
       const HairPlace place = place_of(static_cast<int>(azimuth), way);
-      const glm::dvec3 origin = compute_hair_point(chart, place, 0),
-                       out = compute_hair_direction(chart, place);
-      Hit scalp, ear;
-      for (const auto& [t, first_way, last_way] : bins[azimuth]) {
-        if (place.way < first_way || place.way > last_way) continue;
-        const HairGround ground = grounds[head.skin.triangles[t][0]];
-        if (ground == HairGround::scalp || ground == HairGround::ear)
-          meet(head, t, origin, out, ground == HairGround::ear ? ear : scalp);
-      }
+      rays[static_cast<std::size_t>(way)] = {
+          place.way, compute_hair_point(chart, place, 0), compute_hair_direction(chart, place), {}, {}};
+    }
+    for (const auto& [t, first_way, last_way] : bins[azimuth]) {
+      const bool is_ear = grounds[head.skin.triangles[t][0]] == HairGround::ear;
+      auto ray = std::ranges::lower_bound(rays, first_way, {}, &Ray::way);
+      for (; ray != rays.end() && ray->way <= last_way; ++ray)
+        meet(head, t, ray->origin, ray->out, is_ear ? ray->ear : ray->scalp);
+    }
+    for (int way = 0; way < kWays; ++way) {
+      const Ray& ray = rays[static_cast<std::size_t>(way)];
       const std::size_t at = slot(static_cast<int>(azimuth), way);
-      chart.skin_mm[at] = scalp.distance_mm;
-      chart.cover_mm[at] = ear.distance_mm;
-      chart.seats[at] = scalp.seat;
+      chart.skin_mm[at] = ray.scalp.distance_mm;
+      chart.cover_mm[at] = ray.ear.distance_mm;
+      chart.seats[at] = ray.scalp.seat;
     }
   });
   std::vector<bool> is_known(count);

@@ -47,23 +47,29 @@ glm::dvec3 compute_part_direction(const HairComb& comb, double share) {
   return compute_arc_direction(comb.side_mm, std::lerp(comb.from_deg, comb.to_deg, share), kSkull_mm);
 }
 
-// The nearest point of the part's arc to a direction of the head, as a share of the arc.
-double compute_part_share(const HairComb& comb, const glm::dvec3& direction) {
-  constexpr int kSteps = 24;  // of the arc: 4 degrees of a long part
-  double nearest = 0, best = -2;
-  for (int i = 0; i <= kSteps; ++i) {
-    const double share = static_cast<double>(i) / kSteps;
-    if (const double near = glm::dot(compute_part_direction(comb, share), direction); near > best) {
+constexpr int kPartSteps = 24;  // of the part's arc: 4 degrees of a long one
+
+std::vector<glm::dvec3> list_part_ways(const HairComb& comb) {
+  std::vector<glm::dvec3> ways;
+  for (int i = 0; i <= kPartSteps; ++i)
+    ways.push_back(compute_part_direction(comb, static_cast<double>(i) / kPartSteps));
+  return ways;
+}
+
+// The step of the part's arc that is nearest to a direction of the head.
+std::size_t find_part_step(const HairScene& scene, const glm::dvec3& direction) {
+  std::size_t nearest = 0;
+  double best = -2;
+  for (std::size_t i = 0; i < scene.part_ways.size(); ++i)
+    if (const double near = glm::dot(scene.part_ways[i], direction); near > best) {
       best = near;
-      nearest = share;
+      nearest = i;
     }
-  }
   return nearest;
 }
 
 glm::dvec3 compute_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
-  const HairComb& comb = scene.cut.comb;
-  return direction - compute_part_direction(comb, compute_part_share(comb, direction));
+  return direction - scene.part_ways[find_part_step(scene, direction)];
 }
 
 glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
@@ -84,9 +90,7 @@ glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm:
   const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
   glm::dvec3 way(0);
   if (comb.is_gathered) {
-    glm::dvec3 knot, out;
-    compute_knot(scene, knot, out);
-    way = flatten(knot - at, normal);
+    way = flatten(scene.knot - at, normal);
   } else {
     way = comb.away * flatten(compute_way_from_part(scene, direction), normal);
     way += (comb.down + droop) * flatten({0, -1, 0}, normal) + comb.back * flatten({0, 0, -1}, normal);
@@ -108,15 +112,13 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
   Path path{{root}, 3.0 * size};
   const double tip = (scatter(kSeries, index, kTip) - 0.5) * 2 * cut.locks.tips_mm * size;
   const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
-  glm::dvec3 knot, out;
-  if (cut.comb.is_gathered) compute_knot(scene, knot, out);
   HairPlace place = root;
   double gone_mm = 0;
   while (gone_mm < wanted_mm) {
     const double ground = compute_ground_mm(scene, place);
     const glm::dvec3 at = compute_hair_point(scene.chart, place, ground);
     const glm::dvec3 normal = compute_ground_normal(scene, place);
-    if (cut.comb.is_gathered && glm::distance(at, knot) < 1.5 * path.step_mm) break;
+    if (cut.comb.is_gathered && glm::distance(at, scene.knot) < 1.5 * path.step_mm) break;
     const double share = std::min(1.0, gone_mm / (kWeight_mm * size));
     const double swirl = cut.comb.swirl_deg * (1 - share);
     glm::dvec3 way = compute_comb(scene, at, normal, cut.comb.droop * share);
@@ -178,6 +180,7 @@ glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place)
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
   HairScene scene{cut, build_hair_chart(head, cut.whorl_deg, cut.centre_mm), {}, {}, {}, 0};
+  scene.part_ways = list_part_ways(cut.comb);
   scene.hairline = compute_border(head, cut.hairline, scene.chart);
   if (!cut.ends.empty()) scene.ends = compute_border(head, cut.ends, scene.chart);
   constexpr double kHangs = 0.2;  // of a way: tips 24 mm below the hairline
@@ -185,6 +188,7 @@ HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
     scene.hangs.push_back(scene.ends.empty() ? 0 : smooth_step(0, kHangs, scene.ends[i] - scene.hairline[i]));
   constexpr double kInfant_mm = 66, kGrown_mm = 84;  // eye to chin
   scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, compute_eye_to_chin_mm(head));
+  if (cut.comb.is_gathered) compute_knot(scene, scene.knot, scene.knot_out);
   return scene;
 }
 
@@ -239,8 +243,9 @@ glm::dvec3 compute_comb_way(const HairScene& scene, const HairPlace& place, doub
 PartArm compute_part_arm(const HairScene& scene, const glm::dvec3& at) {
   const HairComb& comb = scene.cut.comb;
   const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
-  const double share = compute_part_share(comb, direction);
-  const glm::dvec3 nearest = compute_part_direction(comb, share);
+  const std::size_t step = find_part_step(scene, direction);
+  const double share = static_cast<double>(step) / kPartSteps;
+  const glm::dvec3& nearest = scene.part_ways[step];
   const double turn = comb.from_deg + share * (comb.to_deg - comb.from_deg);
   const glm::dvec3 front(0, std::sin(turn * kRadiansPerDegree), std::cos(turn * kRadiansPerDegree));
   const glm::dvec3 arm = direction - nearest;

@@ -31,14 +31,25 @@ struct DepthMap {
   }
 };
 
+// Where std::ceil and std::floor call a library on a plain x86-64, for as much of a map as there is.
+int round_up(float x) {
+  const int whole = static_cast<int>(x);
+  return whole + (static_cast<float>(whole) < x ? 1 : 0);
+}
+int round_down(float x) {
+  const int whole = static_cast<int>(x);
+  return whole - (static_cast<float>(whole) > x ? 1 : 0);
+}
+
 // Fills the texels whose centre a triangle covers, by its edge functions.
 void draw_triangle(DepthMap& map, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
   const float area = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
   if (area <= 0) return;  // turned away: what it hides, a front face hides too
-  const int x0 = std::max(0, static_cast<int>(std::ceil(std::min({a.x, b.x, c.x}) - 0.5f)));
-  const int y0 = std::max(0, static_cast<int>(std::ceil(std::min({a.y, b.y, c.y}) - 0.5f)));
-  const int x1 = std::min(map.side - 1, static_cast<int>(std::floor(std::max({a.x, b.x, c.x}) - 0.5f)));
-  const int y1 = std::min(map.side - 1, static_cast<int>(std::floor(std::max({a.y, b.y, c.y}) - 0.5f)));
+  const int x0 = std::max(0, round_up(std::min({a.x, b.x, c.x}) - 0.5f));
+  const int x1 = std::min(map.side - 1, round_down(std::max({a.x, b.x, c.x}) - 0.5f));
+  if (x0 > x1) return;  // most of them: they are smaller than a texel
+  const int y0 = std::max(0, round_up(std::min({a.y, b.y, c.y}) - 0.5f));
+  const int y1 = std::min(map.side - 1, round_down(std::max({a.y, b.y, c.y}) - 0.5f));
   for (int y = y0; y <= y1; ++y)
     for (int x = x0; x <= x1; ++x) {
       const float px = static_cast<float>(x) + 0.5f, py = static_cast<float>(y) + 0.5f;
@@ -106,13 +117,15 @@ std::vector<float> measure_openness(const Mesh& mesh, const std::vector<std::uin
   std::vector<float> open(count, 0.0f), all(count, 0.0f);
   constexpr std::size_t kShare = 2048;  // vertices at a time
   for_each_index((count + kShare - 1) / kShare, jobs, [&](std::size_t share, int) {
-    for (std::size_t i = share * kShare; i < std::min(count, (share + 1) * kShare); ++i)
+    for (std::size_t i = share * kShare; i < std::min(count, (share + 1) * kShare); ++i) {
+      const glm::vec3 lifted = mesh.positions[i] + kLift_mm * mesh.normals[i];
       for (std::size_t d = 0; d < maps.size(); ++d) {
         const float cosine = glm::dot(mesh.normals[i], directions[d]);
         if (cosine <= 0) continue;
         all[i] += cosine;
-        open[i] += cosine * look_up(maps[d], maps[d].to_map(mesh.positions[i] + kLift_mm * mesh.normals[i]));
+        open[i] += cosine * look_up(maps[d], maps[d].to_map(lifted));
       }
+    }
   });
   // What a vertex sees along a direction's mirror image is what its own mirror image sees along the
   // direction.

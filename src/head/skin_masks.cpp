@@ -106,6 +106,7 @@ void add_rings(const NeutralHead& head, SkinMasks& masks) {
 
 // Spots lie on the left half; |x| puts their mirror images on the right one.
 void add_spots(const NeutralHead& head, SkinMasks& masks) {
+  constexpr float kNothing = 20;                           // exp(-20) from 1 is 1 in a float
   const double size = head.eye.centre.x / Eye{}.centre.x;  // of this face against the adult's
   for (const Spot& spot : kSpots) {
     const glm::vec3 centre = head.skin.positions[find_point(head.cage, spot.point)];
@@ -114,9 +115,11 @@ void add_spots(const NeutralHead& head, SkinMasks& masks) {
       glm::vec3 p = head.skin.positions[i];
       p.x = std::abs(p.x);
       const glm::vec3 away = (p - centre) / radius;
+      const float far = glm::dot(away, away);
       float& value = masks[spot.mask][i];
       // Spots of one mask overlap like veils, never past 1.
-      value = 1 - (1 - value) * (1 - static_cast<float>(spot.value) * std::exp(-glm::dot(away, away)));
+      const float veil = far > kNothing ? 0 : static_cast<float>(spot.value) * std::exp(-far);
+      value = 1 - (1 - value) * (1 - veil);
     }
   }
 }

@@ -2,11 +2,14 @@
 // the forehead (ephelides); age spots at the temples, on the forehead and the cheekbones (solar lentigines).
 #include "head/skin_spots.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
 
+#include "core/pool.hpp"
 #include "head/adult_places.hpp"
 #include "head/binding.hpp"
 #include "head/cage.hpp"
@@ -224,23 +227,44 @@ void append_spot_grain(std::vector<glm::vec2>& grain) {
     }
 }
 
-// With the colours of the kind.
-void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<double>& bare,
-                  const SpotKind& kind, double dial, float light, HeadPart& part) {
+struct Dial {
+  const SpotKind* kind = nullptr;
+  double value = 0;
+};
+
+std::vector<Dial> list_dials(const Look& look, bool is_ink) {
+  if (is_ink) return {{&find_ink_kind(), look.freckles}};
+  return {{&list_kinds()[0], look.freckles}, {&list_kinds()[1], look.age_spots}};
+}
+
+SpotPlaces::Kind place_kind(const Mesh& adult, const std::vector<double>& sums, const Dial& dial) {
+  const std::vector<Spot> spots = throw_spots(adult, sums, *dial.kind);
+  SpotPlaces::Kind placed;
+  placed.spots.resize(static_cast<std::size_t>(std::lround(dial.value * static_cast<double>(spots.size()))));
+  for_each_index(placed.spots.size(), count_workers(), [&](std::size_t i, int) {
+    placed.spots[i] = {spots[i].strength, find_spot_places(adult, *dial.kind, spots[i])};
+  });
+  return placed;
+}
+
+bool has_spots(const Look& look, bool is_ink) {
+  return look.freckles != 0 || (look.age_spots != 0 && !is_ink);
+}
+
+void append_spots(const NeutralHead& head, const SpotPlaces::Kind& placed, const Dial& dial, float light,
+                  HeadPart& part) {
   constexpr double kFaint = 0.55;  // of their full strength, where the dial is near 0
-  const std::vector<Spot> spots = throw_spots(adult, sum_densities(head, adult, bare, kind), kind);
-  const auto shown = static_cast<std::size_t>(std::lround(dial * static_cast<double>(spots.size())));
+  const SpotKind& kind = *dial.kind;
   Mesh& mesh = part.part.rest;
   const auto first_shade = static_cast<long>(part.part.palette.size());
   append_spot_palette(kind, light, part.part.palette);
-  for (std::size_t s = 0; s < shown; ++s) {
-    const double strength = kind.is_even ? 1 : spots[s].strength * glm::mix(kFaint, 1.0, dial);
+  for (const auto& [own_strength, places] : placed.spots) {
+    const double strength = kind.is_even ? 1 : own_strength * glm::mix(kFaint, 1.0, dial.value);
     const auto level = std::clamp<long>(std::lround(strength * kStrengths), 1, kStrengths);
     const auto shade = static_cast<std::uint16_t>(first_shade + level - 1);
     const auto first = static_cast<std::uint32_t>(mesh.positions.size());
-    const std::vector<SkinPlace> places = find_spot_places(adult, kind, spots[s]);
     for (std::size_t v = 0; v < places.size(); ++v) {
-      const Triangle& corners = adult.triangles[places[v].triangle];
+      const Triangle& corners = head.skin.triangles[places[v].triangle];
       const glm::vec3& w = places[v].barycentric;
       const auto blend = [&](const std::vector<glm::vec3>& of) {
         return w.x * of[corners[0]] + w.y * of[corners[1]] + w.z * of[corners[2]];
@@ -258,29 +282,45 @@ void append_spots(const NeutralHead& head, const Mesh& adult, const std::vector<
 
 }  // namespace
 
-std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look, bool is_ink) {
-  if (look.freckles == 0 && (look.age_spots == 0 || is_ink)) return {};
+SpotPlaces list_spot_places(const NeutralHead& head, const Look& look, bool is_ink) {
+  SpotPlaces places;
+  if (!has_spots(look, is_ink)) return places;
   Mesh adult;
   adult.positions = compute_places_on_adult(head);
   adult.triangles = head.skin.triangles;
   update_normals(adult);
   const std::vector<double> bare = compute_bare_skin(head);
+  for (const Dial& dial : list_dials(look, is_ink))
+    places.kinds.push_back(place_kind(adult, sum_densities(head, adult, bare, *dial.kind), dial));
+  return places;
+}
+
+std::string name_spot_places(const Look& look, bool is_ink) {
+  if (!has_spots(look, is_ink)) return "no spots";
+  std::string name = is_ink ? "ink spots" : "spots";
+  for (const Dial& dial : list_dials(look, is_ink)) name += fmt::format(" {}", dial.value);
+  return name;
+}
+
+std::vector<HeadPart> build_skin_spots(const SpotPlaces& places, const NeutralHead& head, const Look& look,
+                                       bool is_ink) {
+  if (!has_spots(look, is_ink)) return {};
   HeadPart part;
   part.part.name = "spots";
   part.part.material = is_ink ? "ink_spot" : "spot";
   part.part.is_printed = false;
   part.mount = Mount::strands;
   const float light = compute_lightness(look.skin);
-  if (is_ink) {
-    append_spots(head, adult, bare, find_ink_kind(), look.freckles, light, part);
-  } else {
-    append_spots(head, adult, bare, list_kinds()[0], look.freckles, light, part);
-    append_spots(head, adult, bare, list_kinds()[1], look.age_spots, light, part);
-  }
+  const std::vector<Dial> dials = list_dials(look, is_ink);
+  for (std::size_t i = 0; i < dials.size(); ++i) append_spots(head, places.kinds[i], dials[i], light, part);
   if (part.part.rest.triangles.empty()) return {};
   std::vector<HeadPart> parts;
   parts.push_back(std::move(part));
   return parts;
+}
+
+std::vector<HeadPart> build_skin_spots(const NeutralHead& head, const Look& look, bool is_ink) {
+  return build_skin_spots(list_spot_places(head, look, is_ink), head, look, is_ink);
 }
 
 }  // namespace mien

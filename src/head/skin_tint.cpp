@@ -6,7 +6,6 @@
 
 #include "core/smooth.hpp"
 #include "head/beard.hpp"
-#include "head/hair.hpp"
 #include "head/lids.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"
@@ -43,7 +42,6 @@ std::vector<SkinTint> list_hair_tints(const NeutralHead& head, const HeadSpec& s
   if (spec.look.beard != "none")
     tints.push_back({scale(paint_beard(head, spec.look.beard), compute_beard_paint(head, spec.look.beard)),
                      compute_beard_colour(spec.look)});
-  if (spec.hair != "none") tints.push_back({paint_scalp(head, spec.hair), 0.8f * spec.look.hair});
   return tints;
 }
 

@@ -17,7 +17,7 @@ struct SkinTint {
   glm::vec3 srgb{0};
 };
 
-// What scalp, brows and beard of a head put on its skin.
+// What brows and beard of a head put on its skin.
 std::vector<SkinTint> list_hair_tints(const NeutralHead& head, const HeadSpec& spec);
 
 }  // namespace mien

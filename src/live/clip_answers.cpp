@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "clip/reach.hpp"
+#include "config/edit_places.hpp"
 #include "config/pose_mix.hpp"
 #include "config/words.hpp"
 #include "core/print_numbers.hpp"
@@ -87,12 +88,39 @@ Json describe_head(const HeadSpec& head) {
           {"said", head.said}};
 }
 
+// "child 0.4, adult 0.6", which is what a head grows to mostly.
+std::string describe_growth(const HeadSpec& head) {
+  std::string label;
+  for (const auto& [name, weight] : head.age)
+    label += fmt::format("{}{}{}", label.empty() ? "" : ", ", name,
+                         weight == 1 ? "" : fmt::format(" {:.3g}", weight));
+  return label;
+}
+
+// The text of a clip, for where things stand in it; as good as none if it is not to be edited.
+EditText find_places(const std::filesystem::path& file, const std::string& bytes) {
+  EditText text;
+  text.is_empty = true;
+  try {
+    text = open_text(bytes);
+    text.document.source.file = file.string();
+  } catch (const InputError&) {
+  }
+  return text;
+}
+
 struct Tracks {
-  Json keys = Json::array(), cues = Json::array(), turns = Json::array(), heads = Json::array();
+  Json keys = Json::array(), cues = Json::array(), turns = Json::array(), heads = Json::array(),
+       blinks = Json::array();
 };
 
-void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor, Tracks& tracks) {
+void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor, const EditText& text,
+                Tracks& tracks) {
   const ClipSpec& spec = actor.performance.clip;
+  const auto list_places = [&](const char* track) {
+    return list_timed_places(text, actor.name, track, clip.spec.clip.fps);
+  };
+  const std::vector<TimedPlace> heads = list_places("head"), blinks = list_places("blinks");
   for (const PoseKey& key : spec.keys)
     tracks.keys.push_back(describe_key(session, "key", key.at_s, key.label, key.place, actor.name));
   for (const CueSpec& cue : spec.cues)
@@ -102,13 +130,19 @@ void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor
         session, "turn", key.at_s,
         fmt::format("{:.3g} {:.3g} {:.3g}", key.turn_deg, key.nod_deg, key.tilt_deg), key.place, actor.name));
   for (const HeadKey& key : spec.head)
-    tracks.heads.push_back(describe_key(session, "head", key.at_s, "head", {}, actor.name));
+    tracks.heads.push_back(describe_key(session, "head", key.at_s, describe_growth(key.head),
+                                        find_timed_place(heads, key.at_s), actor.name));
+  for (const double at_s : spec.blinks_s)
+    tracks.blinks.push_back(
+        describe_key(session, "blink", at_s, "", find_timed_place(blinks, at_s), actor.name));
 }
 
-Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const char* kind) {
+Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const EditText& text,
+                         const char* kind) {
   Json keys = Json::array();
+  const std::vector<TimedPlace> places = list_timed_places(text, "", kind, clip.fps);
   const auto add = [&](double at_s, const std::string& label) {
-    keys.push_back(describe_key(session, kind, at_s, label, {}, ""));
+    keys.push_back(describe_key(session, kind, at_s, label, find_timed_place(places, at_s), ""));
   };
   const std::string_view which = kind;
   if (which == "camera")
@@ -118,20 +152,21 @@ Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const
   if (which == "light")
     for (const LightKey& key : clip.light) add(key.at_s, key.set);
   if (which == "background")
-    for (const BackgroundKey& key : clip.background) add(key.at_s, key.colour ? "colour" : key.name);
+    for (const BackgroundKey& key : clip.background)
+      add(key.at_s, key.colour ? std::string(describe_colour(*key.colour)) : key.name);
   return keys;
 }
 
 constexpr std::array<std::string_view, 3> kStyleNames{"studio", "ink", "plaster"};
 
-Json describe_clip(const LiveSession& session, const Clip& clip) {
+Json describe_clip(const LiveSession& session, const Clip& clip, const EditText& text) {
   const ClipSpec& spec = clip.spec.clip;
   Json drawn = Json::array(), actors = Json::array(), own = Json::array();
   for (int frame = 0; frame < clip.frame_count; ++frame) drawn.push_back(compute_drawn_frame(spec, frame));
   Tracks tracks;
   for (const Actor& actor : clip.actors) {
     actors.push_back({{"name", actor.name}, {"head_values", describe_head(actor.head)}});
-    add_tracks(session, clip, actor, tracks);
+    add_tracks(session, clip, actor, text, tracks);
   }
   for (const Expression& expression : clip.spec.expressions)
     if (expression.library.empty()) own.push_back(expression.name);
@@ -146,12 +181,13 @@ Json describe_clip(const LiveSession& session, const Clip& clip) {
           {"actors", actors},
           {"keys", tracks.keys},
           {"cues", tracks.cues},
-          {"blinks", spec.blinks_s},
+          {"blinks", tracks.blinks},
           {"turns", tracks.turns},
-          {"cameras", describe_stage_keys(session, spec, "camera")},
-          {"lights", describe_stage_keys(session, spec, "light")},
-          {"backgrounds", describe_stage_keys(session, spec, "background")},
+          {"cameras", describe_stage_keys(session, spec, text, "camera")},
+          {"lights", describe_stage_keys(session, spec, text, "light")},
+          {"backgrounds", describe_stage_keys(session, spec, text, "background")},
           {"heads", tracks.heads},
+          {"is_growing", !tracks.heads.empty()},
           {"expressions", own}};
 }
 
@@ -235,11 +271,13 @@ double find_asked_time_s(const Clip& clip, const Json& asked) {
 }
 
 LiveAnswer answer_check(LiveSession& session, const Json& asked) {
-  const DocumentPointer document = read_document(session.shelf, take_text(asked, "text"));
+  const std::string text = take_text(asked, "text");
+  const DocumentPointer document = read_document(session.shelf, text);
   Json findings = Json::array();
   for (const Diagnostic& mistake : document->mistakes) findings.push_back(describe_finding(mistake));
   Json value{{"doc", document->key}, {"good", document->clip.has_value()}, {"findings", findings}};
-  if (document->clip) value["clip"] = describe_clip(session, *document->clip);
+  if (document->clip)
+    value["clip"] = describe_clip(session, *document->clip, find_places(session.shelf.file, text));
   return build_answer(value);
 }
 

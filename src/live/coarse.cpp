@@ -39,16 +39,19 @@ std::size_t find_pieces(const std::vector<Triangle>& triangles, std::size_t coun
 
 }  // namespace
 
+std::vector<Triangle> take_pieces(const ViewPart& part) {
+  std::vector<Triangle> taken;
+  std::vector<std::size_t> piece;
+  if (find_pieces(part.triangles, part.vertices.size(), piece) <= kManyPieces) return taken;
+  for (std::size_t i = 0; i < piece.size(); ++i)
+    if (piece[i] % kPieceShare == 0) taken.push_back(part.triangles[i]);
+  return taken;
+}
+
 std::vector<Triangle> build_coarse(const ViewPart& part, const Mesh& rest) {
   if (part.triangles.size() <= kSmall) return part.triangles;
+  if (!part.pieces.empty()) return part.pieces;
   const std::size_t count = part.vertices.size();
-  std::vector<std::size_t> piece;
-  if (find_pieces(part.triangles, count, piece) > kManyPieces) {
-    std::vector<Triangle> taken;
-    for (std::size_t i = 0; i < piece.size(); ++i)
-      if (piece[i] % kPieceShare == 0) taken.push_back(part.triangles[i]);
-    return taken;
-  }
   std::vector<glm::vec3> places;
   for (const std::uint32_t vertex : part.vertices) places.push_back(rest.positions[vertex]);
   return thin_posed({places}, part.triangles, std::vector<bool>(count, false),

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/edit.hpp"
 #include "config/findings.hpp"
 #include "core/text.hpp"
 #include "live/files.hpp"
@@ -47,6 +48,14 @@ Json describe_job(const Job& job) {
           {"results", results}};
 }
 
+// A face of somebody's own instead of the clip's.
+void add_face(const Json& asked, const std::string& expression, std::vector<std::string>& command) {
+  // Beside its option's name in one word, so that none of its letters is taken for another option.
+  command.push_back("--express=" + expression);
+  const std::string actor = asked.contains("actor") ? take_text(asked, "actor") : "";
+  if (!actor.empty()) command.push_back("--actor=" + actor);
+}
+
 }  // namespace
 
 LiveAnswer answer_job(LiveSession& session, const Json& asked) {
@@ -58,10 +67,15 @@ LiveAnswer answer_job(LiveSession& session, const Json& asked) {
                                    session.shelf.file.string(), "--json"};
   command.insert(command.end(), kind->options.begin(), kind->options.end());
   std::string title(kind->title);
-  if (kind->has_moment && asked.contains("express")) {
+  if (kind->has_moment && asked.contains("values")) {
+    const double strength = take_number(asked, "strength", 0, 1, 1);
+    Pose pose = read_pose(asked["values"]);
+    for (double& value : pose.values) value *= strength;
+    add_face(asked, format_expression(pose), command);
+    title += ", posed by hand";
+  } else if (kind->has_moment && asked.contains("express")) {
     const std::string expression = take_text(asked, "express");
-    // Beside its option's name in one word, so that none of its letters is taken for another option.
-    command.push_back("--express=" + expression);
+    add_face(asked, expression, command);
     title += ": " + expression;
   } else if (kind->has_moment) {
     const std::string time = format_number(take_number(asked, "at_s", 0, 1e6, 0), 4) + "s";

@@ -6,7 +6,8 @@
 
 namespace mien {
 
-// {kind, at_s or express}: {id}. The kinds are sketch, render, still, still_sketch, bust and stl.
+// {kind, at_s, or express or values (of areas' moves) with strength and actor}: {id}. The kinds are sketch,
+// render, still, still_sketch, bust and stl.
 LiveAnswer answer_job(LiveSession& session, const Json& asked);
 LiveAnswer answer_stop_job(LiveSession& session, const Json& asked);  // {id}
 

@@ -26,7 +26,6 @@ constexpr auto kQuestions = std::to_array<Question>({{"api/check", answer_check}
                                                      {"api/expression", answer_expression},
                                                      {"api/edit", answer_edit},
                                                      {"api/save", answer_save},
-                                                     {"api/model", answer_model},
                                                      {"api/shapes", answer_shapes},
                                                      {"api/coarse", answer_coarse},
                                                      {"api/sky", answer_sky},

@@ -49,6 +49,7 @@ Json describe_part(const ViewPart& part) {
           {"material", part.material},
           {"vertices", part.vertices.size()},
           {"triangles", part.triangles.size()},
+          {"pieces", part.pieces.size()},
           {"finish", describe_finish(part.finish)},
           {"is_clear", part.is_clear},
           {"is_seen", part.is_seen},
@@ -98,6 +99,27 @@ Json describe_stage(const ViewMoment& moment) {
             {"is_flat", camera.is_orthographic}}}};
 }
 
+bool knows_model(const Json& asked, const std::string& key) {
+  const auto known = asked.find("known");
+  return known != asked.end() && known->is_array() && std::ranges::find(*known, Json(key)) != known->end();
+}
+
+// {model, actors: [{name, parts: [{name, vertices, triangles, finish ...}]}]}; its bytes are appended.
+Json describe_model(const Clip& clip, const ViewScene& scene, std::string& bytes) {
+  Json actors = Json::array();
+  for (std::size_t i = 0; i < scene.models.size(); ++i) {
+    const Model& model = scene.heads->figures[i]->get_drawn_model();
+    Json parts = Json::array();
+    for (std::size_t k = 0; k < scene.models[i].parts.size(); ++k) {
+      const ViewPart& part = scene.models[i].parts[k];
+      parts.push_back(describe_part(part));
+      append_model(bytes, part, model.parts[scene.models[i].of[k]].rest);
+    }
+    actors.push_back({{"name", clip.actors[i].name}, {"parts", parts}});
+  }
+  return {{"model", scene.key}, {"step_mm", kViewStep_mm}, {"actors", actors}};
+}
+
 // What the actors do at the moment, with the one posed whom the request names.
 std::vector<Moment> list_moments(const ViewMoment& moment, const Clip& clip, const Json& asked) {
   std::vector<Moment> moments;
@@ -115,36 +137,18 @@ ViewMoment find_asked_moment(LiveSession& session, LiveDocument& document, const
                      read_camera(asked));
 }
 
-LiveAnswer answer_model(LiveSession& session, const Json& asked) {
-  const DocumentPointer document = find_document(session.shelf, take_text(asked, "doc"));
-  const ViewMoment moment = find_asked_moment(session, *document, asked);
-  const ScenePointer scene = find_scene(session.views, moment);
-  Json actors = Json::array();
-  std::string bytes;
-  for (std::size_t i = 0; i < scene->models.size(); ++i) {
-    const Model& model = scene->heads->figures[i]->get_drawn_model();
-    Json parts = Json::array();
-    for (std::size_t k = 0; k < scene->models[i].parts.size(); ++k) {
-      const ViewPart& part = scene->models[i].parts[k];
-      parts.push_back(describe_part(part));
-      append_model(bytes, part, model.parts[scene->models[i].of[k]].rest);
-    }
-    actors.push_back({{"name", document->clip->actors[i].name}, {"parts", parts}});
-  }
-  return build_bytes({{"model", scene->key}, {"step_mm", kViewStep_mm}, {"actors", actors}}, bytes);
-}
-
 LiveAnswer answer_shapes(LiveSession& session, const Json& asked) {
   const DocumentPointer document = find_document(session.shelf, take_text(asked, "doc"));
   const Clip& clip = *document->clip;
   const ViewMoment moment = find_asked_moment(session, *document, asked);
   const ScenePointer scene = find_scene(session.views, moment);
-  if (scene->key != take_text(asked, "model")) return build_bytes({{"model", scene->key}}, "");
+  const bool is_known = knows_model(asked, scene->key);
   const std::vector<Moment> moments = list_moments(moment, clip, asked);
   const InkView ink = compute_ink_view(moment.start.view, clip.spec.render, moment.start.lamp);
   const BorrowedBuffers borrowed(session.views);
   Json outlines = Json::array();
   std::string bytes;
+  const Json fresh = is_known ? Json(nullptr) : describe_model(clip, *scene, bytes);
   Drawing drawing;
   for (std::size_t i = 0; i < scene->models.size(); ++i) {
     draw_actor(*moment.heads, i, moments[i], ink, *borrowed.buffers, drawing);
@@ -155,8 +159,9 @@ LiveAnswer answer_shapes(LiveSession& session, const Json& asked) {
       append_shape(bytes, part, shape);
     }
   }
-  return build_bytes({{"model", scene->key}, {"stage", describe_stage(moment)}, {"outlines", outlines}},
-                     bytes);
+  Json head{{"model", scene->key}, {"stage", describe_stage(moment)}, {"outlines", outlines}};
+  if (!is_known) head["fresh"] = fresh;
+  return build_bytes(head, bytes);
 }
 
 LiveAnswer answer_coarse(LiveSession& session, const Json& asked) {

@@ -9,13 +9,11 @@ namespace mien {
 
 // All of them: {doc, frame}, and where it is said a `camera` {angle, height, distance} instead of the clip's.
 
-// {model, actors: [{name, parts: [{name, vertices, triangles, finish ...}]}]}, then for each part what
-// append_model says.
-LiveAnswer answer_model(LiveSession& session, const Json& asked);
-
-// {model, camera} also {actor, values}: that one stands so instead of what it does, {} is at rest; `model` is
-// the page's. {model, stage, outlines: [[vertices, triangles]]}, then for each part what append_shape says;
-// of another model than the page's nothing but its key.
+// {known, camera} also {actor, values}: that one stands so instead of what it does, {} is at rest; `known`
+// are the models that the page has. {model, stage, outlines: [[vertices, triangles]]}, then for each part
+// what append_shape says. Of a model that the page has not there is also `fresh`, {model, step_mm, actors:
+// [{name, parts: [{name, vertices, triangles, pieces, finish ...}]}]}, and what append_model says comes
+// first.
 LiveAnswer answer_shapes(LiveSession& session, const Json& asked);
 
 // {model, triangles: [[number]]}: for each part its triangles in the coarse (coarse.hpp), three 32-bit

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "core/pool.hpp"
+#include "live/coarse.hpp"
 
 namespace mien {
 
@@ -89,6 +90,7 @@ ViewPart build_view_part(const Part& part, const SketchPart& look) {
     }
     view.triangles.push_back(corners);
   }
+  view.pieces = take_pieces(view);
   return view;
 }
 
@@ -147,6 +149,7 @@ void append_shape(std::string& bytes, const ViewPart& part, const PartShape& sha
 void append_model(std::string& bytes, const ViewPart& part, const Mesh& rest) {
   append_bytes(bytes, part.colours.data(), part.colours.size() * sizeof(glm::u8vec4));
   append_bytes(bytes, part.triangles.data(), part.triangles.size() * sizeof(Triangle));
+  append_bytes(bytes, part.pieces.data(), part.pieces.size() * sizeof(Triangle));
   if (part.is_rigid) append_vertices(bytes, part.vertices, rest.positions, rest.normals);
 }
 

@@ -24,6 +24,7 @@ struct ViewPart {
   std::string name, material;
   std::vector<std::uint32_t> vertices;  // of the model, one for each of these
   std::vector<Triangle> triangles;      // of these
+  std::vector<Triangle> pieces;         // of a part of many loose pieces some of them, for quick drawings
   std::vector<glm::u8vec4> colours;     // linear, as square roots; the fourth is how much comes through
   ViewFinish finish;
   bool is_clear = false;  // lets light through: drawn last
@@ -50,8 +51,8 @@ inline constexpr float kViewStep_mm = 1.0f / 48;
 // lies further off than 32767 steps is put there.
 void append_shape(std::string& bytes, const ViewPart& part, const PartShape& shape);
 
-// What of a part never changes, appended: colours (4 bytes a vertex; one of an outline), triangles (three
-// 32-bit numbers each), and of a rigid part its vertices at rest as those of a drawing.
+// What of a part never changes, appended: colours (4 bytes a vertex; one of an outline), triangles and pieces
+// (three 32-bit numbers each), and of a rigid part its vertices at rest as those of a drawing.
 void append_model(std::string& bytes, const ViewPart& part, const Mesh& rest);
 
 }  // namespace mien

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "core/error.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "scene/povray.hpp"
 
@@ -26,31 +28,64 @@ bool lets_through(const SketchTexture& texture) {
              : std::ranges::any_of(texture.others, [](const auto& other) { return lets_through(other); });
 }
 
-SketchPart build_part(const Part& part, SdlNames& names) {
+// Colours of a palette that a thread reads at a time; the skin has thousands.
+constexpr std::size_t kShare = 256;
+
+// Some colours of a part.
+struct LookShare {
+  const Part* part = nullptr;
+  std::size_t first = 0, end = 0;
+  SketchPart look;
+};
+
+std::vector<LookShare> share_colours(const Model& model) {
+  std::vector<LookShare> shares;
+  for (const Part& part : model.parts)
+    for (std::size_t first = 0; first == 0 || first < part.palette.size(); first += kShare)
+      shares.push_back({&part, first, std::min(part.palette.size(), first + kShare), {}});
+  return shares;
+}
+
+// `names` have what a text declares before; one material declares nothing that another reads.
+void read_look(LookShare& share, SdlNames& names) {
+  const Part& part = *share.part;
   if (!names.macros.contains(part.material + "_texture"))
     throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
   std::string text = fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
-  for (const Shade& shade : part.palette) text += format_povray_texture(part, shade) + "\n";
+  for (std::size_t i = share.first; i < share.end; ++i)
+    text += format_povray_texture(part, part.palette[i]) + "\n";
   if (names.macros.contains(part.material + "_object")) text += part.material + "_object()\n";
-  SketchPart look;
+  SketchPart& look = share.look;
   for (const SdlItem& item : read_sdl(text, part.material, names).items) {
     if (item.word == "texture" && item.block) look.textures.push_back(build_sketch_texture(*item.block));
     if (item.word == "no_shadow") look.has_shadow = false;
     if (item.word == "no_image") look.is_seen = false;
   }
-  if (look.textures.size() != part.palette.size())
+  if (look.textures.size() != share.end - share.first)
     throw RunError(fmt::format("part '{}': material '{}' is not one texture", part.name, part.material));
   look.is_clear =
       std::ranges::any_of(look.textures, [](const auto& texture) { return lets_through(texture); });
-  return look;
 }
 
 }  // namespace
 
 SketchLook build_sketch_look(const Model& model, const SdlNames& names) {
+  std::vector<LookShare> shares = share_colours(model);
+  const int jobs = count_workers();
+  std::vector<SdlNames> own(static_cast<std::size_t>(jobs), names);
+  for_each_index(shares.size(), jobs, [&](std::size_t i, int worker) {
+    read_look(shares[i], own[static_cast<std::size_t>(worker)]);
+  });
   SketchLook look;
-  SdlNames mine = names;
-  for (const Part& part : model.parts) look.parts.push_back(build_part(part, mine));
+  for (LookShare& share : shares) {
+    if (share.first == 0) {
+      look.parts.push_back(std::move(share.look));
+      continue;
+    }
+    SketchPart& part = look.parts.back();
+    std::ranges::move(share.look.textures, std::back_inserter(part.textures));
+    part.is_clear = part.is_clear || share.look.is_clear;
+  }
   return look;
 }
 

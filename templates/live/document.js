@@ -31,7 +31,10 @@ function takeFindings(findings) {
 /** Whether the lines of state.clip are those of the text as it is now. */
 export const isChecked = () => checkedText === editor.getText();
 
+// After the face, which wants all that the machine has.
 const chart = keepNewest(async (doc) => {
+  await state.face;
+  if (doc !== state.doc) return;
   const answer = await ask("api/chart", {doc});
   if (doc !== state.doc) return;
   state.chart = answer;

@@ -1,6 +1,6 @@
 // The page: each part is started, and told of the others.
 import {get} from "./server.js";
-import {emit, on, say, state} from "./state.js";
+import {emit, on, onFirst, say, state} from "./state.js";
 import {find, make} from "./elements.js";
 import {setSchema} from "./words.js";
 import {Editor} from "./editor.js";
@@ -13,6 +13,8 @@ import {startHead} from "./head.js";
 import {startMake} from "./make.js";
 import {focusNextPart, startSplits, startTabs, startTheme} from "./panes.js";
 import {showShortcuts, startShortcuts} from "./shortcuts.js";
+
+const kLateFace_ms = 3000;  // what waits for the face waits no longer
 
 const mienLive = {state, stats, editor: null, view: null, timeline: null};
 window.mienLive = mienLive;
@@ -38,12 +40,18 @@ async function startView() {
   mienLive.view = view;
   playOn(view);
   poseOn(view);
+  let tellShown = () => {};
+  for (const event of ["shown", "error"]) view.on(event, () => tellShown());
   const setDocument = async () => {
+    state.face = new Promise((done) => {
+      tellShown = done;
+      setTimeout(done, kLateFace_ms);
+    });
     await view.setDocument(state.doc, state.clip);
     showFrameAgain();
     showPoseAgain();
   };
-  on("clip", setDocument);
+  onFirst("clip", setDocument);  // the slowest: the server works while the page is brought up to date
   if (state.clip) setDocument();
 }
 

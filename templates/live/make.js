@@ -20,7 +20,8 @@ let version = 0;
 let isWatching = false;
 
 function findFace() {
-  if (state.pose?.name) return {express: state.pose.name};
+  const {pose} = state;
+  if (pose) return {actor: pose.actor, ...(pose.name ? {express: pose.name} : {values: pose.values})};
   return {at_s: state.frame / state.clip.fps};
 }
 
@@ -44,8 +45,7 @@ function findHindrance() {
 function describeFace() {
   if (!state.clip) return "";
   const {pose} = state;
-  if (pose && !pose.name) return "A face posed by hand is made once it is written as a key or an expression; until then, that of the clip is.";
-  return `This face: ${pose ? pose.name : `${(state.frame / state.clip.fps).toFixed(2)} s, frame ${state.frame}`}.`;
+  return `This face: ${pose ? `${pose.name || "posed by hand"}, looking ahead` : `${(state.frame / state.clip.fps).toFixed(2)} s, frame ${state.frame}`}.`;
 }
 
 function showButtons() {

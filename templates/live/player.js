@@ -72,7 +72,7 @@ export function stepFrame(way) {
 export function stepKey(way) {
   const clip = state.clip;
   if (!clip) return;
-  const times = [...clip.keys, ...clip.cues, ...clip.turns, ...clip.cameras, ...clip.lights, ...clip.heads]
+  const times = [clip.keys, clip.cues, clip.turns, clip.blinks, clip.cameras, clip.lights, clip.backgrounds, clip.heads].flat()
     .map((key) => Math.round(key.at_s * clip.fps));
   const beyond = times.filter((frame) => Math.sign(frame - state.frame) === way);
   if (beyond.length) goToFrame(way > 0 ? Math.min(...beyond) : Math.max(...beyond));
@@ -80,7 +80,15 @@ export function stepKey(way) {
 
 let began_ms = 0, beganFrame = 0, lastStep = 0, fetchedUntil = 0;
 
+// Each drawing of a growing head is a head of its own: all of them are made, the next ones first, and played from
+// memory from then on.
+function fetchAll(frame) {
+  const last = countFrames() - 1;
+  view.fetchAhead(frame, last, state.isLoop ? [0, frame - 1] : null);
+}
+
 function fetchAhead(frame) {
+  if (state.clip.is_growing) return;
   const fps = state.clip.fps, count = countFrames();
   if (frame + kAhead_s * fps < fetchedUntil + kFetchEach_s * fps && frame >= fetchedUntil - kAhead_s * fps - 1) return;
   const until = frame + Math.ceil(kAhead_s * fps);
@@ -131,7 +139,8 @@ export function play() {
   state.isPlaying = true;
   fetchedUntil = 0;
   restart();
-  if (view) fetchAhead(state.frame);
+  if (view && state.clip.is_growing) fetchAll(state.frame);
+  else if (view) fetchAhead(state.frame);
   emit("playing");
   requestAnimationFrame((now_ms) => {
     began_ms = now_ms;

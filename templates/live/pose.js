@@ -120,7 +120,8 @@ function followChart() {
 function showPosing() {
   const isPosing = state.pose !== null;
   find("posing").hidden = !isPosing;
-  if (isPosing) find("posing_what").textContent = state.pose.name ? `Posed: ${state.pose.name}` : "Posed by hand";
+  const what = !isPosing ? "" : state.pose.name ? `Posed: ${state.pose.name}` : "Posed by hand";
+  if (find("posing_what").textContent !== what) find("posing_what").textContent = what;  // told once, not with each move
   find("pose_back").disabled = !isPosing;
   if (!isPosing) follow();
 }

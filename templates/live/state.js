@@ -9,6 +9,7 @@ export const state = {
   doc: "",          // the key of the last text without mistakes
   clip: null,       // what it says
   chart: {rows: [], held: []},
+  face: null,       // a promise: the face of `clip` is shown, or is not to be
   isGood: true,     // the text as it is now has no mistakes
   findings: [],     // mistakes of the text, or warnings
   frame: 0,
@@ -25,6 +26,11 @@ const listeners = new Map();
 export function on(event, listener) {
   if (!listeners.has(event)) listeners.set(event, []);
   listeners.get(event).push(listener);
+}
+
+/** The same, before all who listen already. */
+export function onFirst(event, listener) {
+  listeners.set(event, [listener, ...(listeners.get(event) ?? [])]);
 }
 
 /** Tells all who listen. */

@@ -83,7 +83,7 @@ export class Timeline {
     this.isStale = this.isDragging;
     if (this.isDragging) return;
     const focused = document.activeElement?.closest?.("#tracks .mark");
-    const again = focused && {kind: focused.dataset.kind, line: focused.dataset.line};
+    const again = focused && {kind: focused.dataset.kind, line: focused.dataset.line, column: focused.dataset.column};
     const focusedRow = document.activeElement?.closest?.("#tracks .label button")?.dataset.row;
     this.rows = buildRows(state.clip, state.chart, state.language.areas, this.open);
     for (const row of this.rows) this.buildRow(row);
@@ -96,7 +96,7 @@ export class Timeline {
   restoreFocus(again, focusedRow) {
     const marks = [...this.list.querySelectorAll(".mark")];
     if (marks.length) marks[0].tabIndex = 0;
-    if (again) marks.find((mark) => mark.dataset.kind === again.kind && mark.dataset.line === again.line)?.focus({preventScroll: true});
+    if (again) marks.find(({dataset}) => dataset.kind === again.kind && dataset.line === again.line && dataset.column === again.column)?.focus({preventScroll: true});
     if (focusedRow) this.list.querySelector(`button[data-row="${CSS.escape(focusedRow)}"]`)?.focus({preventScroll: true});
   }
 
@@ -205,8 +205,7 @@ export class Timeline {
   /** What a click on a mark does: its frame, and its line in the text. */
   choose(mark, element) {
     element.focus({preventScroll: true});
-    goToMark(mark);
-    this.editor.goTo(mark.line, mark.column);
+    goToMark(mark, this.editor);
   }
 
   /** The line that a finding or a held move names. */

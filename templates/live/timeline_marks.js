@@ -12,21 +12,26 @@ const toFrame = (time_s) => Math.round(time_s * state.clip.fps);
 const describeTime = (frame) => `${(frame / state.clip.fps).toFixed(2)} s, frame ${frame}`;
 
 function describeMark(mark) {
-  const where = mark.line > 0 ? `, line ${mark.line}` : "";
+  const where = mark.line > 0 ? `, line ${mark.line}` : ", in no line of this text";
   const until = mark.kind === "cue" ? ` to ${mark.end_s.toFixed(2)} s` : "";
-  return `${mark.kind} ${mark.label}: ${mark.at_s.toFixed(2)} s${until}${where}`;
+  return `${mark.kind}${mark.label ? ` ${mark.label}` : ""}: ${mark.at_s.toFixed(2)} s${until}${where}`;
+}
+
+// Why nothing of it can be changed here.
+function sayPlaceless(mark) {
+  say(`This ${mark.kind} stands in no line of this text: it comes from another file, or from mien itself`, true);
 }
 
 /** A key: a diamond. A moment of another kind is one too, smaller. */
 function makeKey(mark) {
   return make("button", {type: "button", className: `mark mark_key mark_${mark.kind}`, tabIndex: -1, title: describeMark(mark),
-                         "aria-label": describeMark(mark), data: {kind: mark.kind, line: mark.line, at: mark.at_s}});
+                         "aria-label": describeMark(mark), data: {kind: mark.kind, line: mark.line, column: mark.column, at: mark.at_s}});
 }
 
 /** A cue: a bar that comes and goes as its strength does. */
 function makeCue(mark) {
   const button = make("button", {type: "button", className: `mark mark_cue layer_${mark.layer}`, tabIndex: -1, title: describeMark(mark),
-                                 "aria-label": describeMark(mark), data: {kind: "cue", line: mark.line, at: mark.at_s}},
+                                 "aria-label": describeMark(mark), data: {kind: "cue", line: mark.line, column: mark.column, at: mark.at_s}},
                       make("span", {className: "cue_label"}, mark.label), make("span", {className: "cue_end", title: "Drag: when it goes"}));
   button.style.top = `${2 + mark.lane * kLane_px}px`;
   return button;
@@ -50,7 +55,7 @@ export const computeCuesHeight_px = (lanes) => 4 + lanes * kLane_px;
 
 async function move(mark, member, frame, origin) {
   if (mark.line < 1) {
-    say(`This ${mark.kind} stands in no line of this file; it cannot be moved here`, true);
+    sayPlaceless(mark);
     return;
   }
   if (!isChecked()) {
@@ -156,7 +161,9 @@ export function makeMark(mark, timeline) {
   return element;
 }
 
-/** Shows the frame of a mark. */
-export function goToMark(mark) {
+/** Shows the frame of a mark, and its line in the text. */
+export function goToMark(mark, editor) {
   goToFrame(toFrame(mark.at_s));
+  if (mark.line > 0) editor.goTo(mark.line, mark.column);
+  else sayPlaceless(mark);
 }

@@ -74,17 +74,12 @@ function buildActorRows(clip, chart, areas, actor, openRows) {
     ...(cues.length ? [{id: `${actor}:cues`, kind: "cues", label: "cues", actor, level: 1, marks: cues,
                         lanes: Math.max(...cues.map((cue) => cue.lane)) + 1}] : []),
     ...buildMarksRow(`${actor}:heads`, "keys", "head", own(clip.heads), actor),
+    ...buildMarksRow(`${actor}:blinks`, "blinks", "blinks", own(clip.blinks), actor),
     {id: `${actor}:turn`, kind: "turn", label: "turn", actor, level: 1, marks: own(clip.turns), low: -1, held: [],
      moves: [{move: "turn"}, {move: "nod"}, {move: "tilt"}], lines: head ? [head] : []},
   ];
   for (const area of areas) rows.push(...buildAreaRows(area, chart, actor, openRows, clip.fps));
   return rows;
-}
-
-// Blinks are moments alone, or marks with a place.
-function listBlinks(clip) {
-  return clip.blinks.map((blink) => typeof blink === "number"
-    ? {kind: "blink", at_s: blink, end_s: blink, label: "blink", line: 0, column: 0, actor: ""} : blink);
 }
 
 /**
@@ -93,22 +88,14 @@ function listBlinks(clip) {
  */
 export function buildRows(clip, chart, areas, openRows) {
   const rows = [];
-  const blinks = listBlinks(clip);
-  const shared = blinks.filter((blink) => !blink.actor);
   for (const {name} of clip.actors) {
     const isOne = clip.actors.length === 1;
     const id = `actor:${name}`;
     const isShut = openRows.has(id);  // actors begin open
     if (!isOne) rows.push({id, kind: "actor", label: name, actor: name, level: 0, canOpen: true, isOpen: !isShut});
     if (!isOne && isShut) continue;
-    const own = buildActorRows(clip, chart, areas, name, openRows);
-    const mine = blinks.filter((blink) => blink.actor && blink.actor === name);
-    const blinkRow = buildMarksRow(`${name}:blinks`, "blinks", "blinks", isOne ? [...shared, ...mine] : mine, name);
-    const behind = own.findIndex((row) => row.kind === "turn");
-    own.splice(behind, 0, ...blinkRow);
-    rows.push(...own);
+    rows.push(...buildActorRows(clip, chart, areas, name, openRows));
   }
-  if (clip.actors.length > 1) rows.unshift(...buildMarksRow("blinks", "blinks", "blinks", shared, ""));
   rows.push(...buildMarksRow("camera", "stage", "camera", clip.cameras, ""),
             ...buildMarksRow("light", "stage", "light", clip.lights, ""),
             ...buildMarksRow("background", "stage", "background", clip.backgrounds, ""));

@@ -1,7 +1,7 @@
 // The face as graphics: the exact vertices of the kernel, lit as POV-Ray would.
 import {askBinary} from "./server.js";
 import {openAnswer} from "./view_data.js";
-import {Figures, takeCoarse} from "./view_figures.js";
+import {Figures, takeOver} from "./view_figures.js";
 import {createGhostMaterial} from "./view_shading.js";
 import {Stage} from "./view_stage.js";
 import {Marks} from "./view_marks.js";
@@ -79,8 +79,8 @@ class View {
     this.canvas.setAttribute("aria-description", clip.title ?? "");
   }
 
-  fetchAhead(from, to) {
-    this.store.fetchAhead(from, to);
+  fetchAhead(from, to, then = null) {
+    this.store.fetchAhead(from, to, then);
   }
 
   isReady(frame) {
@@ -120,7 +120,7 @@ class View {
       const isNewModel = this.now?.model !== answer.model;
       const isSame = this.now?.shapes === answer.shapes;  // on twos every other frame
       this.now = {...answer, frame};
-      if (!isSame) this.show(isNewModel);
+      if (!isSame) this.show();
       this.tell("shown", {frame});
       this.loadLater(turn, isNewModel);
     } catch (error) {
@@ -129,20 +129,18 @@ class View {
     }
   }
 
-  show(isNewModel) {
+  show() {
     const {model, shapes} = this.now;
-    if (isNewModel || !this.figures) {
-      const old = this.figures;
-      if (old) takeCoarse(old.model, model);
+    if (!this.figures) {
       this.figures = new Figures(model, this.stage.light);
       this.stage.scene.add(this.figures.group);
       this.setWire();
+    } else if (this.figures.model !== model) {
+      takeOver(this.figures.model, model);
+      this.figures.become(model);
+      this.setWire();
       this.ghost = null;
-      if (old) {
-        old.group.visible = false;
-        this.gone?.dispose();
-        this.gone = old;  // until the next: what was compiled for it serves this one too
-      }
+      this.shadowedFigures = null;  // its shadow is not late
     }
     this.figures.show(shapes);
     this.stage.setStage(shapes.stage);
@@ -284,7 +282,7 @@ class View {
 
   setWire() {
     for (const mesh of this.figures?.meshes.flat() ?? [])
-      for (const material of [mesh.material, mesh.fine, mesh.quick]) if (material) material.wireframe = this.toggles.wire;
+      for (const material of [mesh.fine, mesh.quick]) material.wireframe = this.toggles.wire;
   }
 
   // The face as it is now goes to the left, and stays.

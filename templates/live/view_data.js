@@ -17,9 +17,8 @@ function takeVertices(buffer, at, count) {
   };
 }
 
-/** Each part with its `colours`, `indices` and, of a rigid one, `rest`. */
-export function readModel(buffer) {
-  const {head, at: begin} = openAnswer(buffer);
+// Each part with its `colours`, `indices`, `pieces` if there are some and, of a rigid one, `rest`; `end`: where its bytes end.
+function takeModel(head, buffer, begin) {
   let at = begin;
   const actors = head.actors.map((actor) => ({
     name: actor.name,
@@ -29,6 +28,8 @@ export function readModel(buffer) {
       at += kColour_bytes * colours;
       read.indices = new Uint32Array(buffer, at, 3 * part.triangles);
       at += kTriangle_bytes * part.triangles;
+      read.pieces = part.pieces > 0 ? new Uint32Array(buffer, at, 3 * part.pieces) : null;
+      at += kTriangle_bytes * part.pieces;
       if (part.is_rigid) {
         read.rest = takeVertices(buffer, at, part.vertices);
         at = read.rest.end;
@@ -36,14 +37,17 @@ export function readModel(buffer) {
       return read;
     }),
   }));
-  return {key: head.model, step_mm: head.step_mm, actors};
+  return {model: {key: head.model, step_mm: head.step_mm, actors}, end: at};
 }
 
-/** One drawing of `model`: for each part `transform`, or `places` and `normals`, of an outline `indices` too. */
-export function readShapes(buffer, model) {
+/**
+ * One drawing, of the model that the answer brings or else of one of `models`, by their keys: for each part `transform`,
+ * or `places` and `normals`, of an outline `indices` too.
+ */
+export function readShapes(buffer, models) {
   const {head, at: begin} = openAnswer(buffer);
-  if (head.model !== model.key) return {key: head.model};
-  let at = begin, outline = 0;
+  const {model, end} = head.fresh ? takeModel(head.fresh, buffer, begin) : {model: models.get(head.model), end: begin};
+  let at = end, outline = 0;
   const actors = model.actors.map((actor) => actor.parts.map((part) => {
     if (part.is_rigid) {
       const transform = new Float32Array(buffer, at, 16);
@@ -59,5 +63,5 @@ export function readShapes(buffer, model) {
     }
     return shape;
   }));
-  return {key: head.model, stage: head.stage, actors, bytes: buffer.byteLength};
+  return {model, shapes: {stage: head.stage, actors, bytes: buffer.byteLength}};
 }

@@ -1,29 +1,37 @@
 // Everybody of a model as meshes, and what they look like in a drawing.
 import {BufferAttribute, BufferGeometry, Group, Matrix4, Mesh} from "./lib/three.module.js";
-import {createSurface} from "./view_shading.js";
+import {findSurface} from "./view_shading.js";
 
 /** Layers of meshes: what is seen, and what casts the shadow. */
 export const kSeen = 0, kCasting = 1;
 
-/** The attributes that all copies of a model share. */
+/** The lists of triangles that all copies of a model share. */
 export function prepareModel(model) {
   for (const actor of model.actors)
     for (const part of actor.parts) {
       if (part.is_outline) continue;
       part.index = new BufferAttribute(part.indices, 1);
-      part.colour = new BufferAttribute(part.colours, 4, true);
-      if (!part.rest) continue;
-      part.restPlaces = new BufferAttribute(part.rest.places, 4);
-      part.restNormals = new BufferAttribute(part.rest.normals, 4, true);
+      if (part.pieces) part.coarse = new BufferAttribute(part.pieces, 1);
     }
   return model;
 }
 
-/** Gives `model` the coarse triangles of an older one, where its parts have the same mesh: until its own are there. */
-export function takeCoarse(older, model) {
+// Typed arrays.
+function isSameList(a, b) {
+  if (a === b) return true;
+  if (a.length !== b.length) return false;
+  for (let i = 0; i < a.length; ++i) if (a[i] !== b[i]) return false;
+  return true;
+}
+
+/** Gives `model` what an older one has already, where its parts have the same mesh: triangles, and the coarse ones. */
+export function takeOver(older, model) {
   model.actors.forEach((actor, a) => actor.parts.forEach((part) => {
     const known = older.actors[a]?.parts.find((one) => one.name === part.name);
-    if (!part.coarse && known?.coarse && known.vertices === part.vertices && known.triangles === part.triangles) part.coarse = known.coarse;
+    if (!known || part.is_outline || known.vertices !== part.vertices || !isSameList(known.indices, part.indices)) return;
+    part.indices = known.indices;
+    part.index = known.index;
+    part.coarse = known.coarse ?? part.coarse;
   }));
 }
 
@@ -41,12 +49,16 @@ function buildGeometry(part) {
   const geometry = new BufferGeometry();
   if (part.is_outline) return geometry;
   geometry.setIndex(part.index);
-  geometry.setAttribute("colour", part.colour);
-  if (part.is_rigid) {
-    geometry.setAttribute("position", part.restPlaces);
-    geometry.setAttribute("normal", part.restNormals);
-  }
+  fillGeometry(geometry, part);
   return geometry;
+}
+
+// What a part has whatever the drawing.
+function fillGeometry(geometry, part) {
+  setVertices(geometry, "colour", part.colours, true);
+  if (!part.is_rigid) return;
+  setVertices(geometry, "position", part.rest.places, false);
+  setVertices(geometry, "normal", part.rest.normals, true);
 }
 
 // An outline has other triangles in each drawing.
@@ -71,21 +83,51 @@ export class Figures {
     this.isCoarse = false;
     this.group = new Group();
     this.scale = new Matrix4().makeScale(model.step_mm, model.step_mm, model.step_mm);
-    this.meshes = model.actors.map((actor) => actor.parts.map((part) => {
-      if (names && !names.includes(part.name)) return null;
-      const mesh = new Mesh(buildGeometry(part), material ?? createSurface(light, part));
-      mesh.frustumCulled = false;
-      mesh.matrixAutoUpdate = false;
-      mesh.matrix.copy(this.scale);
-      mesh.renderOrder = part.is_clear ? 1 : 0;
-      mesh.name = part.name;
-      mesh.layers.disable(kSeen);
-      if (part.is_seen || material) mesh.layers.enable(kSeen);
-      if (part.has_shadow && !material) mesh.layers.enable(kCasting);
-      this.group.add(mesh);
-      return mesh;
-    }));
+    this.meshes = model.actors.map((actor) => actor.parts.map((part) =>
+      names && !names.includes(part.name) ? null : this.buildMesh(part, material)));
     this.shapes = null;
+  }
+
+  buildMesh(part, material) {
+    const mesh = new Mesh(buildGeometry(part), material);
+    mesh.frustumCulled = false;
+    mesh.matrixAutoUpdate = false;
+    mesh.matrix.copy(this.scale);
+    mesh.name = part.name;
+    this.setLook(mesh, part, material);
+    this.group.add(mesh);
+    return mesh;
+  }
+
+  setLook(mesh, part, material) {
+    mesh.fine = material ?? findSurface(this.light, part, false);
+    mesh.quick = material ?? findSurface(this.light, part, true);
+    mesh.material = this.isCoarse ? mesh.quick : mesh.fine;
+    mesh.renderOrder = part.is_clear ? 1 : 0;
+    for (const [layer, is] of [[kSeen, part.is_seen || material], [kCasting, part.has_shadow && !material]])
+      if (is) mesh.layers.enable(layer);
+      else mesh.layers.disable(layer);
+  }
+
+  /** Becomes another head: what has the same triangles (takeOver) keeps its mesh, and is only filled anew. */
+  become(model) {
+    const before = this.meshes.map((meshes, a) => new Map(meshes.map((mesh, i) => [mesh.name, {mesh, part: this.model.actors[a].parts[i]}])));
+    this.meshes = model.actors.map((actor, a) => actor.parts.map((part) => {
+      const old = before[a]?.get(part.name);
+      const isAlike = old && !part.is_outline && old.part.index === part.index && old.part.is_rigid === part.is_rigid;
+      if (!isAlike) return this.buildMesh(part, null);
+      before[a].delete(part.name);
+      fillGeometry(old.mesh.geometry, part);
+      this.setLook(old.mesh, part, null);
+      return old.mesh;
+    }));
+    const kept = new Set(this.meshes.flat());
+    for (const mesh of [...this.group.children].filter((one) => !kept.has(one))) {
+      this.group.remove(mesh);
+      mesh.geometry.dispose();
+    }
+    this.model = model;
+    this.setTriangles();
   }
 
   /** Takes the drawing. */
@@ -110,14 +152,16 @@ export class Figures {
   setCoarse(isCoarse) {
     if (this.isCoarse === isCoarse) return;
     this.isCoarse = isCoarse;
+    this.setTriangles();
+  }
+
+  setTriangles() {
     this.meshes.forEach((meshes, actor) => meshes.forEach((mesh, i) => {
       const part = this.model.actors[actor].parts[i];
       if (!mesh) return;
-      mesh.fine = mesh.fine ?? mesh.material;
-      mesh.quick = mesh.quick ?? createSurface(this.light, part, true);
-      mesh.material = isCoarse ? mesh.quick : mesh.fine;
-      mesh.material.wireframe = mesh.fine.wireframe;
-      if (!part.is_outline) mesh.geometry.setIndex(isCoarse && part.coarse ? part.coarse : part.index);
+      mesh.material = this.isCoarse ? mesh.quick : mesh.fine;
+      const triangles = this.isCoarse && part.coarse ? part.coarse : part.index;
+      if (!part.is_outline && mesh.geometry.index !== triangles) mesh.geometry.setIndex(triangles);
     }));
   }
 
@@ -128,11 +172,7 @@ export class Figures {
 
   dispose() {
     this.group.parent?.remove(this.group);
-    for (const mesh of this.meshes.flat()) {
-      if (!mesh) continue;
-      mesh.geometry.dispose();
-      for (const material of [mesh.material, mesh.fine, mesh.quick]) material?.dispose();
-    }
+    for (const mesh of this.meshes.flat()) mesh?.geometry.dispose();
   }
 }
 

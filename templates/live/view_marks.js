@@ -59,8 +59,8 @@ export class Marks {
   build(figures, actor) {
     this.clear();
     this.figures = figures;
-    this.part = figures.model.actors[actor].parts.findIndex((part) => part.name === "skin");
     this.actor = actor;
+    this.part = figures.model.actors[actor].parts.findIndex((part) => part.name === "skin");
     if (this.shown.guides) this.buildGuides();
     if (this.shown.landmarks) this.buildLandmarks();
     if (this.shown.areas) this.buildAreas();
@@ -132,6 +132,7 @@ export class Marks {
 
   /** Follows the skin. */
   update() {
+    this.part = this.figures?.model.actors[this.actor]?.parts.findIndex((part) => part.name === "skin");
     const shape = this.figures?.shapes?.actors[this.actor]?.[this.part];
     if (!shape) return;
     const step_mm = this.figures.model.step_mm;

@@ -218,7 +218,7 @@ export function createLight() {
   const white = new DataTexture(new Uint8Array([255, 255, 255]), 1, 1, RGBFormat, UnsignedByteType);
   return {
     uEye: {value: new Vector3()}, uIsFlat: {value: 0},
-    tables: new Map(), soft: [], middle: [0, 0, 0],  // of lamps without shadows, by brilliance
+    surfaces: new Map(), tables: new Map(), soft: [], middle: [0, 0, 0],  // of lamps without shadows, by brilliance
     uHardAt: vectors(kMostHard), uHardColour: vectors(kMostHard), uHardFade: vectors(kMostHard), uHardCount: {value: 0},
     uShadow: {value: white}, uShadowFromWorld: {value: new Matrix4()}, uShadowSize: {value: new Vector4()},
     uCardCount: {value: 0}, uCardFromWorld: {value: makeList(kMostCards, () => new Matrix4())},
@@ -305,8 +305,14 @@ export function setLight(light, stage) {
 
 const listUniforms = (light) => Object.fromEntries(Object.entries(light).filter(([name]) => /^u[A-Z]/.test(name)));
 
-/** The material of a part; `isQuick`: see kFragment. */
-export function createSurface(light, part, isQuick = false) {
+/** The material of a part, one for all that look alike; `isQuick`: see kFragment. */
+export function findSurface(light, part, isQuick) {
+  const key = JSON.stringify([part.finish, part.is_clear, isQuick]);
+  if (!light.surfaces.has(key)) light.surfaces.set(key, createSurface(light, part, isQuick));
+  return light.surfaces.get(key);
+}
+
+function createSurface(light, part, isQuick) {
   const finish = part.finish;
   const defines = {};
   if (isQuick) defines.QUICK = 1;

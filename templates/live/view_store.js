@@ -1,10 +1,10 @@
 // Models and drawings as the server gives them, each asked for once.
 import {askBinary} from "./server.js";
 import {BufferAttribute} from "./lib/three.module.js";
-import {openAnswer, readModel, readShapes} from "./view_data.js";
+import {openAnswer, readShapes} from "./view_data.js";
 import {prepareModel} from "./view_figures.js";
 
-const kMost_bytes = 500e6;  // of drawings: some 400 of a head with hair
+const kMost_bytes = 500e6;  // of drawings: some 400 of a head with hair, 130 of one that grows
 const kMostModels = 4;
 const kAtOnce = 3;          // requests ahead of what is shown
 
@@ -23,7 +23,6 @@ export class ViewStore {
     this.bytes = 0;
     this.queue = [];
     this.running = 0;
-    this.key = this.key ?? "";  // of the newest model
   }
 
   findDrawing(frame) {
@@ -31,18 +30,16 @@ export class ViewStore {
     return this.clip.drawn[Math.min(Math.max(frame, 0), last)] ?? 0;
   }
 
-  async loadModel(frame, key) {
-    if (key && this.models.has(key)) return this.models.get(key);
-    const model = prepareModel(readModel(await askBinary("api/model", {doc: this.doc, frame})));
+  // The newest of some; a drawing that is kept has its own.
+  keepModel(model) {
+    this.models.delete(model.key);
     this.models.set(model.key, model);
     while (this.models.size > kMostModels) this.models.delete(this.models.keys().next().value);
-    this.key = model.key;
-    return model;
   }
 
-  /** Fewer triangles for `model`, for machines that draw slowly. */
+  /** Fewer triangles for `model`, for machines that draw slowly; nothing where an older one's serve. */
   async loadCoarse(frame, model) {
-    if (model.hasCoarse) return;
+    if (model.hasCoarse || model.actors.every(({parts}) => parts.every((part) => part.is_outline || part.coarse))) return;
     model.hasCoarse = true;
     const buffer = await askBinary("api/coarse", {doc: this.doc, frame, model: model.key});
     const {head, at: begin} = openAnswer(buffer);
@@ -57,16 +54,12 @@ export class ViewStore {
 
   /** A drawing: {model, shapes}. `request` may have camera, actor and values. */
   async askShapes(frame, request = {}) {
-    const doc = this.doc;
-    let model = this.models.get(this.key) ?? await this.loadModel(frame);
-    for (let tries = 0; tries < 3; ++tries) {
-      const buffer = await askBinary("api/shapes", {doc, frame, model: model.key, ...request});
-      const shapes = readShapes(buffer, model);
-      if (shapes.actors) return {model, shapes};
-      model = this.models.get(shapes.key) ?? await this.loadModel(frame, shapes.key);
-      this.key = model.key;
-    }
-    throw new Error("the head changes faster than it is drawn");
+    const known = new Map(this.models);  // those that go meanwhile are still known here
+    const buffer = await askBinary("api/shapes", {doc: this.doc, frame, known: [...known.keys()], ...request});
+    const {model, shapes} = readShapes(buffer, known);
+    const kept = this.models.get(model.key) ?? (known.has(model.key) ? model : prepareModel(model));
+    this.keepModel(kept);
+    return {model: kept, shapes};
   }
 
   /** The clip's drawing of a frame, from memory if it is there. */
@@ -89,15 +82,17 @@ export class ViewStore {
     return this.clip !== null && this.shapes.has(this.findDrawing(frame));
   }
 
-  /** Drawings from `from` to `to` into memory, some at once; what was wanted before is wanted no more. */
-  fetchAhead(from, to) {
+  /**
+   * Drawings from `from` to `to` into memory, some at once, and `then` [from, to] those of another range; what was wanted
+   * before is wanted no more.
+   */
+  fetchAhead(from, to, then = null) {
     if (!this.clip) return;
-    this.makeRoom(from, to);
-    this.queue = [];
-    for (let frame = from; frame <= to; ++frame) {
-      const drawing = this.findDrawing(frame);
-      if (!this.promises.has(drawing) && !this.queue.includes(drawing)) this.queue.push(drawing);
-    }
+    if (!then) this.makeRoom(from, to);
+    const wanted = new Set();
+    for (const [first, last] of then ? [[from, to], then] : [[from, to]])
+      for (let frame = first; frame <= last; ++frame) wanted.add(this.findDrawing(frame));
+    this.queue = [...wanted].filter((drawing) => !this.promises.has(drawing));
     for (let i = this.running; i < kAtOnce; ++i) this.fetchNext();
   }
 

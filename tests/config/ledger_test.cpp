@@ -105,6 +105,33 @@ busts: [{express: surprise}, {express: surprise, exaggerate: 2}]
   EXPECT_EQ(report(spec), "");
 }
 
+TEST(exaggerate, an_expression_in_braces_goes_as_far_as_it_says) {
+  const Spec spec = load_text("mien: 1\nexaggerate: 1.5\nexpressions: {sly: {brow.left: {up: 0.4}}}\n");
+  const Expression posed = take_expression(spec, "{from: sly, strength: 0.5, lips: {press: 0.3}}");
+  EXPECT_EQ(posed.name, "posed");
+  EXPECT_DOUBLE_EQ(find_value(posed.pose, "brow", Side::left, "up"), 0.2);
+  EXPECT_DOUBLE_EQ(find_value(posed.pose, "lips", Side::none, "press"), 0.3);
+  EXPECT_EQ(take_expression(spec, "{}").pose, Pose{});
+  EXPECT_DOUBLE_EQ(find_value(take_expression(spec, "sly").pose, "brow", Side::left, "up"), 0.6);
+}
+
+TEST(exaggerate, an_expression_in_braces_is_told_what_is_wrong_with_it) {
+  const Spec spec = load_text("mien: 1\n");
+  const auto find_mistake = [&](const std::string& words) {
+    try {
+      take_expression(spec, words);
+    } catch (const InputError& error) {
+      return error.diagnostics.front().message;
+    }
+    return std::string("none");
+  };
+  EXPECT_EQ(find_mistake("{brws: {up: 1}}"),
+            "--express: unknown key 'brws' in 'expressions.posed'; did you mean 'brows'?");
+  EXPECT_EQ(find_mistake("{from: smlie}"), "--express: unknown expression 'smlie'; did you mean 'smile'?");
+  EXPECT_EQ(find_mistake("{}, two: {}"),
+            "--express is '{}, two: {}'; expected a name or one expression in braces");
+}
+
 TEST(exaggerate, closes_lids_by_the_lowest_and_not_the_sum) {
   const Spec spec = load_text(R"(mien: 1
 clip:

@@ -296,6 +296,20 @@ TEST(hair, paints_the_scalp_and_not_the_face) {
                 0.02f);
 }
 
+TEST(hair, that_is_worn_is_its_parts_and_its_scalp) {
+  for (const char* name : {"crop", "ponytail"}) {
+    const WornHair worn = build_worn_hair(adult(), name, Look{});
+    const std::vector<HeadPart> parts = build_hair(adult(), name, Look{}, false);
+    EXPECT_EQ(worn.scalp, paint_scalp(adult(), name));
+    ASSERT_EQ(worn.parts.size(), parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      EXPECT_EQ(worn.parts[i].part.name, parts[i].part.name);
+      EXPECT_EQ(worn.parts[i].part.rest.positions, parts[i].part.rest.positions);
+    }
+  }
+  EXPECT_TRUE(build_worn_hair(adult(), "none", Look{}).parts.empty());
+}
+
 TEST(brows, are_painted_where_their_hairs_are) {
   const std::vector<float> covers = paint_brows(adult(), shipped().stock.head->parts.brow);
   EXPECT_GT(covers[find_point(adult().cage, "E5_4")], 0.3f);

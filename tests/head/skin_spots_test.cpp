@@ -33,6 +33,23 @@ HeadPart build(const NeutralHead& head, double freckles, double age_spots) {
 
 TEST(skin_spots, are_none_unless_asked_for) { EXPECT_TRUE(build_skin_spots(adult(), Look{}).empty()); }
 
+TEST(skin_spots, lie_at_the_same_places_of_every_head) {
+  Look look;
+  look.freckles = 0.2;
+  look.age_spots = 0.5;
+  HeadSpec spec;
+  spec.age = {{"child", 1.0}};
+  const NeutralHead child = build_neutral_head(shipped().heads, spec);
+  const std::vector<HeadPart> own = build_skin_spots(child, look);
+  const std::vector<HeadPart> shared =
+      build_skin_spots(list_spot_places(adult(), look, false), child, look, false);
+  EXPECT_EQ(own.at(0).part.rest.positions, shared.at(0).part.rest.positions);
+  EXPECT_EQ(own.at(0).part.shade, shared.at(0).part.shade);
+  EXPECT_NE(name_spot_places(look, false), name_spot_places(look, true));
+  look.freckles = 0.21;
+  EXPECT_NE(name_spot_places(look, false), "spots 0.2 0.5");
+}
+
 TEST(skin_spots, are_each_bound_to_the_skin_under_them) {
   const HeadPart spots = build(adult(), 1, 1);
   const Mesh& mesh = spots.part.rest;

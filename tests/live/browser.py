@@ -73,6 +73,22 @@ class Page:
             actions.key_up(Keys.CONTROL)
         actions.perform()
 
+    def list_accessible(self):
+        """What a screen reader is given: {role, name, value and the properties} of each node, with what the node is in the page."""
+        nodes = []
+        for node in self.driver.execute_cdp_cmd("Accessibility.getFullAXTree", {})["nodes"]:
+            if node.get("ignored"):
+                continue
+            told = {"role": node["role"]["value"], "name": node.get("name", {}).get("value", "").strip(),
+                    "value": node.get("value", {}).get("value")}
+            for entry in node.get("properties", []):
+                told[entry["name"]] = entry["value"].get("value")
+            if told.get("focusable") and told["role"] == "generic":  # those that only scripts focus are no controls
+                page_node = self.driver.execute_cdp_cmd("DOM.describeNode", {"backendNodeId": node["backendDOMNodeId"]})["node"]
+                told["focusable"] = "-1" not in page_node["attributes"]
+            nodes.append(told)
+        return nodes
+
     def list_errors(self):
         """What the browser complained of."""
         return [entry["message"] for entry in self.driver.get_log("browser") if entry["level"] == "SEVERE"]

@@ -168,6 +168,78 @@ def toggles(page):
     page.wait_for("await mienLive.view.setToggle('ghost', '')")
 
 
+CONTROLS = {"button", "slider", "textbox", "searchbox", "combobox", "checkbox", "radio", "switch", "tab", "link", "spinbutton",
+            "scrollbar", "separator", "listbox", "ColorWell"}
+
+
+def accessibility(page):
+    for tab in ("pose", "head", "make"):
+        page.run(f"document.getElementById('tab_{tab}').click()")
+        time.sleep(0.3)
+        nodes = page.list_accessible()
+        controls = [node for node in nodes if node["role"] in CONTROLS or node.get("focusable")]
+        controls = [node for node in controls if node["role"] != "RootWebArea"]
+        check(f"screen readers are given controls: {tab}", len(controls) > 40, str(len(controls)))
+        nameless = [node for node in controls if not node["name"]]
+        check(f"each has a name: {tab}", not nameless, str(nameless[:5]))
+        vague = [node for node in controls if node["role"] in ("generic", "none", "")]
+        check(f"each has a role: {tab}", not vague, str(vague[:5]))
+        mute = [node for node in controls if node["role"] == "slider" and node["value"] in (None, "")]
+        check(f"each slider tells its value: {tab}", not mute, str(mute[:5]))
+        told = sum("pressed" in node for node in controls)
+        toggles = page.find("[...document.querySelectorAll('[aria-pressed]')].filter((one) => one.getClientRects().length).length")
+        check(f"each toggle tells its state: {tab}", told == toggles > 5, f"{told} of {toggles}")
+        chosen = [node["name"] for node in nodes if node["role"] == "tab" and node.get("selected")]
+        check(f"the tab tells that it is chosen: {tab}", [name.lower() for name in chosen] == [tab], str(chosen))
+    live = page.find("""['message', 'connection', 'notice', 'problem_news', 'view_trouble', 'posing_what', 'tip_news'].filter((id) =>
+      !document.getElementById(id).closest('[aria-live], [role=status], [role=alert], [role=log]'))""")
+    check("news are in live regions", live == [], str(live))
+    page.run("document.querySelector('[data-name=wire]').click()")
+    check("a toggle that is pressed is told", page.until("mienLive.view.toggles.wire") and any(
+        node["name"] == "Wire" and node.get("pressed") in (True, "true") for node in page.list_accessible()))
+    page.run("document.querySelector('[data-name=wire]').click()")
+
+
+def stage_keys(page):
+    """Blinks and the keys of camera, light, background and head are as those of areas."""
+    text = page.find(f"{EDITOR}.getText()")
+    added = ("  blinks: [0.5s, 24f]\n  light: [{at: 0s, set: candle}, {at: 1s, set: studio}]\n"
+             "  background: [{at: 1s, show: dark}]\n  head: [{at: 2s, age: old}]\n")
+    other = re.sub(r"(?m)^  blinks: .*\n", added, text)
+    page.run(f"{EDITOR}.load(arguments[0]); {EDITOR}.cm.replaceRange('#\\n', {{line: 0, ch: 0}}, undefined, '+input')", other)
+    kinds = ("blink", "camera", "light", "background", "head")
+    check("marks of all kinds are there", page.until(f"{kinds!r}".replace("(", "[").replace(")", "]")
+          + ".every((kind) => document.querySelector(`.mark_${kind}:not([data-line='0'])`))"))
+    for kind in kinds:
+        mark = f"[...document.querySelectorAll('.mark_{kind}')].at(-1)"
+        line = int(page.find(f"{mark}.dataset.line"))
+        page.run(f"{mark}.scrollIntoView({{block: 'center'}})")
+        page.act().click(page.find(mark)).perform()
+        check(f"a click goes to its line: {kind}", page.until(f"{EDITOR}.cm.getCursor().line === {line - 1}"))
+        before = page.find(f"{EDITOR}.cm.getLine({line - 1})")
+        page.until("mienLive.state.isGood && !mienLive.timeline.isDragging")
+        page.act().click_and_hold(page.find(mark)).move_by_offset(12, 0).move_by_offset(12, 0).release().perform()
+        check(f"a drag changes its time: {kind}", page.until(f"{EDITOR}.cm.getLine({line - 1}) !== arguments[0]".replace(
+            "arguments[0]", repr(before))), before)
+    page.run(f"{EDITOR}.load(arguments[0]); {EDITOR}.cm.replaceRange('#\\n', {{line: 0, ch: 0}}, undefined, '+input');"
+             f"{EDITOR}.cm.undo()", text)
+    page.until(f"{EDITOR}.getText() === arguments[0]".replace("arguments[0]", repr(text)))
+
+
+def posed(page):
+    """A face posed by hand is made as it is."""
+    page.run("document.getElementById('tab_pose').click()")
+    page.run("const s = document.querySelector('[data-move=\"lips.pucker\"], [data-move=\"brow.left.up\"]'); s.value = 0.8;"
+             "s.dispatchEvent(new Event('input')); s.dispatchEvent(new Event('change'))")
+    page.until("mienLive.state.pose")
+    page.run("document.getElementById('tab_make').click()")
+    check("what is posed is told", "posed by hand" in page.find("document.getElementById('make_face').textContent"))
+    page.run("document.getElementById('make_still_sketch').click()")
+    check("a face posed by hand is sketched", page.until("document.querySelector('.job a[href*=\"still_sketch.png\"]') !== null", 120))
+    check("its end is told to all", page.until("/posed by hand: done/.test(document.getElementById('message').textContent)"))
+    page.run("document.getElementById('posing_back').click()")
+
+
 def make(page):
     page.run("document.getElementById('tab_make').click(); document.getElementById('make_sketch').click()")
     check("a clip is made", page.until("document.querySelector('.job a[href*=\"hello_sketch.mp4\"]') !== null", 120))
@@ -187,6 +259,9 @@ def main(program, file):
         play(page)
         picture(page, program, file)
         toggles(page)
+        stage_keys(page)
+        accessibility(page)
+        posed(page)
         make(page)
         errors = [error for error in page.list_errors() if "409" not in error]
         check("the browser has nothing to complain of", not errors, "\n".join(errors))

@@ -70,6 +70,11 @@ Json open_header(const std::string& body, std::size_t& at) {
   return Json::parse(body.substr(sizeof size, size));
 }
 
+Json ask_model(Opened& opened, const std::string& doc) {
+  std::size_t at = 0;
+  return open_header(opened.post("api/shapes", {{"doc", doc}, {"frame", 0}}).body, at)["fresh"];
+}
+
 TEST(live_session, tells_the_file_and_what_may_be_done) {
   Opened opened;
   const Json value = Json::parse(opened.get("api/session").body);
@@ -94,6 +99,115 @@ TEST(live_session, a_text_is_judged_with_places) {
   EXPECT_EQ(right["clip"]["keys"][1]["at_s"], 0.5);
 }
 
+constexpr const char* kAllTracks =
+    "mien: 1\n"
+    "clip:\n"
+    "  length: 2s\n"
+    "  blinks: [12f, 250ms]\n"
+    "  camera:\n"
+    "    - {at: 0s, angle: 10deg}\n"
+    "    - {at: 1s, angle: 20deg}\n"
+    "  light: [{at: 0.5s, set: candle}]\n"
+    "  background:\n"
+    "    - at: 1s\n"
+    "      show: dark\n"
+    "  head: [{at: 1s, age: old}]\n";
+
+TEST(live_session, keys_of_all_tracks_have_a_place_from_which_they_can_be_moved) {
+  Opened opened(kAllTracks);
+  const Json clip = opened.ask("api/check", {{"text", kAllTracks}})["clip"];
+  const auto expect_place = [&](const Json& key, int line, int column, double at_s) {
+    EXPECT_EQ(key["line"], line) << key;
+    EXPECT_EQ(key["column"], column) << key;
+    EXPECT_DOUBLE_EQ(key["at_s"].get<double>(), at_s) << key;
+  };
+  expect_place(clip["blinks"][0], 4, 17, 0.25);  // by time, wherever they stand
+  expect_place(clip["blinks"][1], 4, 12, 0.5);
+  expect_place(clip["cameras"][1], 7, 7, 1);
+  expect_place(clip["lights"][0], 8, 11, 0.5);
+  expect_place(clip["backgrounds"][0], 10, 7, 1);
+  expect_place(clip["heads"][0], 12, 10, 1);
+  EXPECT_TRUE(clip["is_growing"]);
+  for (const auto& [track, index, was, now] :
+       std::vector<std::tuple<const char*, int, std::string, std::string>>{
+           {"blinks", 0, "250ms", "1500ms"},
+           {"blinks", 1, "12f", "36f"},
+           {"cameras", 1, "- {at: 1s, angle", "- {at: 1.5s, angle"},
+           {"lights", 0, "[{at: 0.5s", "[{at: 1.5s"},
+           {"backgrounds", 0, "at: 1s\n", "at: 1.5s\n"},
+           {"heads", 0, "[{at: 1s", "[{at: 1.5s"}}) {
+    const Json& key = clip[track][index];
+    const Json moved = opened.ask("api/edit", {{"text", kAllTracks},
+                                               {"do", "move"},
+                                               {"line", key["line"]},
+                                               {"column", key["column"]},
+                                               {"member", "at"},
+                                               {"to_s", 1.5},
+                                               {"fps", 24}});
+    std::string expected = kAllTracks;
+    expected.replace(expected.find(was), was.size(), now);
+    EXPECT_EQ(moved["text"], expected) << track;
+  }
+}
+
+TEST(live_session, what_stands_in_no_line_has_no_place) {
+  Opened opened;
+  write_file(opened.folder / "more.yaml", "mien: 1\nclip:\n  camera: [{at: 0.25s, angle: 30deg}]\n");
+  const std::string text =
+      "mien: 1\nclip:\n  include: [{file: more.yaml, at: 0s}]\n  keys:\n    - {at: 1s, name: one}\n"
+      "  blinks: [{after: one, delay: -0.5s}]\n";
+  const Json answer = opened.ask("api/check", {{"text", text}});
+  ASSERT_TRUE(answer["good"]) << answer;
+  EXPECT_EQ(answer["clip"]["cameras"][0]["at_s"], 0.25);
+  EXPECT_EQ(answer["clip"]["cameras"][0]["line"], 0);
+  const Json& blink = answer["clip"]["blinks"][0];  // has a line, but no plain time
+  EXPECT_EQ(blink["line"], 6);
+  const auto move = [&](const Json& key) {
+    const LiveAnswer refused = opened.post("api/edit", {{"text", text},
+                                                        {"do", "move"},
+                                                        {"line", key["line"]},
+                                                        {"column", key["column"]},
+                                                        {"member", "at"},
+                                                        {"to_s", 0.75},
+                                                        {"fps", 24}});
+    EXPECT_EQ(refused.status, 400);
+    return std::string(Json::parse(refused.body)["error"]);
+  };
+  EXPECT_EQ(move(blink),
+            "'clip.blinks[0]' waits for another key; expected a time such as 1.5s, 36f or 500ms");
+  EXPECT_EQ(
+      move(answer["clip"]["cameras"][0]),
+      "it has no place in this text, but comes from another file or from mien itself; expected a key or "
+      "cue of this text");
+}
+
+TEST(live_session, a_face_posed_by_hand_is_made_as_it_is_posed) {
+  Opened opened;
+  const auto find_command = [&](const Json& request) {
+    opened.ask("api/job", request);
+    const std::lock_guard lock(opened.session.jobs.mutex);
+    std::string words;
+    for (const std::string& word : opened.session.jobs.jobs.back().command) words += word + '|';
+    return words;
+  };
+  const std::string file = (opened.folder / "face.yaml").string();
+  EXPECT_EQ(
+      find_command({{"kind", "still_sketch"},
+                    {"values", {{"brow.left", {{"up", 0.5}}}, {"lips", {{"press", 0.4}}}}},
+                    {"strength", 0.5}}),
+      "|still|" + file + "|--json|--quality|sketch|--express={brow.left: {up: 0.25}, lips: {press: 0.2}}|");
+  EXPECT_EQ(find_command({{"kind", "bust"}, {"values", Json::object()}, {"actor", "ann"}}),
+            "|bust|" + file + "|--json|--no-stl|--express={}|--actor=ann|");
+  EXPECT_EQ(find_command({{"kind", "stl"}, {"express", "smile"}}),
+            "|bust|" + file + "|--json|--express=smile|");
+  const LiveAnswer wrong = opened.post("api/job", {{"kind", "stl"}, {"values", {{"lips", {{"sing", 1}}}}}});
+  EXPECT_EQ(wrong.status, 400);
+  EXPECT_EQ(Json::parse(wrong.body)["error"], "'lips.sing' is no move with a number");
+  const LiveAnswer strong =
+      opened.post("api/job", {{"kind", "stl"}, {"values", Json::object()}, {"strength", 3}});
+  EXPECT_EQ(Json::parse(strong.body)["error"], "'strength' is 3; expected 0 to 1");
+}
+
 TEST(live_session, a_pose_is_the_performance_at_the_frame) {
   Opened opened;
   const std::string doc = opened.check();
@@ -108,14 +222,12 @@ TEST(live_session, a_pose_is_the_performance_at_the_frame) {
 TEST(live_session, shapes_are_the_kernels_to_half_a_step) {
   Opened opened;
   const std::string doc = opened.check();
-  const LiveAnswer model = opened.post("api/model", {{"doc", doc}, {"frame", 0}});
-  std::size_t at = 0;
-  const Json header = open_header(model.body, at);
-  const LiveAnswer shapes =
-      opened.post("api/shapes", {{"doc", doc}, {"frame", 12}, {"model", header["model"]}});
+  const std::string known = ask_model(opened, doc)["model"];
+  const LiveAnswer shapes = opened.post("api/shapes", {{"doc", doc}, {"frame", 12}, {"known", {known}}});
   std::size_t begin = 0;
   const Json drawn = open_header(shapes.body, begin);
-  EXPECT_EQ(drawn["model"], header["model"]);
+  EXPECT_EQ(drawn["model"], known);
+  EXPECT_FALSE(drawn.contains("fresh"));
 
   const DocumentPointer document = find_document(opened.session.shelf, doc);
   const auto heads = find_heads(opened.session.shelf, *document, 0.5);
@@ -146,21 +258,31 @@ TEST(live_session, shapes_are_the_kernels_to_half_a_step) {
   EXPECT_GT(compared, 50000u);
 }
 
-TEST(live_session, shapes_of_another_model_are_not_sent) {
+TEST(live_session, a_model_that_the_page_has_not_comes_with_its_shapes) {
   Opened opened;
   const std::string doc = opened.check();
-  const LiveAnswer answer = opened.post("api/shapes", {{"doc", doc}, {"frame", 0}, {"model", "m99"}});
   std::size_t at = 0;
-  const Json header = open_header(answer.body, at);
-  EXPECT_EQ(at, answer.body.size());
+  const LiveAnswer both = opened.post("api/shapes", {{"doc", doc}, {"frame", 12}, {"known", {"m99"}}});
+  const Json header = open_header(both.body, at);
   EXPECT_EQ(header["model"], "m1");
+  EXPECT_EQ(header["fresh"]["model"], "m1");
+  std::size_t size = 0;
+  for (const Json& part : header["fresh"]["actors"][0]["parts"]) {
+    const std::size_t vertices = part["vertices"], triangles = part["triangles"], pieces = part["pieces"];
+    size += 4 * vertices + 12 * (triangles + pieces) + (part["is_rigid"] ? 12 * vertices : 0);
+    EXPECT_LT(pieces, 1 + triangles / 3) << part["name"];
+  }
+  std::size_t begin = 0;
+  const LiveAnswer shapes = opened.post("api/shapes", {{"doc", doc}, {"frame", 12}, {"known", {"m1", "m0"}}});
+  open_header(shapes.body, begin);
+  EXPECT_EQ(both.body.substr(at + size), shapes.body.substr(begin));
 }
 
 TEST(live_session, a_text_with_the_same_heads_keeps_its_model) {
   Opened opened;
   const auto find_model = [&](const std::string& text) {
     std::size_t at = 0;
-    const Json request{{"doc", opened.check(text)}, {"frame", 0}, {"model", ""}};
+    const Json request{{"doc", opened.check(text)}, {"frame", 0}};
     return std::string(open_header(opened.post("api/shapes", request).body, at)["model"]);
   };
   std::string longer = kText;
@@ -173,7 +295,7 @@ TEST(live_session, the_coarse_has_few_triangles_over_the_same_vertices) {
   Opened opened;
   const std::string doc = opened.check();
   std::size_t at = 0;
-  const Json model = open_header(opened.post("api/model", {{"doc", doc}, {"frame", 0}}).body, at);
+  const Json model = ask_model(opened, doc);
   const LiveAnswer answer = opened.post("api/coarse", {{"doc", doc}, {"frame", 0}});
   const Json coarse = open_header(answer.body, at);
   std::size_t fine = 0, few = 0;
@@ -197,7 +319,7 @@ TEST(live_session, marks_lie_on_the_skin) {
   Opened opened;
   const std::string doc = opened.check();
   std::size_t at = 0;
-  const Json model = open_header(opened.post("api/model", {{"doc", doc}, {"frame", 0}}).body, at);
+  const Json model = ask_model(opened, doc);
   const std::uint32_t vertices = model["actors"][0]["parts"][0]["vertices"];
   const Json marks = opened.ask("api/marks", {{"doc", doc}, {"frame", 0}});
   EXPECT_GE(marks["guides"].size(), 8u);
@@ -309,8 +431,7 @@ TEST(live_session, wrong_questions_are_told_what_was_expected) {
   expect_refusal("api/pose_at", {{"doc", doc}, {"frame", -1}}, 400, "'frame' is -1; expected 0 to 100000");
   expect_refusal("api/pose_at", {{"doc", doc}, {"frame", 0}, {"actor", "bob"}}, 400,
                  "there is no actor 'bob'");
-  expect_refusal("api/shapes",
-                 {{"doc", doc}, {"frame", 0}, {"model", "m1"}, {"values", {{"lips", {{"sing", 1}}}}}}, 400,
+  expect_refusal("api/shapes", {{"doc", doc}, {"frame", 0}, {"values", {{"lips", {{"sing", 1}}}}}}, 400,
                  "'lips.sing' is no move with a number");
   expect_refusal("api/sky", {{"doc", doc}, {"frame", 0}, {"width", 9999}, {"height", 9}}, 400,
                  "'width' is 9999; expected 1 to 640");
@@ -324,8 +445,7 @@ TEST(live_session, what_a_text_asks_of_a_pose_stays_within_reason) {
   Opened opened;
   const std::string doc = opened.check();
   const Json huge{{"corner.left", {{"up", 1e300}}}};
-  EXPECT_EQ(opened.post("api/shapes", {{"doc", doc}, {"frame", 0}, {"model", ""}, {"values", huge}}).status,
-            200);
+  EXPECT_EQ(opened.post("api/shapes", {{"doc", doc}, {"frame", 0}, {"values", huge}}).status, 200);
 }
 
 TEST(live_session, old_texts_are_forgotten) {
