@@ -193,6 +193,36 @@ clip:
             "                  ^");
 }
 
+TEST(clip, names_a_sound) {
+  const auto folder = make_test_folder("_files");
+  write_file(folder / "voice.WAV", "RIFF");
+  const auto load = [&](const std::string& sound) {
+    write_file(folder / "main.yaml", "mien: 1\nclip: {sound: " + sound + "}\n");
+    return load_spec(folder / "main.yaml", *find_language());
+  };
+  const Spec alone = load("voice.WAV"), later = load("{file: voice.WAV, at: 12f}");
+  ASSERT_TRUE(alone.clip.sound && later.clip.sound);
+  EXPECT_EQ(alone.clip.sound->file.path, folder / "voice.WAV");
+  EXPECT_EQ(alone.clip.sound->at_s, 0);
+  EXPECT_EQ(later.clip.sound->at_s, 0.5);
+  EXPECT_NE(std::ranges::find(later.files, folder / "voice.WAV"), later.files.end()) << "what a run reads";
+  EXPECT_FALSE(load_text("mien: 1\n").clip.sound);
+  const std::string expected = "expected a file that ends in .wav, .mp3, .ogg, .flac, .m4a";
+  for (const auto& [sound, message] :
+       {std::pair{"none.wav", "2:15: error: there is no file 'none.wav'; " + expected},
+        {"main.yaml", "2:15: error: 'main.yaml' is no such file's name; " + expected},
+        {"[voice.WAV]",
+         "2:15: error: 'clip.sound' is a list; expected a file such as voice.wav or a mapping "
+         "such as {file: voice.wav, at: 0.5s}"},
+        {"{at: 1s}", "2:15: error: 'clip.sound' has no 'file'; expected a file such as voice.wav"},
+        {"{file: voice.WAV, at: soon}",
+         "2:37: error: 'clip.sound.at' is 'soon'; expected a time such as 1.5s, 36f (frames) or 250ms"}}) {
+    write_file(folder / "main.yaml", fmt::format("mien: 1\nclip: {{sound: {}}}\n", sound));
+    const std::string mistakes = find_mistakes(folder / "main.yaml");
+    EXPECT_EQ(mistakes.substr(0, mistakes.find('\n')), "main.yaml:" + message);
+  }
+}
+
 TEST(clip, includes_other_files) {
   const auto folder = make_test_folder("_files");
   write_file(folder / "other.yaml", R"Y(mien: 1

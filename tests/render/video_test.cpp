@@ -229,5 +229,70 @@ TEST(video, is_judged_by_size_rate_and_count) {
             "ffmpeg made a clip of 124 ms, not 375");
 }
 
+// A tone of a second and a half, 8000 samples a second; silent but for a click at half a second.
+std::filesystem::path write_click(const Scratch& scratch) {
+  constexpr int kRate = 8000, kCount = kRate * 3 / 2;
+  std::string wav;
+  const auto append = [&wav](std::uint32_t number, int bytes) {
+    for (int i = 0; i < bytes; ++i) wav += static_cast<char>(number >> (8 * i) & 0xFF);
+  };
+  wav = "RIFF";
+  append(36 + 2 * kCount, 4);
+  wav += "WAVEfmt ";
+  for (const auto& [number, bytes] :
+       {std::pair{16u, 4}, {1u, 2}, {1u, 2}, {8000u, 4}, {16000u, 4}, {2u, 2}, {16u, 2}})
+    append(number, bytes);
+  wav += "data";
+  append(2 * kCount, 4);
+  for (int i = 0; i < kCount; ++i) append(i >= kRate / 2 && i < kRate / 2 + 40 ? 20000 : 0, 2);
+  write_file(scratch.path / "my click é.wav", wav);
+  return scratch.path / "my click é.wav";
+}
+
+// When the first loud sample is heard, s.
+double find_click_s(const std::filesystem::path& folder, const std::string& clip) {
+  const std::string samples = run_process({"ffmpeg", "-v", "error", "-i", clip, "-map", "0:a", "-ac", "1",
+                                           "-ar", "8000", "-f", "s16le", "-"},
+                                          folder)
+                                  .output;
+  for (std::size_t i = 0; i + 1 < samples.size(); i += 2)
+    if (static_cast<signed char>(samples[i + 1]) > 20) return static_cast<double>(i / 2) / 8000;
+  return -1;
+}
+
+TEST(video, is_heard_where_its_kind_can_be) {
+  const Reel reel(1);
+  const std::vector<std::filesystem::path> two_seconds(48, reel.pictures[0]);
+  const std::filesystem::path wav = write_click(reel.scratch);
+  constexpr double kNear_s = 0.004;  // encoders ring before a click
+  for (const char* name : {"heard.mp4", "heard.webm", "heard.mov"}) {
+    EXPECT_TRUE(can_sound(name));
+    for (const auto& [at_s, click_s] : {std::pair{0.0, 0.5}, {0.75, 1.25}, {-0.25, 0.25}}) {
+      write_video(two_seconds, 24, reel.scratch.path / name, Sound{wav, at_s});
+      EXPECT_NEAR(find_click_s(reel.scratch.path, name), click_s, kNear_s) << name << " at " << at_s;
+      EXPECT_EQ(find_video_fault(reel.scratch.path, name, {32, 24}, 24, 48, true), "");
+    }
+  }
+  write_video(two_seconds, 24, reel.scratch.path / "silent.gif", Sound{wav, 0});
+  write_video(two_seconds, 24, reel.scratch.path / "silent.mp4");
+  EXPECT_FALSE(can_sound("silent.gif"));
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "silent.mp4", {32, 24}, 24, 48, true),
+            "ffmpeg made a clip without sound");
+  EXPECT_THAT(find_video_fault(reel.scratch.path, "heard.mov", {32, 24}, 24, 48, true), "");
+  EXPECT_THAT(find_message<RunError>([&] {
+                write_video(two_seconds, 24, reel.scratch.path / "x.mp4", Sound{reel.pictures[0], 0});
+              }),
+              HasSubstr("x.mp4: ffmpeg failed"));
+}
+
+TEST(video, of_sketches_is_heard_too) {
+  const Reel reel(1);
+  VideoStream stream =
+      start_video({32, 24}, 24, reel.scratch.path / "fed.mp4", Sound{write_click(reel.scratch), 0.25}, 24);
+  for (int i = 0; i < 24; ++i) append_frame(stream, read_pixels(reel.pictures[0]));
+  finish_video(stream);
+  EXPECT_NEAR(find_click_s(reel.scratch.path, "fed.mp4"), 0.75, 0.004);
+}
+
 }  // namespace
 }  // namespace mien
