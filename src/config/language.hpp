@@ -125,6 +125,6 @@ inline constexpr std::size_t kMaxFormulaLength = 1000;  // bytes; a longer one i
 inline const Names kYamlEndings{".yaml", ".yml"};
 
 // Keys of the `clip` at the top of a file with actors; the others stand in each actor's own.
-inline const Names kSharedClipKeys{"fps", "draw", "length", "camera", "light", "background"};
+inline const Names kSharedClipKeys{"fps", "draw", "length", "camera", "light", "background", "sound"};
 
 }  // namespace mien

@@ -167,7 +167,8 @@ void fill_file(Sections& all) {
        "`{all: [smile, anger]}`."},
       {"actors",
        {as_map(build_actor_name_pattern(), {as_section(all.actor)}, 1)},
-       "Several who play together, by name. Frames a second, drawings, length, camera, light and background "
+       "Several who play together, by name. Frames a second, drawings, length, camera, light, background and "
+       "sound "
        "stand "
        "in the `clip` at the top of the file, the rest in each actor's own."}};
   KeyRule together{KeyRule::Kind::apart, {"actors", "head"}};

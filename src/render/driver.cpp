@@ -270,13 +270,14 @@ void limit_idling(Process& process, double slowest_s) {
   constexpr std::size_t kMostNamed = 20;
   std::string text = failures.begin()->second.what;
   if (failures.size() > 1) {
-    text += "\n  failed, too:";
+    std::string others = "\n  failed, too:";
     std::size_t named = 0;
     for (auto failure = std::next(failures.begin()); failure != failures.end() && named < kMostNamed;
          ++failure)
-      text += fmt::format("{} frame {}", named++ > 0 ? "," : "", failure->first);
+      others += fmt::format("{} frame {}", named++ > 0 ? "," : "", failure->first);
     if (failures.size() - 1 > kMostNamed)
-      text += fmt::format(" and {} more", failures.size() - 1 - kMostNamed);
+      others += fmt::format(" and {} more", failures.size() - 1 - kMostNamed);
+    text.insert(std::min(text.find('\n'), text.size()), others);
   }
   throw RunError(text);
 }

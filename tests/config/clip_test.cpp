@@ -216,7 +216,7 @@ TEST(clip, names_a_sound) {
          "such as {file: voice.wav, at: 0.5s}"},
         {"{at: 1s}", "2:15: error: 'clip.sound' has no 'file'; expected a file such as voice.wav"},
         {"{file: voice.WAV, at: soon}",
-         "2:37: error: 'clip.sound.at' is 'soon'; expected a time such as 1.5s, 36f (frames) or 250ms"}}) {
+         "2:37: error: 'clip.sound.at' is 'soon'; expected a time such as 1.5s, 36f or 500ms"}}) {
     write_file(folder / "main.yaml", fmt::format("mien: 1\nclip: {{sound: {}}}\n", sound));
     const std::string mistakes = find_mistakes(folder / "main.yaml");
     EXPECT_EQ(mistakes.substr(0, mistakes.find('\n')), "main.yaml:" + message);

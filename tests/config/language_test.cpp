@@ -80,7 +80,8 @@ std::string write_sample(const Section& section, const Key& key) {
     case FormKind::lengths:
       return "[0, 1mm, 1mm]";
     case FormKind::file:
-      return form.endings.front() == ".csv" ? "talk.csv" : "other.yaml";
+      return form.endings.front() == ".csv" || form.endings.front() == ".wav" ? "talk" + form.endings.front()
+                                                                              : "other.yaml";
     case FormKind::map:
     case FormKind::section:
       return "{}";
@@ -138,6 +139,7 @@ std::filesystem::path make_folder_with_files() {
   const std::filesystem::path folder = make_test_folder();
   write_file(folder / "talk.csv", "time,lips.upper\n0,0\n1,0.5\n");
   write_file(folder / "other.yaml", "mien: 1\nclip: {keys: [{at: 0s, name: other}]}\n");
+  write_file(folder / "talk.wav", "a sound");
   return folder;
 }
 

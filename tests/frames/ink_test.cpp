@@ -226,7 +226,13 @@ TEST(ink, hair_is_as_light_as_it_is_high) {
     EXPECT_GT(front[i].second, front[i - 1].second - 0.03f) << front[i].first;
 }
 
-// How far the locks' vertices are off the nearest of the mass, changes.
+float find_nearest_mm(const std::vector<glm::vec3>& points, const glm::vec3& at) {
+  float nearest = 1e9f;
+  for (const glm::vec3& p : points) nearest = std::min(nearest, glm::distance(p, at));
+  return nearest;
+}
+
+// The locks' vertices are hardly farther off the mass when it is drawn out: nothing is seen between them.
 TEST(ink, locks_stay_on_the_mass_while_the_head_stretches) {
   const Subject& subject = comic();
   const std::size_t locks = find_part(subject.ink.model, "hair"),
@@ -234,13 +240,8 @@ TEST(ink, locks_stay_on_the_mass_while_the_head_stretches) {
   const Drawing rest = draw(subject, Pose{}, TurnKey{}, InkView{}),
                 tall = draw(subject, make_pose({{"chin.down", 1}, {"brow.up", 1}}), TurnKey{}, InkView{});
   for (std::size_t v = 0; v < rest.parts[locks].positions.size(); v += 11) {
-    const glm::vec3& at = rest.parts[locks].positions[v];
-    const std::vector<glm::vec3>& shell = rest.parts[mass].positions;
-    const auto nearest = static_cast<std::size_t>(
-        std::ranges::min_element(shell, {}, [&](const glm::vec3& p) { return glm::distance(p, at); }) -
-        shell.begin());
-    EXPECT_NEAR(glm::distance(shell[nearest], at),
-                glm::distance(tall.parts[mass].positions[nearest], tall.parts[locks].positions[v]), 2.5)
+    EXPECT_LT(find_nearest_mm(tall.parts[mass].positions, tall.parts[locks].positions[v]),
+              find_nearest_mm(rest.parts[mass].positions, rest.parts[locks].positions[v]) + 2.5)
         << v;
   }
 }
@@ -556,7 +557,7 @@ TEST(redraw, disgust_goes_over_the_face_on_its_side_and_a_shout_does_not) {
   EXPECT_EQ(value(redraw_pose(redraw, one), "brow", Side::right, "turn"), 0);
   for (const Pose& other :
        {make_pose({{"lips.upper", 1}, {"brow.up", -1}, {"chin.down", 1}}), make_pose({{"lips.upper", 1}}),
-        make_pose({{"brow.up", -1}}), make_pose({{"lips.upper", 0.5}, {"brow.up", 0.4}})})
+        make_pose({{"brow.up", -1}}), make_pose({{"lips.upper", 1}, {"brow.up", 1}})})
     EXPECT_EQ(redraw_pose(redraw, other), other);
 }
 

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <map>
+#include <numeric>
+#include <utility>
 
 #include <algorithm>
 #include <cmath>
@@ -121,30 +124,38 @@ TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
   }
 }
 
-// Of a lock: its ring that is broadest.
-double find_broadest_mm(const HeadPart& locks, const Binding& binding) {
-  double broadest = 0;
-  for (std::uint32_t i = 0; i + 1 < binding.count; i += 2)
-    broadest = std::max<double>(broadest, glm::distance(locks.part.rest.positions[binding.first + i],
-                                                        locks.part.rest.positions[binding.first + i + 1]));
-  return broadest;
+// Of each lock the ring that is broadest. A lock's vertices follow each other, two a ring, and hang together.
+std::vector<double> list_widths_mm(const Mesh& locks) {
+  std::vector<std::uint32_t> first(locks.positions.size());
+  std::iota(first.begin(), first.end(), 0u);
+  for (bool has_changed = true; has_changed;) {
+    has_changed = false;
+    for (const Triangle& triangle : locks.triangles) {
+      const std::uint32_t least = std::min({first[triangle[0]], first[triangle[1]], first[triangle[2]]});
+      for (const std::uint32_t v : triangle) has_changed |= std::exchange(first[v], least) != least;
+    }
+  }
+  std::map<std::uint32_t, double> widths;  // by the lock's first vertex
+  for (std::uint32_t v = 0; v + 1 < first.size(); ++v) {
+    if (first[v] != first[v + 1] || (v - first[v]) % 2 != 0) continue;
+    double& width = widths[first[v]];
+    width = std::max<double>(width, glm::distance(locks.positions[v], locks.positions[v + 1]));
+  }
+  std::vector<double> sorted;
+  for (const auto& [vertex, width] : widths) sorted.push_back(width);
+  std::ranges::sort(sorted);
+  return sorted;
 }
 
 TEST(hair, that_is_drawn_has_fewer_and_broader_locks) {
-  const auto list_widths = [](const HeadPart& locks) {
-    std::vector<double> widths;
-    for (const Binding& binding : locks.bindings) widths.push_back(find_broadest_mm(locks, binding));
-    std::ranges::sort(widths);
-    return widths;
-  };
   for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
     const std::vector<HeadPart> worn = build_hair(adult(), name, Look{}, false);
     const std::vector<HeadPart> drawn = build_hair(adult(), name, Look{}, true);
     for (const HeadPart& part : drawn) expect_sound(adult(), part, name + " " + part.part.name);
     EXPECT_EQ(find_part(drawn, "hair_fine"), nullptr) << name;
     if (cut.locks.count == 0) continue;
-    const std::vector<double> few = list_widths(*find_part(drawn, "hair")),
-                              many = list_widths(*find_part(worn, "hair"));
+    const std::vector<double> few = list_widths_mm(find_part(drawn, "hair")->part.rest),
+                              many = list_widths_mm(find_part(worn, "hair")->part.rest);
     EXPECT_LT(2 * few.size(), many.size() + 240) << name;  // a knot's own locks are as they were
     EXPECT_GT(few[few.size() / 2], 1.5 * many[many.size() / 2]) << name;
     EXPECT_NE(find_part(drawn, "hair_mass"), nullptr) << name;

@@ -10,6 +10,8 @@ import subprocess
 import sys
 import time
 
+from selenium.common.exceptions import StaleElementReferenceException
+
 from browser import Keys, Page, start_live
 
 MOST_DIFFERENCE = 12  # of 255, between the page's picture and a sketch's: soft shadows and fine hairs differ
@@ -200,6 +202,16 @@ def accessibility(page):
     page.run("document.querySelector('[data-name=wire]').click()")
 
 
+def on_mark(page, mark, add):
+    """The timeline is drawn anew when an answer comes: what was found just before that is taken again."""
+    for _ in range(8):
+        try:
+            return add(page.act(), page.find(mark)).perform()
+        except StaleElementReferenceException:
+            time.sleep(0.3)
+    raise RuntimeError(f"{mark} never stays")
+
+
 def stage_keys(page):
     """Blinks and the keys of camera, light, background and head are as those of areas."""
     text = page.find(f"{EDITOR}.getText()")
@@ -214,11 +226,12 @@ def stage_keys(page):
         mark = f"[...document.querySelectorAll('.mark_{kind}')].at(-1)"
         line = int(page.find(f"{mark}.dataset.line"))
         page.run(f"{mark}.scrollIntoView({{block: 'center'}})")
-        page.act().click(page.find(mark)).perform()
+        on_mark(page, mark, lambda act, element: act.click(element))
         check(f"a click goes to its line: {kind}", page.until(f"{EDITOR}.cm.getCursor().line === {line - 1}"))
         before = page.find(f"{EDITOR}.cm.getLine({line - 1})")
         page.until("mienLive.state.isGood && !mienLive.timeline.isDragging")
-        page.act().click_and_hold(page.find(mark)).move_by_offset(12, 0).move_by_offset(12, 0).release().perform()
+        on_mark(page, mark, lambda act, element: act.click_and_hold(element).move_by_offset(12, 0)
+                .move_by_offset(12, 0).release())
         check(f"a drag changes its time: {kind}", page.until(f"{EDITOR}.cm.getLine({line - 1}) !== arguments[0]".replace(
             "arguments[0]", repr(before))), before)
     page.run(f"{EDITOR}.load(arguments[0]); {EDITOR}.cm.replaceRange('#\\n', {{line: 0, ch: 0}}, undefined, '+input');"
