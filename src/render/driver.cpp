@@ -277,7 +277,10 @@ void limit_idling(Process& process, double slowest_s) {
       others += fmt::format("{} frame {}", named++ > 0 ? "," : "", failure->first);
     if (failures.size() - 1 > kMostNamed)
       others += fmt::format(" and {} more", failures.size() - 1 - kMostNamed);
-    text.insert(std::min(text.find('\n'), text.size()), others);
+    // Behind the command, before what povray said.
+    const std::size_t command = text.find('\n');
+    text.insert(command == text.npos ? text.size() : std::min(text.find('\n', command + 1), text.size()),
+                others);
   }
   throw RunError(text);
 }

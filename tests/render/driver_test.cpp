@@ -151,7 +151,7 @@ TEST(driver, tells_the_first_of_many_failures_and_starts_no_more) {
                          "case $1 in *f0001.pov) sleep 0.3;; esac; echo \"$1\" >> ../../said; exit 7\n");
   const std::string error = shoot.find_error();
   EXPECT_THAT(error, HasSubstr("frame 1: povray failed (exit status 7)"));
-  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 2, frame 3, frame 4\n  command: "));
+  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 2, frame 3, frame 4"));
   const std::string said = read_file(shoot.scratch.path / "said");
   EXPECT_EQ(std::ranges::count(said, '\n'), 5) << "one of them twice";
 }
@@ -183,7 +183,7 @@ TEST(driver, goes_on_after_a_frame_that_fails_twice_and_tells_them_at_the_end) {
                          "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
   const std::string error = shoot.find_error();
   EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
-  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 5\n  command: "));
+  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 5"));
   EXPECT_EQ(shoot.count_pictures(), 5);
 }
 
@@ -195,7 +195,7 @@ TEST(driver, stops_when_nothing_works_any_more) {
                          "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
   const std::string error = shoot.find_error();
   EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
-  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 4, frame 5, frame 6, frame 7, frame 8\n  command: "));
+  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 4, frame 5, frame 6, frame 7, frame 8"));
   EXPECT_EQ(shoot.count_pictures(), 2);
   EXPECT_EQ(std::ranges::count(read_file(shoot.scratch.path / "said"), '\n'), 2 + 6);
 }
