@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <map>
 #include <optional>
 
@@ -13,6 +12,7 @@
 #include "clip/trace.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "render/video_kind.hpp"
 
 namespace mien {
@@ -143,12 +143,6 @@ Options take_videos(const Options& asked) {
 
 OutputFile find_output_file(const Options& options, const fs::path& otherwise) {
   return options.output ? OutputFile{"-o", *options.output} : OutputFile{"", otherwise};
-}
-
-std::string find_ending(const fs::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
 }
 
 bool has_file_ending(const fs::path& path) {

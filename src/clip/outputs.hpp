@@ -24,9 +24,6 @@ Options take_videos(const Options& asked);
 // What -o names, else `otherwise`.
 OutputFile find_output_file(const Options& options, const std::filesystem::path& otherwise);
 
-// The ending of a name in small letters: ".png".
-std::string find_ending(const std::filesystem::path& path);
-
 // Whether a name ends as files of pictures, videos, meshes and the like do; "v1.2" does not.
 bool has_file_ending(const std::filesystem::path& path);
 

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 #include <algorithm>
-#include <cctype>
 
 #include "config/load_spec.hpp"
 #include "core/text.hpp"
@@ -18,9 +17,7 @@ Place find_place(const YamlValue& value) {
 }
 
 bool has_ending(const fs::path& file, const Names& endings) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return std::ranges::find(endings, ending) != endings.end();
+  return std::ranges::find(endings, find_ending(file)) != endings.end();
 }
 
 bool is_plain_name(const std::string& name) {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <cstdint>
@@ -215,6 +216,12 @@ std::string find_nearest(std::string_view word, const std::vector<std::string>& 
     }
   }
   return nearest;
+}
+
+std::string find_ending(const std::filesystem::path& path) {
+  std::string ending = path.extension().string();
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
+  return ending;
 }
 
 std::string hash_hex(std::string_view content) {

@@ -37,6 +37,9 @@ std::string fill_template(std::string_view text, const std::map<std::string, std
 // wrong); empty if none is near.
 std::string find_nearest(std::string_view word, const std::vector<std::string>& names);
 
+// The ending of a file's name in small letters: ".png"; empty if it has none.
+std::string find_ending(const std::filesystem::path& path);
+
 // 16 lower-case hexadecimal digits of the xxHash64 of `content`.
 std::string hash_hex(std::string_view content);
 

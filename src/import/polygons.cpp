@@ -1,8 +1,6 @@
 #include "import/polygons.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
-#include <cctype>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -11,12 +9,6 @@
 namespace mien {
 
 namespace {
-
-std::string find_ending(const std::filesystem::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
 
 // The whole file, if it is one that may be read.
 std::string read_bytes(const std::filesystem::path& path, const std::string& file) {

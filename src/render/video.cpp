@@ -5,11 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
 #include <string>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "render/video_kind.hpp"
 
 namespace mien {
@@ -48,12 +47,8 @@ void link_pictures(const std::vector<std::filesystem::path>& pictures, const std
   }
 }
 
-// In the work folder; a clip whose name has letters that ffmpeg would read as a pattern is called this too.
-std::string name_made(const std::filesystem::path& clip) {
-  std::string ending = clip.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return "clip" + ending;
-}
+// In the work folder, whatever the clip is called: ffmpeg reads patterns in names.
+std::string name_made(const std::filesystem::path& clip) { return "clip" + find_ending(clip); }
 
 // What ffmpeg reads, and whether it is for a look.
 struct VideoSource {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
@@ -32,12 +31,6 @@ constexpr int kTimeDecimals = 6;
 // little on pictures of this height.
 constexpr int kThreads = 4;
 
-std::string get_ending(const std::filesystem::path& path) {
-  std::string ending = path.extension().string();
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return std::tolower(c); });
-  return ending;
-}
-
 // By bt709's matrix, the same on every processor.
 constexpr const char* kScale =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,";
@@ -52,21 +45,24 @@ std::string build_halved_filters(const PictureSize& size) {
   return filters + kScale + "format=yuv420p";
 }
 
+// With tags for its colours, and sound; the others are pictures that move, RGB or a palette of it.
+bool is_film(const std::string& ending) { return ending == ".mp4" || ending == ".webm" || ending == ".mov"; }
+
 PictureSize find_video_size(const std::string& ending, const PictureSize& size) {
   if (ending != ".mp4" && ending != ".webm") return size;
   return {size.width_px + size.width_px % 2, size.height_px + size.height_px % 2};
 }
 
-using Options = std::vector<std::string>;
+using Words = std::vector<std::string>;
 
-Options join(Options first, const Options& second) {
+Words join(Words first, const Words& second) {
   first.insert(first.end(), second.begin(), second.end());
   return first;
 }
 
-Options list_kind(const std::string& ending, const PictureSize& size, int fps, bool is_sketch) {
-  const Options tags{"-colorspace", "bt709", "-color_primaries", "bt709",
-                     "-color_trc",  "bt709", "-color_range",     "tv"};
+Words list_kind(const std::string& ending, const PictureSize& size, int fps, bool is_sketch) {
+  const Words tags{"-colorspace", "bt709", "-color_primaries", "bt709",
+                   "-color_trc",  "bt709", "-color_range",     "tv"};
   if (ending == ".mp4")
     return join({"-vf", build_halved_filters(size),
                  // One key frame a second, so that players step and seek fast.
@@ -81,9 +77,12 @@ Options list_kind(const std::string& ending, const PictureSize& size, int fps, b
                  "-g", std::to_string(fps), "-threads", std::to_string(kThreads)},
                 tags);
   if (ending == ".mov")
-    return join({"-vf", std::string(kScale) + "format=yuv444p10le", "-c:v", "prores_ks", "-profile:v", "4444",
-                 "-vendor", "apl0", "-threads", std::to_string(kThreads)},
-                join(tags, {"-movflags", "+write_colr"}));
+    return join(
+        {"-vf",
+         std::string(kScale) + "format=yuv444p10le,setparams=range=tv:color_primaries=bt709:"
+                               "color_trc=bt709:colorspace=bt709",
+         "-c:v", "prores_ks", "-profile:v", "4444", "-vendor", "apl0", "-threads", std::to_string(kThreads)},
+        join(tags, {"-movflags", "+write_colr"}));
   // One palette for the whole clip, so that a still background stays still; an ordered dither does too.
   if (ending == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
@@ -139,9 +138,9 @@ std::string find_value_of(const std::string& facts, const std::string& key) {
 }
 
 // What ffprobe says of the clip's pictures, or of another stream.
-std::string probe(const std::filesystem::path& folder, const std::string& file, const Options& asked,
+std::string probe(const std::filesystem::path& folder, const std::string& file, const Words& asked,
                   const char* stream = "v:0") {
-  const Options command = join(join({"ffprobe", "-v", "error", "-select_streams", stream}, asked), {file});
+  const Words command = join(join({"ffprobe", "-v", "error", "-select_streams", stream}, asked), {file});
   const ProcessResult result = run_process(command, folder);
   if (result.exit_code != 0)
     throw RunError(format_failure(describe_end("ffprobe", result), quote_command(command), result.output));
@@ -182,19 +181,16 @@ const std::vector<std::string>& list_video_endings() {
 }
 
 bool is_video_name(const std::filesystem::path& path) {
-  return std::ranges::find(list_video_endings(), get_ending(path)) != list_video_endings().end();
+  return std::ranges::find(list_video_endings(), find_ending(path)) != list_video_endings().end();
 }
 
 std::vector<std::string> list_encoder_options(const std::filesystem::path& clip, const PictureSize& size,
                                               int fps, bool is_sketch) {
-  return join(list_kind(get_ending(clip), size, fps, is_sketch),
+  return join(list_kind(find_ending(clip), size, fps, is_sketch),
               {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
 }
 
-bool can_sound(const std::filesystem::path& clip) {
-  const std::string ending = get_ending(clip);
-  return ending == ".mp4" || ending == ".webm" || ending == ".mov";
-}
+bool can_sound(const std::filesystem::path& clip) { return is_film(find_ending(clip)); }
 
 std::vector<std::string> list_sound_input(const Sound& sound) {
   if (sound.at_s < 0) return {"-ss", format_number(-sound.at_s, kTimeDecimals), "-i", sound.file.string()};
@@ -203,8 +199,8 @@ std::vector<std::string> list_sound_input(const Sound& sound) {
 
 std::vector<std::string> list_sound_options(const Sound& sound, const std::filesystem::path& clip,
                                             double length_s) {
-  const std::string ending = get_ending(clip);
-  Options options{
+  const std::string ending = find_ending(clip);
+  Words options{
       "-map", "0:v:0",
       "-map", "1:a:0",
       "-af",  fmt::format("adelay=delays={}:all=1,apad", format_number(1000 * std::max(0.0, sound.at_s), 3)),
@@ -216,16 +212,16 @@ std::vector<std::string> list_sound_options(const Sound& sound, const std::files
 
 std::string find_video_fault(const std::filesystem::path& folder, const std::string& file,
                              const PictureSize& size, int fps, std::size_t frame_count, bool has_sound) {
-  const std::string ending = get_ending(file);
+  const std::string ending = find_ending(file);
   if (ending == ".webp") return find_webp_fault(read_file(folder / file), size, fps, frame_count);
   const std::string counted =
       probe(folder, file, {"-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0"});
   const std::string count = counted.substr(0, counted.find('\n'));
   if (count != std::to_string(frame_count))
     return fmt::format("ffmpeg made a clip of {} frames, not {}", count, frame_count);
-  const std::string facts =
-      probe(folder, file,
-            {"-show_entries", "stream=width,height,r_frame_rate", "-of", "default=noprint_wrappers=1"});
+  const std::string facts = probe(
+      folder, file,
+      {"-show_entries", "stream=width,height,r_frame_rate,color_space", "-of", "default=noprint_wrappers=1"});
   const PictureSize wanted = find_video_size(ending, size);
   const std::string width = find_value_of(facts, "width"), height = find_value_of(facts, "height");
   if (width != std::to_string(wanted.width_px) || height != std::to_string(wanted.height_px))
@@ -235,6 +231,9 @@ std::string find_video_fault(const std::filesystem::path& folder, const std::str
   // A GIF counts in hundredths of a second; of one frame no rate is known.
   if (ending != ".gif" && frame_count > 1 && !is_rate(rate, fps))
     return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, fps);
+  const std::string colours = find_value_of(facts, "color_space");
+  if (is_film(ending) && colours != "bt709")
+    return fmt::format("ffmpeg made a clip with the colours of '{}', not bt709", colours);
   return has_sound ? find_sound_fault(folder, file, static_cast<double>(frame_count) / fps) : "";
 }
 
