@@ -172,6 +172,14 @@ void fill_head_key(Sections& all) {
   head.keys.push_back(build_name_key());
 }
 
+void fill_sound(Section& sound) {
+  sound.name = "sound";
+  sound.help = "What is heard.";
+  sound.expected = "a file such as voice.wav or a mapping such as {file: voice.wav, at: 0.5s}";
+  sound.keys = {{"file", {as_file({".wav", ".mp3", ".ogg", ".flac", ".m4a"})}, "The sound's file.", "", true},
+                {"at", {as_duration()}, "When it begins.", "0"}};
+}
+
 void fill_clip(Sections& all) {
   Section& change = all.draw_change;
   const Forms frames{as_word("draw", kDrawWords), as_whole(1, kMaxDraw, "frames a drawing")};
@@ -254,6 +262,7 @@ void fill_clip_sections(Sections& all) {
   fill_head_key(all);
   fill_idle_sections(all);
   fill_layer_sections(all);
+  fill_sound(all.sound);
   fill_clip(all);
 }
 

@@ -75,14 +75,6 @@ void fill_gaze(Sections& all) {
       look};
 }
 
-void fill_sound(Section& sound) {
-  sound.name = "sound";
-  sound.help = "What is heard.";
-  sound.expected = "a file such as voice.wav or a mapping such as {file: voice.wav, at: 0.5s}";
-  sound.keys = {{"file", {as_file({".wav", ".mp3", ".ogg", ".flac", ".m4a"})}, "The sound's file.", "", true},
-                {"at", {as_duration()}, "When it begins.", "0"}};
-}
-
 void fill_dials(Section& drift, Section& asymmetry) {
   drift.name = "drift";
   drift.help = "Small slow motion of the head and the brows.";
@@ -110,7 +102,6 @@ void fill_idle_sections(Sections& all) {
   fill_blink(all.blink);
   fill_gaze(all);
   fill_dials(all.drift, all.asymmetry);
-  fill_sound(all.sound);
 }
 
 }  // namespace mien

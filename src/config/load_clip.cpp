@@ -189,6 +189,21 @@ bool load_waiting_time(const YamlValue& value, const ClipClock& clock, double& i
   return true;
 }
 
+// A file alone, or with the time when it begins.
+void load_sound(const YamlValue& value, const ClipClock& clock, std::optional<SoundSpec>& into) {
+  std::optional<FileReference> file;
+  double at_s = 0;
+  if (find_node(value).kind == NodeKind::text) {
+    load_file(value, file);
+  } else {
+    const YamlMapping entries = load_section(value);
+    if (const YamlValue* named = find_required(entries, "file", value, "a file such as voice.wav"))
+      load_file(*named, file);
+    if (const YamlValue* at = find_value(entries, "at")) load_duration(*at, clock, at_s);
+  }
+  if (file) into = SoundSpec{*file, at_s};
+}
+
 }  // namespace
 
 bool count_part(const YamlValue& item, const ClipReader& reader) {
@@ -320,6 +335,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   load_scripts(entries, reader);
   load_layers(entries, reader, clip);
   load_idle(entries, reader.clock, clip);
+  if (const YamlValue* sound = find_value(entries, "sound")) load_sound(*sound, reader.clock, clip.sound);
   if (!clip.gaze.keys.empty() && find_value(entries, "length") == nullptr)
     clip.length_s = std::max(clip.length_s, clip.gaze.keys.back().at_s);
   if (clip.length_s > reader.clock.end_s) {

@@ -149,8 +149,7 @@ double compute_last_s(const ClipSpec& clip);
 void load_draw(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
 LeadSpec load_lead(const YamlMapping& entries, const ClipClock& clock);
 
-// What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`; and what is heard,
-// `sound:`.
+// What the face does by itself: `blink:`, `blinks:`, `gaze:`, `drift:` and `asymmetry:`.
 void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip);
 
 }  // namespace mien

@@ -4,7 +4,6 @@
 #include <tuple>
 
 #include "config/load_clip.hpp"
-#include "config/named_file.hpp"
 
 namespace mien {
 
@@ -162,21 +161,6 @@ void load_asymmetry(const YamlValue& value, AsymmetrySpec& asymmetry) {
   load_dial(value, asymmetry);
 }
 
-// A file alone, or with the time when it begins.
-void load_sound(const YamlValue& value, const ClipClock& clock, std::optional<SoundSpec>& into) {
-  std::optional<FileReference> file;
-  double at_s = 0;
-  if (is_text(value)) {
-    load_file(value, file);
-  } else {
-    const YamlMapping entries = load_section(value);
-    if (const YamlValue* named = find_required(entries, "file", value, "a file such as voice.wav"))
-      load_file(*named, file);
-    if (const YamlValue* at = find_value(entries, "at")) load_duration(*at, clock, at_s);
-  }
-  if (file) into = SoundSpec{*file, at_s};
-}
-
 }  // namespace
 
 void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip) {
@@ -189,7 +173,6 @@ void load_idle(const YamlMapping& entries, const ClipClock& clock, ClipSpec& cli
   if (const YamlValue* drift = find_value(entries, "drift")) load_dial(*drift, clip.drift);
   if (const YamlValue* asymmetry = find_value(entries, "asymmetry"))
     load_asymmetry(*asymmetry, clip.asymmetry);
-  if (const YamlValue* sound = find_value(entries, "sound")) load_sound(*sound, clock, clip.sound);
 }
 
 }  // namespace mien
