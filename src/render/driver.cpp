@@ -5,7 +5,6 @@
 #include "render/driver.hpp"
 
 #include <fmt/format.h>
-#include <sys/stat.h>
 
 #include <algorithm>
 #include <deque>
@@ -30,20 +29,12 @@ constexpr const char* kIniText = "Work_Threads=1\n";
 // What POV-Ray may need of the disk for one pixel: its state file and the picture.
 constexpr std::size_t kDiskPerPixel = 16;  // bytes
 
-// By which a file is known to be the same, as it was.
-struct FileState {
-  off_t size = 0;
-  time_t changed_s = 0;
-  long changed_ns = 0;
-  bool operator==(const FileState&) const = default;
-};
-
 // One frame on its way.
 struct Rendering {
   const FrameJob* job;
   std::filesystem::path raw;  // what povray writes
   Process process;
-  std::vector<FileState> files;  // the job's, as povray found them
+  bool is_second_try = false;
 };
 
 // What is the same for every frame of a call.
@@ -54,7 +45,6 @@ struct Run {
   WorkFolder work;
   int link_count = 0;
   std::vector<std::string> libraries;  // named as povray, running in the work folder, can read them
-  std::map<std::filesystem::path, std::pair<FileState, std::string>> hashes;  // of files, each as it was
 };
 
 bool is_plain(const std::string& name) {
@@ -90,46 +80,7 @@ std::vector<std::string> build_options(const RenderSettings& settings) {
   return options;
 }
 
-FileState read_state(const std::filesystem::path& path) {
-  struct stat facts {};
-  if (::stat(path.c_str(), &facts) != 0) return {};
-  return {facts.st_size, facts.st_mtim.tv_sec, facts.st_mtim.tv_nsec};
-}
-
-// Whether the file, which is as `state` says, holds what the job says; read once as long as it stays as it
-// is.
-bool holds(const TracedFile& file, const FileState& state, Run& run) {
-  auto& [known, hash] = run.hashes[file.path];
-  if (hash.empty() || known != state) {
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(file.path, ignored)) return false;
-    known = state;
-    hash = hash_hex(read_file(file.path));
-  }
-  return hash == file.hash;
-}
-
-[[noreturn]] void fail_changed(const FrameJob& job, const TracedFile& file) {
-  throw RunError(fmt::format(
-      "frame {}: {} was changed while the clip was rendered; run again, one run a folder at a time",
-      job.number, file.path.string()));
-}
-
-// Throws RunError if what the picture shows may be something else than its key says.
-void check_files(const Rendering& rendering) {
-  for (std::size_t i = 0; i < rendering.files.size(); ++i) {
-    const TracedFile& file = rendering.job->files[i];
-    const FileState now = read_state(file.path);
-    if (now != rendering.files[i]) fail_changed(*rendering.job, file);
-  }
-}
-
 Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
-  std::vector<FileState> files;
-  for (const TracedFile& file : job.files) {
-    files.push_back(read_state(file.path));
-    if (!holds(file, files.back(), run)) fail_changed(job, file);
-  }
   const std::filesystem::path folder = job.scene.parent_path();
   const std::string raw = fmt::format("{}.png", index);
   std::vector<std::string> command{"povray", "+I" + build_plain_name(job.scene, run), "+O" + raw};
@@ -139,7 +90,7 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
     if (library != scene_folder) command.push_back("+L" + library);
   for (std::string& option : build_options(run.settings)) command.push_back(std::move(option));
   const std::string ini = fmt::format("POVINI={}", kIniName);
-  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini}), std::move(files)};
+  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini})};
 }
 
 // The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
@@ -177,7 +128,6 @@ void finish_rendering(const Rendering& rendering, const Run& run) {
   std::error_code ignored;
   std::filesystem::remove(rendering.raw, ignored);
   std::filesystem::remove(std::filesystem::path(rendering.raw).replace_extension("pov-state"), ignored);
-  check_files(rendering);
   if (fault.empty()) return write_file(rendering.job->picture, mark_picture(png, rendering.job->key));
 
   const std::size_t pixel_count = static_cast<std::size_t>(settings.width_px) * settings.height_px;
@@ -201,37 +151,30 @@ std::list<Rendering> take_ended(std::list<Rendering>& running) {
   return ended;
 }
 
-// A frame to come, and whether it has failed already.
-struct Waiting {
+// A frame that waits, or one that failed.
+struct Attempt {
   const FrameJob* job;
-  bool is_second_try = false;
-  std::string what = {};  // went wrong the first time
-};
-
-struct Failure {
-  const FrameJob* job;
-  bool is_second_try = false;
-  std::string what;
+  bool is_second = false;
+  std::string what = {};  // went wrong, if it has failed
 };
 
 // What is still to do, what went wrong, and what has been learnt on the way.
 struct Progression {
-  std::deque<Waiting> waiting;
-  std::map<const FrameJob*, bool> is_second_try;  // of those that run
-  std::map<int, Failure> failures;                // by frame: the first is told, whichever came first
-  bool has_worked = false;                        // a frame of this call at least
+  std::deque<Attempt> waiting;
+  std::map<int, Attempt> failures;  // by frame: the first is told, whichever came first
+  bool has_worked = false;          // a frame of this call at least
   std::size_t failed_in_a_row = 0;
   double slowest_s = 0;  // of those that worked
 };
 
 // A frame is tried once more, behind those that wait. Before any has worked only the first that failed is: a
 // povray that fails at all is not asked for hundreds.
-void note_failure(const FrameJob& job, const std::string& what, Progression& progression) {
-  const bool is_second = progression.is_second_try[&job];
+void note_failure(const Attempt& failed, Progression& progression) {
   ++progression.failed_in_a_row;
-  if (!is_second && progression.has_worked) return progression.waiting.push_back({&job, true, what});
-  if (!is_second && progression.failures.empty()) progression.waiting.push_front({&job, true, what});
-  progression.failures.insert_or_assign(job.number, Failure{&job, is_second, what});
+  const Attempt again{failed.job, true, failed.what};
+  if (!failed.is_second && progression.has_worked) return progression.waiting.push_back(again);
+  if (!failed.is_second && progression.failures.empty()) progression.waiting.push_front(again);
+  progression.failures.insert_or_assign(failed.job->number, failed);
 }
 
 // povray can work: who failed before that is tried again.
@@ -240,11 +183,11 @@ void note_success(const FrameJob& job, double wall_s, Progression& progression) 
   progression.failed_in_a_row = 0;
   progression.slowest_s = std::max(progression.slowest_s, wall_s);
   progression.failures.erase(job.number);
-  std::erase_if(progression.failures, [&](const auto& failure) {
-    if (failure.second.is_second_try) return false;
-    if (std::ranges::find(progression.waiting, failure.second.job, &Waiting::job) ==
-        progression.waiting.end())
-      progression.waiting.push_back({failure.second.job, true, failure.second.what});
+  std::erase_if(progression.failures, [&](const auto& entry) {
+    const Attempt& failed = entry.second;
+    if (failed.is_second) return false;
+    if (std::ranges::find(progression.waiting, failed.job, &Attempt::job) == progression.waiting.end())
+      progression.waiting.push_back({failed.job, true, failed.what});
     return true;
   });
 }
@@ -256,7 +199,7 @@ bool may_begin(const Progression& progression, std::size_t running, std::size_t 
   if (progression.waiting.empty() || progression.failed_in_a_row >= std::max(kMostInARow, 2 * jobs))
     return false;
   if (progression.has_worked || progression.failures.empty()) return true;
-  return running == 0 && progression.waiting.front().is_second_try;
+  return running == 0 && progression.waiting.front().is_second;
 }
 
 // A frame that hangs is told by how long the others took: what it may idle is far longer than they worked.
@@ -266,7 +209,7 @@ void limit_idling(Process& process, double slowest_s) {
   process.limit_s = std::min(process.limit_s, std::max(kShortest_s, kTimesTheSlowest * slowest_s));
 }
 
-[[noreturn]] void tell_failures(const std::map<int, Failure>& failures) {
+[[noreturn]] void tell_failures(const std::map<int, Attempt>& failures) {
   constexpr std::size_t kMostNamed = 20;
   std::string text = failures.begin()->second.what;
   if (failures.size() > 1) {
@@ -300,7 +243,7 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
         ended, [](const Rendering& rendering) { return rendering.process.result.exit_code != 0; });
     while (!is_clouded && running.size() < jobs && may_begin(progression, running.size(), jobs)) {
       throw_if_interrupted();
-      const Waiting next = progression.waiting.front();
+      const Attempt next = progression.waiting.front();
       progression.waiting.pop_front();
       const FrameJob& job = *next.job;
       if (!job.key.empty() && read_picture_key(job.picture) == job.key) {
@@ -308,15 +251,15 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
         continue;
       }
       if (!run) run.emplace(settings, frames.front().picture.parent_path());
-      progression.is_second_try[&job] = next.is_second_try;
       if (hooks.prepare) hooks.prepare(job);
+      const auto index = static_cast<std::size_t>(&job - frames.data()) + 1;
       try {
-        running.push_back(start_rendering(job, static_cast<std::size_t>(&job - frames.data()) + 1, *run));
-      } catch (const RunError& error) {
-        progression.is_second_try[&job] = true;  // what stands before a frame is no affair of povray's
-        note_failure(job, error.what(), progression);
+        running.push_back(start_rendering(job, index, *run));
+      } catch (const RunError& error) {  // povray has not even begun: a second try is no use
+        note_failure({&job, true, error.what()}, progression);
         continue;
       }
+      running.back().is_second_try = next.is_second;
       limit_idling(running.back().process, progression.slowest_s);
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
@@ -325,7 +268,7 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
       try {
         finish_rendering(rendering, *run);
       } catch (const RunError& error) {
-        note_failure(job, error.what(), progression);
+        note_failure({&job, rendering.is_second_try, error.what()}, progression);
         continue;
       }
       note_success(job, rendering.process.result.wall_s, progression);
@@ -337,9 +280,8 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
     else if (!may_begin(progression, 0, jobs))
       break;
   }
-  for (const Waiting& left : progression.waiting)
-    if (left.is_second_try)
-      progression.failures.emplace(left.job->number, Failure{left.job, true, left.what});
+  for (const Attempt& left : progression.waiting)
+    if (left.is_second) progression.failures.emplace(left.job->number, left);
   if (progression.failures.empty()) return;
   for (const auto& [number, failure] : progression.failures)
     if (hooks.failed) hooks.failed(*failure.job);

@@ -12,19 +12,12 @@
 
 namespace mien {
 
-// A file that POV-Ray reads for a frame, and the hash_hex of its content.
-struct TracedFile {
-  std::filesystem::path path;
-  std::string hash;
-};
-
 // One frame to render.
 struct FrameJob {
   int number = 1;                 // 1-based, names the frame in messages
   std::filesystem::path scene;    // the frame's .pov; its folder is searched for #include first
   std::filesystem::path picture;  // the .png to make
   std::string key;  // hash of all that the pixels depend on; kept inside the PNG; empty: render always
-  std::vector<TracedFile> files = {};     // those that the key speaks of
   std::filesystem::path told_scene = {};  // where the scene lies when all is over, if that is elsewhere
 };
 
@@ -46,15 +39,14 @@ struct FrameHooks {
       {};  // once for each frame that failed, before that is told
 };
 
+// What a scene reads must not change while it is traced: the scenes of `frames` are their caller's alone.
 // Renders what is missing or stale. Each frame: povray into a WorkFolder beside the first picture, checked
 // (decodes, right size, not all one colour, scene not empty), stripped of its date, marked with its key,
 // written beside its place and renamed. A failing frame is tried once more while the others go on; if no
 // frame has worked yet, only the first that failed is, and nothing after it. At the end RunError tells the
 // command and POV-Ray's last lines (unwrapped from 80 columns) of the first that failed twice, and which
 // others did. One that hangs is ended when it has idled ten times as long as the slowest took, a minute at
-// least. A picture is kept only if the job's files held what the job says when it was begun, and nobody wrote
-// them until it was done: else "frame 6: PATH was changed while the clip was rendered; run again, one run a
-// folder at a time". A full disk is one line, "cannot write PICTURE: No space left on device". Throws
+// least. A full disk is one line, "cannot write PICTURE: No space left on device". Throws
 // Interrupted on a signal with all children ended and no temporary files left. Folders may have any name.
 void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& settings,
                    const FrameHooks& hooks);

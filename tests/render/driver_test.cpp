@@ -156,12 +156,9 @@ TEST(driver, tells_the_first_of_many_failures_and_starts_no_more) {
   EXPECT_EQ(std::ranges::count(said, '\n'), 5) << "one of them twice";
 }
 
-// It fails the first time that it is asked for a frame.
-std::string build_moody_povray(const std::string& frames) {
-  return fmt::format(
-      "case $1 in {}) if [ ! -e ../../tried${{1##*/}} ]; then : > ../../tried${{1##*/}}; exit 9; fi;; esac\n"
-      "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n",
-      frames);
+// A povray that does as `script` says before it traces.
+std::string build_moody_povray(const std::string& script) {
+  return script + "\nPATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n";
 }
 
 TEST(driver, tries_a_frame_that_failed_once_more) {
@@ -169,35 +166,34 @@ TEST(driver, tries_a_frame_that_failed_once_more) {
        {std::pair{"*f0003.pov", 2}, {"*f0001.pov", 1}, {"*.pov", 4}, {"*.pov", 1}}) {
     Shoot shoot(5);
     shoot.settings.jobs = jobs;
-    const FakeProgram fake("povray", build_moody_povray(frames));
+    const FakeProgram fake("povray",
+                           build_moody_povray(fmt::format("case $1 in {}) if [ ! -e ../../tried${{1##*/}} ]; "
+                                                          "then : > ../../tried${{1##*/}}; exit 9; fi;; esac",
+                                                          frames)));
     EXPECT_NO_THROW(shoot.render()) << frames;
     EXPECT_EQ(shoot.count_pictures(), 5) << frames;
   }
 }
 
-TEST(driver, goes_on_after_a_frame_that_fails_twice_and_tells_them_at_the_end) {
-  Shoot shoot(7);
-  shoot.settings.jobs = 2;
-  const FakeProgram fake("povray",
-                         "case $1 in *f0003.pov | *f0005.pov) exit 9;; esac\n"
-                         "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
+// What a shoot of so many frames comes to with that povray, one or two at once.
+void expect_failures(int frame_count, int jobs, const std::string& script, const std::string& first,
+                     const std::string& others, int pictures) {
+  Shoot shoot(frame_count);
+  shoot.settings.jobs = jobs;
+  const FakeProgram fake("povray", build_moody_povray(script));
   const std::string error = shoot.find_error();
-  EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
-  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 5"));
-  EXPECT_EQ(shoot.count_pictures(), 5);
+  EXPECT_THAT(error, HasSubstr(first + ": povray failed (exit status 9)"));
+  EXPECT_THAT(error, testing::EndsWith("\n  failed, too: " + others));
+  EXPECT_EQ(shoot.count_pictures(), pictures);
+}
+
+TEST(driver, goes_on_after_a_frame_that_fails_twice_and_tells_them_at_the_end) {
+  expect_failures(7, 2, "case $1 in *f0003.pov | *f0005.pov) exit 9;; esac", "frame 3", "frame 5", 5);
 }
 
 TEST(driver, stops_when_nothing_works_any_more) {
-  Shoot shoot(12);
-  shoot.settings.jobs = 1;
-  const FakeProgram fake("povray",
-                         "echo \"$1\" >> ../../said\n[ $(wc -l < ../../said) -lt 3 ] || exit 9\n"
-                         "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n");
-  const std::string error = shoot.find_error();
-  EXPECT_THAT(error, HasSubstr("frame 3: povray failed (exit status 9)"));
-  EXPECT_THAT(error, HasSubstr("\n  failed, too: frame 4, frame 5, frame 6, frame 7, frame 8"));
-  EXPECT_EQ(shoot.count_pictures(), 2);
-  EXPECT_EQ(std::ranges::count(read_file(shoot.scratch.path / "said"), '\n'), 2 + 6);
+  expect_failures(12, 1, "echo >> ../../said\n[ $(wc -l < ../../said) -lt 3 ] || exit 9", "frame 3",
+                  "frame 4, frame 5, frame 6, frame 7, frame 8", 2);
 }
 
 TEST(driver, tells_what_a_strange_povray_did) {
@@ -265,42 +261,6 @@ TEST(driver, removes_what_a_killed_run_left_but_nothing_of_a_living_one) {
   }
   shoot.render();
   EXPECT_EQ(shoot.count_pictures(), 1);
-}
-
-TEST(driver, keeps_no_picture_of_a_scene_that_was_changed) {
-  Shoot shoot(3);
-  const auto stage = shoot.scratch.path / "scenes/stage.inc";
-  for (FrameJob& frame : shoot.frames)
-    frame.files = {{frame.scene, hash_hex(read_file(frame.scene))}, {stage, hash_hex(read_file(stage))}};
-  shoot.render();
-  EXPECT_EQ(shoot.count_pictures(), 3);
-  const std::string told = "was changed while the clip was rendered; run again, one run a folder at a time";
-  for (const FrameJob& frame : shoot.frames) std::filesystem::remove(frame.picture);
-  // Before it is traced.
-  const std::string scene = read_file(shoot.frames[1].scene), include = read_file(stage);
-  write_file(shoot.frames[1].scene, scene + "\n");
-  EXPECT_EQ(shoot.find_error(), fmt::format("frame 2: {} {}", shoot.frames[1].scene.string(), told));
-  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, false}, {3, false}}));
-  std::filesystem::remove(shoot.frames[2].picture);
-  write_file(shoot.frames[1].scene, scene);
-  // While it is: the fake writes, traces, and puts back what was there.
-  shoot.settings.jobs = 1;
-  for (const char* change : {"echo '//' >>../../scenes/f0002.pov", "echo '//' >>../../scenes/stage.inc",
-                             "cp ../../scenes/f0002.pov old; echo '//' >../../scenes/f0002.pov; "
-                             "cat old >../../scenes/f0002.pov",
-                             "rm ../../scenes/stage.inc"}) {
-    const FakeProgram fake("povray", fmt::format("case $1 in *f0002.pov) {};; esac\n"
-                                                 "PATH=/usr/local/bin:/usr/bin:/bin exec povray \"$@\"\n",
-                                                 change));
-    const std::string error = shoot.find_error();
-    EXPECT_TRUE(error.starts_with("frame 2: ") && error.ends_with(told)) << change << ": " << error;
-    EXPECT_FALSE(std::filesystem::exists(shoot.frames[1].picture)) << change;
-    write_file(shoot.frames[1].scene, scene);
-    write_file(stage, include);
-  }
-  shoot.render();
-  EXPECT_EQ(shoot.was_kept, (std::map<int, bool>{{1, true}, {2, false}, {3, true}}))
-      << "the third was begun before the second was judged";
 }
 
 TEST(driver, tells_a_place_that_cannot_be_written) {
