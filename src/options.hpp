@@ -33,8 +33,7 @@ struct Options {
   std::optional<double> camera_angle_deg;      // --angle, for still
   std::vector<std::string> beside;             // --beside real,comic, for render
   bool has_scenes = false;                     // --keep-scenes, for render
-  std::uintmax_t store_bytes =
-      2'000'000'000;  // --store, for render: what pictures that it does not show may take
+  std::optional<std::uintmax_t> store_bytes;  // --store, for render: what pictures beyond the clip's may take
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

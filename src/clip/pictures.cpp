@@ -97,20 +97,24 @@ void write_clip_videos(const Clip& clip) {
     write_video(pictures, clip.spec.clip.fps, video, find_sound(clip));
 }
 
-void write_poster(const Clip& clip, const fs::path& path) {
+int find_poster_drawing(const Clip& clip) {
+  const FramePlan& plan = clip.plan;
   const int poster =
-      std::clamp(find_poster_frame(clip.spec.clip) + 1, clip.plan.frames.front(), clip.plan.frames.back());
-  write_file(path, read_file(clip.files.picture(poster)));
+      std::clamp(find_poster_frame(clip.spec.clip) + 1, plan.frames.front(), plan.frames.back());
+  return plan.drawn_as[static_cast<std::size_t>(poster - plan.frames.front())];
+}
+
+void write_poster(const Clip& clip, const fs::path& path) {
+  write_file(path, read_file(clip.files.picture(find_poster_drawing(clip))));
 }
 
 void write_preview(const Clip& clip, const std::vector<bool>& is_there) {
   const FramePlan& plan = clip.plan;
   std::vector<fs::path> pictures;
-  for (std::size_t i = 0, drawing = 0; i < plan.frames.size(); ++i) {
-    // The newest drawing that is there at this frame, else the first that will be.
-    while (drawing + 1 < plan.drawings.size() && plan.drawings[drawing + 1] <= plan.drawn_as[i]) ++drawing;
-    std::size_t shown = drawing;
-    while (shown > 0 && !is_there[shown]) --shown;
+  for (const int drawn_as : plan.drawn_as) {
+    const auto own = std::ranges::lower_bound(plan.drawings, drawn_as);
+    std::size_t shown = static_cast<std::size_t>(own - plan.drawings.begin());
+    while (shown > 0 && !is_there[shown]) --shown;  // the newest before it, else the first that there is
     while (shown + 1 < is_there.size() && !is_there[shown]) ++shown;
     pictures.push_back(clip.files.picture(plan.drawings[shown]));
   }

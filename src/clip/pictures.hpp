@@ -20,6 +20,9 @@ RenderSettings list_settings(const RenderSpec& render, std::vector<std::filesyst
 // Gives every frame that repeats a drawing the picture of that drawing.
 void repeat_pictures(const Clip& clip);
 
+// The frame that draws what the poster shows, of the frames asked for the nearest to it.
+int find_poster_drawing(const Clip& clip);
+
 // What was made, for other programs: the text of manifest.json, with the key of each drawing's picture.
 std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys);
 

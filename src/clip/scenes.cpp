@@ -112,27 +112,28 @@ SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
   return scene;
 }
 
-std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
-                                       int jobs, const SceneWritten& written) {
+std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                      int jobs, const SceneWritten& written) {
   SceneRun run(clip, cast, resources, jobs);
   write_shared_files(run);
-  const TracedFile include{clip.files.scenes() / kHeadInclude, hash_hex(run.include)};
-  std::vector<WrittenScene> scenes(clip.plan.drawings.size());
-  for_each_index(scenes.size(), jobs, [&](std::size_t turn, int worker) {
+  std::vector<std::string> keys(clip.plan.drawings.size());
+  for_each_index(keys.size(), jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
     const std::size_t drawing = run.groups.order[turn];
     const int frame = clip.plan.drawings[drawing];
     const SceneText scene = build_scene(run, drawing, worker);
-    scenes[drawing] = {scene.key, {include, {clip.files.scene(frame), hash_hex(scene.text)}}};
-    if (!scene.heads->include.empty()) {
-      scenes[drawing].files.push_back({clip.files.scenes() / scene.heads->include, scene.heads->key});
-      write_file(scenes[drawing].files.back().path, scene.heads->parts);
-    }
-    write_file(clip.files.scene(frame), scene.text);
+    write_scene(scene, clip.files.scene(frame));
+    keys[drawing] = scene.key;
     written(frame);
   });
   write_held_frames(clip);
-  return scenes;
+  return keys;
+}
+
+void write_scene(const SceneText& scene, const fs::path& path) {
+  if (!scene.heads->include.empty())
+    write_file(path.parent_path() / scene.heads->include, scene.heads->parts);
+  write_file(path, scene.text);
 }
 
 StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,

@@ -1,6 +1,7 @@
 // From a planned clip to its scenes: heads posed, placed and written.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -8,7 +9,6 @@
 
 #include "clip/staging.hpp"
 #include "core/shared_cache.hpp"
-#include "render/driver.hpp"
 
 namespace mien {
 
@@ -55,20 +55,17 @@ struct SceneText {
 // `worker` (below the run's jobs) is nobody else's during the call.
 SceneText build_scene(SceneRun& run, std::size_t drawing, int worker);
 
+// Its file, and beside it that of its heads' parts if they have one.
+void write_scene(const SceneText& scene, const std::filesystem::path& path);
+
 // Told the frame of each scene as it is written; from any thread.
 using SceneWritten = std::function<void(int frame)>;
 
-// What was written of a drawing.
-struct WrittenScene {
-  std::string key;                // of its picture: a hash of all that its pixels depend on
-  std::vector<TracedFile> files;  // that the key speaks of
-};
-
 // Writes head.inc with all parts that never change, a file of parts for each head of those who change, a
-// scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns what was
-// written of each drawing of the plan. However long the clip, few heads are in memory at once.
-std::vector<WrittenScene> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
-                                       int jobs, const SceneWritten& written);
+// scene for each frame asked for (a held drawing includes the one it repeats) and the .ini. Returns the keys
+// of the pictures of the plan's drawings. However long the clip, few heads are in memory at once.
+std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const Resources& resources,
+                                      int jobs, const SceneWritten& written);
 
 // A still's scene as one text, which includes a head.inc with the other text, and what limits hold back in
 // it: not of `pose`.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "clip/pictures.hpp"
 #include "core/pool.hpp"
@@ -47,26 +48,30 @@ void take_back(const TraceRun& run, std::size_t drawing) {
   if (read_picture_key(shown) == run.keys[drawing]) show_picture(shown, run.store.picture(run.keys[drawing]));
 }
 
-const fs::path& open_work(TraceRun& run) {
+void open_work(TraceRun& run) {
   if (!run.work) {
     run.work.emplace(run.scenes.clip.files.folder);
     write_file(run.work->path / kHeadInclude, run.scenes.include);
   }
-  return run.work->path;
 }
 
-fs::path name_scene(const TraceRun& run, std::size_t drawing) {
+// Where POV-Ray finds the scene.
+fs::path find_scene(const TraceRun& run, std::size_t drawing) {
   const Clip& clip = run.scenes.clip;
-  return clip.files.scene(clip.plan.drawings[drawing]).filename();
-}
-
-void write_scene(const SceneText& scene, const fs::path& folder, const fs::path& name) {
-  if (!scene.heads->include.empty()) write_file(folder / scene.heads->include, scene.heads->parts);
-  write_file(folder / name, scene.text);
+  return run.work->path / clip.files.scene(clip.plan.drawings[drawing]).filename();
 }
 
 bool has_changing_heads(const SceneRun& run) {
   return std::ranges::any_of(run.cast.figures, [](const FigurePointer& figure) { return !figure; });
+}
+
+// How many passes have all their drawings, but the last, after which there is no other.
+std::size_t count_passes(const CoarseOrder& coarse, const std::vector<bool>& is_there) {
+  std::size_t drawing = 0, passes = 0;
+  for (; passes + 1 < coarse.ends.size(); ++passes)
+    for (; drawing < coarse.ends[passes]; ++drawing)
+      if (!is_there[coarse.order[drawing]]) return passes;
+  return passes;
 }
 
 }  // namespace
@@ -75,7 +80,7 @@ PictureStore find_store(const Clip& clip, std::uintmax_t most_bytes) {
   return {clip.files.folder / kStoreFolder, most_bytes};
 }
 
-CoarseOrder order_coarsely(const FramePlan& plan, int poster_frame) {
+CoarseOrder order_coarsely(const FramePlan& plan, int poster_drawing) {
   CoarseOrder coarse;
   const std::size_t count = plan.drawings.size();
   std::vector<bool> is_taken(count, false);
@@ -83,8 +88,8 @@ CoarseOrder order_coarsely(const FramePlan& plan, int poster_frame) {
     if (!is_taken[drawing]) coarse.order.push_back(drawing);
     is_taken[drawing] = true;
   };
-  const auto poster = std::ranges::upper_bound(plan.drawings, poster_frame);
-  if (count > 0) take(poster == plan.drawings.begin() ? 0 : (poster - plan.drawings.begin()) - 1);
+  const auto poster = std::ranges::find(plan.drawings, poster_drawing);
+  if (poster != plan.drawings.end()) take(static_cast<std::size_t>(poster - plan.drawings.begin()));
   for (std::size_t step = kCoarsest; step > 0; step /= 2) {
     for (std::size_t drawing = 0; drawing < count; drawing += step) take(drawing);
     coarse.ends.push_back(coarse.order.size());
@@ -92,7 +97,7 @@ CoarseOrder order_coarsely(const FramePlan& plan, int poster_frame) {
   return coarse;
 }
 
-void find_pictures(TraceRun& run, int jobs, const SceneWritten& computed) {
+void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   const Clip& clip = run.scenes.clip;
   const std::size_t count = clip.plan.drawings.size();
   run.keys.resize(count);
@@ -103,11 +108,13 @@ void find_pictures(TraceRun& run, int jobs, const SceneWritten& computed) {
     const std::size_t drawing = run.scenes.groups.order[turn];
     const SceneText scene = build_scene(run.scenes, drawing, worker);
     run.keys[drawing] = scene.key;
-    if (is_kept && !has_picture(run.store, scene.key))
-      write_scene(scene, run.work->path, name_scene(run, drawing));
+    if (is_kept && !has_picture(run.store, scene.key)) write_scene(scene, find_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
-  run.is_there.assign(count, false);
+}
+
+void find_pictures(TraceRun& run) {
+  run.is_there.assign(run.keys.size(), false);
   for (const auto& [key, drawings] : group_by_key(run)) {
     bool is_there = has_picture(run.store, key);
     for (std::size_t i = 0; !is_there && i < drawings.size(); ++i) {
@@ -128,55 +135,43 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
   const Clip& clip = run.scenes.clip;
   const FramePlan& plan = clip.plan;
   const DrawingsByKey by_key = group_by_key(run);
-  const CoarseOrder coarse = order_coarsely(plan, find_poster_frame(clip.spec.clip) + 1);
+  const CoarseOrder coarse = order_coarsely(plan, find_poster_drawing(clip));
   std::vector<FrameJob> frames;
   std::map<int, std::size_t> drawing_of;  // by frame
+  std::set<std::string> begun;            // pictures that are to be traced
   for (const std::size_t drawing : coarse.order) {
     const int frame = plan.drawings[drawing];
     drawing_of[frame] = drawing;
     if (run.is_there[drawing]) {
       show_drawing(run, drawing);
       hooks.done(frame, true);
-    } else if (by_key.at(run.keys[drawing]).front() == drawing) {
-      frames.push_back({frame, open_work(run) / name_scene(run, drawing),
-                        run.store.picture(run.keys[drawing]), run.keys[drawing]});
-      frames.back().told_scene = clip.files.scene(frame);
+    } else if (begun.insert(run.keys[drawing]).second) {
+      open_work(run);
+      frames.push_back({frame, find_scene(run, drawing), run.store.picture(run.keys[drawing]),
+                        run.keys[drawing], clip.files.scene(frame)});
     }
   }
-  std::size_t ended_passes = 0;
-  const auto end_passes = [&] {
-    bool has_ended = false;
-    for (; ended_passes + 1 < coarse.ends.size(); ++ended_passes) {
-      const std::size_t end = coarse.ends[ended_passes];
-      if (!std::all_of(coarse.order.begin(), coarse.order.begin() + static_cast<std::ptrdiff_t>(end),
-                       [&](std::size_t drawing) { return run.is_there[drawing]; }))
-        break;
-      has_ended = true;
-    }
-    if (has_ended && hooks.pass_ended) hooks.pass_ended(run.is_there);
-  };
+  std::size_t passes = count_passes(coarse, run.is_there);
   FrameHooks traced;
-  const auto write = [&](const FrameJob& job, const fs::path& folder) {
-    const std::size_t drawing = drawing_of.at(job.number);
-    write_scene(build_scene(run.scenes, drawing, 0), folder, name_scene(run, drawing));
-  };
   traced.prepare = [&](const FrameJob& job) {
-    if (!fs::exists(job.scene)) write(job, run.work->path);
+    if (!fs::exists(job.scene)) write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
   };
   traced.done = [&](int frame, bool was_kept) {
     std::error_code ignored;
     const std::size_t first = drawing_of.at(frame);
-    fs::remove(run.work->path / name_scene(run, first), ignored);
+    fs::remove(find_scene(run, first), ignored);
     for (const std::size_t drawing : by_key.at(run.keys[first])) {
       show_drawing(run, drawing);
       run.is_there[drawing] = true;
       hooks.done(plan.drawings[drawing], was_kept || drawing != first);
     }
-    end_passes();
+    const std::size_t ended = count_passes(coarse, run.is_there);
+    if (ended > passes && hooks.pass_ended) hooks.pass_ended(run.is_there);
+    passes = ended;
   };
   traced.failed = [&](const FrameJob& job) {
     write_file(clip.files.scenes() / kHeadInclude, run.scenes.include);
-    write(job, clip.files.scenes());
+    write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
   };
   if (!frames.empty()) render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
   repeat_pictures(clip);

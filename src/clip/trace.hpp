@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/scenes.hpp"
+#include "render/driver.hpp"
 #include "render/picture_store.hpp"
 #include "render/work_folder.hpp"
 
@@ -24,13 +25,13 @@ struct CoarseOrder {
   std::vector<std::size_t> order;  // places in plan.drawings
   std::vector<std::size_t> ends;
 };
-CoarseOrder order_coarsely(const FramePlan& plan, int poster_frame);
+CoarseOrder order_coarsely(const FramePlan& plan, int poster_drawing);
 
 // One clip on its way to pictures. What it was made of must outlive it.
 struct TraceRun {
   SceneRun scenes;
   PictureStore store;
-  std::vector<std::string> keys;  // of the pictures of the plan's drawings
+  std::vector<std::string> keys;  // of the pictures of the plan's drawings: of compute_keys or write_scenes
   std::vector<bool> is_there;     // of each drawing: the store has its picture, whatever frame it was of
   std::optional<WorkFolder> work = {};  // for scenes on their way to POV-Ray, once there are any
 };
@@ -38,7 +39,10 @@ struct TraceRun {
 // Computes every drawing to learn what its picture is known by. Of heads that change, which cost more than a
 // drawing, the scenes that are missing are kept for trace_pictures; else nothing is written. Told the frame
 // of each, from any thread.
-void find_pictures(TraceRun& run, int jobs, const SceneWritten& computed);
+void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed);
+
+// Which of the pictures that `keys` names the store has; those that only a frame has go back into it.
+void find_pictures(TraceRun& run);
 
 // How many pictures are to be traced: drawings that are the same are one.
 std::size_t count_missing(const TraceRun& run);

@@ -102,11 +102,12 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
   // What follows an unknown option may be its value: more words are no mistake of their own then.
   if (!typed.command || !typed.unknown.empty()) return;
   const std::string_view argument = typed.command->argument;
-  const std::size_t wanted = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
+  const std::size_t most = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
+  const std::size_t wanted = argument.starts_with('[') ? 0 : most;
   const std::string_view alone = typed.command->kind_without_file;
   const bool needs_no_file = !alone.empty() && !typed.words.empty() && typed.words.front() == alone;
   if (typed.words.size() + (needs_no_file ? 1 : 0) < wanted) add(describe_missing_argument(*typed.command));
-  for (std::size_t i = wanted; i < typed.words.size(); ++i)
+  for (std::size_t i = most; i < typed.words.size(); ++i)
     add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
 }
 

@@ -36,7 +36,7 @@ std::vector<Slot> list_slots(const CommandInfo& command, const CompletionWords& 
   std::istringstream in{std::string(command.argument)};
   for (std::string argument; in >> argument;) {
     const auto kinds = words.kinds.find(command.name);
-    if (argument == "FILE")
+    if (argument == "FILE" || argument == "[FILE]")
       slots.push_back({Source::yaml_file, {}});
     else if (argument == "KIND" && kinds != words.kinds.end())
       slots.push_back({Source::words, kinds->second});

@@ -11,8 +11,9 @@ namespace mien {
 
 struct CommandInfo {
   std::string_view name;
-  std::string_view group;     // under which the help lists it: "Pictures"
-  std::string_view argument;  // the words it needs: "FILE", "KIND FILE"; empty: none
+  std::string_view group;  // under which the help lists it: "Pictures"
+  std::string_view
+      argument;  // the words it needs: "FILE", "KIND FILE"; "[FILE]": may be left out; empty: none
   std::string_view summary;
   std::string_view details;   // the first paragraph of its own help
   std::string_view options;   // long names with spaces between, beyond the common ones

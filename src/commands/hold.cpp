@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "clip/trace.hpp"
 #include "commands/report.hpp"
 #include "core/streams.hpp"
 #include "render/picture_store.hpp"
@@ -43,8 +44,8 @@ FolderLock hold_folder(const Options& options, const std::filesystem::path& fold
     remove_left_folders(folder / part);
     remove_left_parts(folder / part, is_clip_file);
   }
-  remove_left_folders(folder / "store");
-  remove_left_parts(folder / "store", is_stored_file);
+  remove_left_folders(folder / kStoreFolder);
+  remove_left_parts(folder / kStoreFolder, is_stored_file);
   return lock;
 }
 

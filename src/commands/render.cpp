@@ -26,12 +26,25 @@ constexpr const char* kPoster = "poster.png";
 constexpr std::size_t kWorthPreview = 24;  // pictures to trace; fewer are there soon
 
 void report_plan(const Options& options, const Clip& clip, std::size_t missing) {
-  if (options.is_quiet || options.is_json) return;
+  if (options.is_quiet) return;
+  if (options.is_json)
+    return write_stream(stderr, format_object({{"event", "plan"},
+                                               {"frames", clip.plan.frames.size()},
+                                               {"drawings", clip.plan.drawings.size()},
+                                               {"to_trace", missing}}) +
+                                    "\n");
   const auto count = [](std::size_t number, const char* what) {
     return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
   };
   write_stream(stderr, fmt::format("{}, {}, {} to trace\n", count(clip.plan.frames.size(), "frame"),
                                    count(clip.plan.drawings.size(), "drawing"), missing));
+}
+
+// It is there for as long as the work goes on: no result.
+void report_preview(const Options& options, const fs::path& path) {
+  if (options.is_quiet) return;
+  write_stream(stderr, options.is_json ? format_object({{"event", "preview"}, {"path", path.string()}}) + "\n"
+                                       : fmt::format("preview: {}\n", path.string()));
 }
 
 // Pictures of a clip, whose folder is held; the keys of its drawings.
@@ -46,10 +59,16 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
 
   Progress scenes = start_progress(options, "scenes", count);
   const auto computed = [&](int frame) { scenes.advance(false, frame); };
-  if (options.has_scenes) write_scenes(clip, cast, resources, jobs, [](int) {});
-  TraceRun run{{clip, cast, resources, jobs}, find_store(clip, options.store_bytes), {}, {}};
-  find_pictures(run, jobs, computed);
+  TraceRun run{{clip, cast, resources, jobs},
+               find_store(clip, options.store_bytes.value_or(PictureStore::kStoreBytes)),
+               {},
+               {}};
+  if (options.has_scenes)
+    run.keys = write_scenes(clip, cast, resources, jobs, computed);
+  else
+    compute_keys(run, jobs, computed);
   scenes.finish();
+  find_pictures(run);
   const std::size_t missing = count_missing(run);
   report_plan(options, clip, missing);
 
@@ -59,9 +78,9 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
   if (missing >= kWorthPreview)
     hooks.pass_ended = [&](const std::vector<bool>& is_there) {
       write_preview(clip, is_there);
-      write_poster(clip, preview.parent_path() / kPoster);
+      write_poster(clip, clip.files.folder / kPoster);
       frames.clear();
-      report_result(options, "preview", preview);
+      report_preview(options, preview);
     };
   trace_pictures(run, jobs, hooks);
   frames.finish();
@@ -73,8 +92,9 @@ void finish_clip(const Options& options, const Clip& clip, const std::vector<std
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
   write_clip_videos(clip);
   for (const fs::path& video : list_video_paths(clip)) report_result(options, "clip", video);
-  write_poster(clip, clip.files.folder / kPoster);
-  report_result(options, "poster", clip.files.folder / kPoster);
+  const fs::path poster = clip.files.folder / kPoster;
+  write_poster(clip, poster);
+  report_result(options, "poster", poster);
 }
 
 void render_clip(const Options& options, const ClipParts& planned, const std::vector<Cast>& casts,

@@ -48,10 +48,7 @@ TEST(actors, scenes_are_the_same_from_any_number_of_threads) {
   for (const int jobs : {1, 4}) {
     const auto folder = make_test_folder(std::to_string(jobs));
     const Clip clip = plan_two(folder);
-    keys.emplace_back();
-    for (const WrittenScene& scene :
-         write_scenes(clip, build_cast(clip, shipped().heads), shipped(), jobs, [](int) {}))
-      keys.back().push_back(scene.key);
+    keys.push_back(write_scenes(clip, build_cast(clip, shipped().heads), shipped(), jobs, [](int) {}));
     scenes.push_back(read_scenes(folder));
   }
   EXPECT_EQ(keys[0], keys[1]);
@@ -70,11 +67,7 @@ TEST(scenes, have_another_key_where_another_picture_is_asked_for) {
     write_file(options.file, "mien: 1\nhead: {" + head + "}\nclip: {keys: [{at: 0s, express: " + face +
                                  "}]}\nrender: {" + render + "}\n");
     const Clip clip = plan_clip(options, *shipped().stock.language);
-    std::vector<std::string> keys;
-    for (const WrittenScene& scene :
-         write_scenes(clip, build_cast(clip, shipped().heads), shipped(), 1, [](int) {}))
-      keys.push_back(scene.key);
-    return keys;
+    return write_scenes(clip, build_cast(clip, shipped().heads), shipped(), 1, [](int) {});
   };
   const std::string look = "look: {skin: \"#d0a080\"}", size = "size: 48x60, quality: draft";
   const std::vector<std::string> first = list_keys(look, "smile", size);

@@ -134,5 +134,46 @@ TEST(store, leaves_the_scene_of_a_frame_that_fails_where_it_can_be_tried) {
       0);
 }
 
+// The poster's frame holds the drawing before it, and so many drawings are worth a preview.
+TEST(store, shows_a_preview_while_it_works) {
+  const auto folder = make_folder("store_preview");
+  write_file(folder / "clip.yaml",
+             "mien: 1\nrender: {size: 16x20, quality: draft}\nclip:\n  fps: 24\n  draw: twos\n  keys:\n"
+             "    - {at: 0s, express: neutral}\n    - {at: 25f, express: smile}\n    - {at: 57f, express: "
+             "neutral}\n");
+  const ProgramRun run = run_shell(folder, "mien render clip.yaml --json");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, testing::ContainsRegex(
+                           "\"event\":\"plan\",\"frames\":57,\"drawings\":2[0-9],\"to_trace\":2[0-9]"));
+  const std::string told = "{\"event\":\"preview\",\"path\":\"out/clip/clip_preview.mp4\"}\n";
+  std::size_t count = 0;
+  for (std::size_t at = run.err.find(told); at != run.err.npos; at = run.err.find(told, at + 1)) ++count;
+  EXPECT_EQ(count, 3u) << "every eighth, fourth and second";
+  EXPECT_EQ(run.out, "{\"clip\":\"out/clip/clip.mp4\"}\n{\"poster\":\"out/clip/poster.png\"}\n");
+  EXPECT_FALSE(fs::exists(folder / "out/clip/clip_preview.mp4")) << "the clip is there";
+  const std::string first = run.err.substr(run.err.find("\"stage\":\"frames\""));
+  EXPECT_THAT(first.substr(0, 40), HasSubstr("\"frame\":25,")) << "the poster's drawing";
+  EXPECT_EQ(read_file(folder / "out/clip/poster.png"), read_file(folder / "out/clip/frames/f0026.png"));
+}
+
+TEST(store, of_all_clips_is_emptied_where_none_is_named) {
+  const auto folder = make_folder("store_clean_all");
+  for (const char* file :
+       {"out/a/store/0123456789abcdef.png", "out/a/comic/store/0123456789abcdef.png",
+        "out/a/frames/f0001.png", "out/a/a.mp4", "out/b/scenes/f0001.pov", "out/c/mine.png"})
+    write_file(folder / file, "0123456789");
+  const ProgramRun run = run_shell(folder, "mien clean");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(run.out,
+            "cleaned  out/a: 3 files, 0.0 MB\ncleaned  out/b: 1 file, 0.0 MB\n"
+            "cleaned  out/c: 0 files, 0.0 MB\n");
+  EXPECT_EQ(list_files(folder), (std::vector<std::string>{"out/a/a.mp4", "out/c/mine.png"}));
+  const ProgramRun none = run_shell(folder, "mien clean nobody.yaml");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_EQ(none.err, "error: out/nobody: there is no such folder\n");
+  EXPECT_EQ(run_shell(folder, "mien clean a b").err, "error: 'b' is one word too many for 'mien clean'\n");
+  EXPECT_EQ(run_shell(folder, "mien clean -o out/c --quiet").out, "");
+}
+
 }  // namespace
 }  // namespace mien
