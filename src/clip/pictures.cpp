@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/error.hpp"
 #include "core/text.hpp"
 #include "render/picture_store.hpp"
 #include "render/video.hpp"
@@ -81,6 +82,17 @@ std::vector<fs::path> list_video_paths(const Clip& clip) {
 
 fs::path find_preview_path(const Clip& clip) {
   return clip.files.folder / (name_clip(clip) + "_preview.mp4");
+}
+
+void check_sound(const Clip& clip) {
+  const std::optional<SoundSpec>& sound = clip.spec.clip.sound;
+  if (!sound || is_sound(sound->file.path)) return;
+  throw InputError(std::vector<Diagnostic>{
+      {sound->file.place,
+       fmt::format("'{}' has no sound that ffmpeg can read; expected a file such as voice.wav",
+                   sound->file.path.filename().string()),
+       {},
+       false}});
 }
 
 std::optional<Sound> find_sound(const Clip& clip) {

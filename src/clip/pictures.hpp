@@ -37,6 +37,9 @@ std::filesystem::path find_preview_path(const Clip& clip);
 // until the next that is there.
 void write_preview(const Clip& clip, const std::vector<bool>& is_there);
 
+// Throws InputError, at its place, for a sound that ffmpeg cannot read: before anything is drawn for it.
+void check_sound(const Clip& clip);
+
 // What is heard from the first frame asked for on, if the file names a sound.
 std::optional<Sound> find_sound(const Clip& clip);
 

@@ -129,6 +129,7 @@ void run_render(const Options& asked) {
   const bool is_sketched = is_sketch(planned.clip.spec.render);
   if (!is_sketched) require_programs({{"povray", "povray"}});
   require_programs({{"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
+  check_sound(planned.clip);
   const std::vector<Cast> casts = build_casts(planned, resources.heads);
   const FolderLock lock = hold_folder(options, planned.clip.files.folder);
   if (is_sketched)

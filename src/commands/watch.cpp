@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "clip/outputs.hpp"
+#include "clip/pictures.hpp"
 #include "commands/hold.hpp"
 #include "commands/sketch_clip.hpp"
 #include "commands/table.hpp"
@@ -28,6 +29,7 @@ std::vector<std::filesystem::path> follow_save(const Options& options, const Res
     const ClipParts planned = plan_parts(options, resources);
     files = planned.clip.spec.files;
     check_sketch_folder(options, planned.clip);
+    check_sound(planned.clip);
     const std::vector<Cast> casts = build_casts(planned, resources.heads, &figures);
     const FolderLock lock = hold_folder(options, planned.clip.files.folder);
     sketch_clip(options, planned, casts, resources, &store);

@@ -192,6 +192,14 @@ std::vector<std::string> list_encoder_options(const std::filesystem::path& clip,
 
 bool can_sound(const std::filesystem::path& clip) { return is_film(find_ending(clip)); }
 
+bool is_sound(const std::filesystem::path& file) {
+  const ProcessResult result =
+      run_process({"ffprobe", "-v", "error", "-select_streams", "a:0", "-show_entries", "stream=codec_type",
+                   "-of", "csv=p=0", std::filesystem::absolute(file).string()},
+                  ".");
+  return result.exit_code == 0 && result.output.starts_with("audio");
+}
+
 std::vector<std::string> list_sound_input(const Sound& sound) {
   if (sound.at_s < 0) return {"-ss", format_number(-sound.at_s, kTimeDecimals), "-i", sound.file.string()};
   return {"-i", sound.file.string()};

@@ -25,6 +25,9 @@ struct Sound {
 // Whether clips of that ending can be heard: .mp4, .webm and .mov.
 bool can_sound(const std::filesystem::path& clip);
 
+// Whether the file has a sound that ffmpeg can read.
+bool is_sound(const std::filesystem::path& file);
+
 // What ffmpeg is told of a sound: what it reads besides the pictures, and how the sound is encoded (AAC,
 // Opus, 16 bit). It ends with the pictures, silence goes before and after it.
 std::vector<std::string> list_sound_input(const Sound& sound);
