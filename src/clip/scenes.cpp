@@ -7,6 +7,8 @@
 #include "core/pool.hpp"
 #include "core/text.hpp"
 #include "render/process.hpp"
+#include "sketch/casters.hpp"
+#include "sketch/stage.hpp"
 
 namespace mien {
 
@@ -28,12 +30,37 @@ std::string hash_settings(const std::string& include, const RenderSpec& render) 
   return hash_hex(text + "\n" + include);
 }
 
-// Everybody at a time, as `view` sees them; with `pose` doing that instead.
-void append_actors(const Heads& heads, double time_s, const std::optional<Pose>& pose, const InkView& view,
-                   SceneBuffers& buffers) {
+// What is drawn of everybody at a time.
+struct DrawnTime {
+  double time_s = 0;
+  std::optional<Pose> pose;  // instead of what they do then
+  FrameStart start;
+};
+
+// Everybody, as the camera sees them.
+void draw_actors(const Heads& heads, const DrawnTime& drawn, const RenderSpec& render,
+                 SceneBuffers& buffers) {
+  const InkView view = compute_ink_view(drawn.start.view, render, drawn.start.lamp);
+  buffers.drawings.resize(heads.figures.size());
+  for (std::size_t i = 0; i < heads.figures.size(); ++i)
+    draw_actor(heads, i, drawn.time_s, drawn.pose, view, buffers.draw, buffers.drawings[i]);
+}
+
+void append_actors(const Heads& heads, SceneBuffers& buffers) {
+  for (std::size_t i = 0; i < heads.figures.size(); ++i)
+    append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawings[i]);
+}
+
+// The same with casters. `stage` is the text of head.inc without parts.
+void append_quick_actors(const Heads& heads, const std::string& stage, const FrameStart& start,
+                         const RenderSpec& render, SceneBuffers& buffers) {
+  std::string text;
+  append_povray_start(text, start);
+  const SketchStage lamps = build_sketch_stage(stage, text, render.width_px, render.height_px);
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
-    draw_actor(heads, i, time_s, pose, view, buffers.draw, buffers.drawing);
-    append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawing);
+    const Model& model = heads.figures[i]->get_drawn_model();
+    const std::vector<Mesh> casters = build_casters(lamps, model, buffers.drawings[i]);
+    append_povray_figure(buffers.text, model, buffers.drawings[i], &casters);
   }
 }
 
@@ -48,6 +75,22 @@ DrawnHeads build_drawn_heads(const SceneRun& run, std::size_t group) {
   if (drawn.parts.empty()) return drawn;
   drawn.include = name_heads(run.clip.plan.drawings[first]);
   drawn.key = hash_hex(drawn.parts);
+  return drawn;
+}
+
+// A drawing's heads into `scene`, and what they do into the buffers, whose text is empty then.
+DrawnTime draw_scene(SceneRun& run, std::size_t drawing, SceneBuffers& buffers, SceneText& scene) {
+  const Clip& clip = run.clip;
+  const std::size_t group = run.groups.group[drawing];
+  scene.heads =
+      share_thing<DrawnHeads>(run.heads, group, [&run, group] { return build_drawn_heads(run, group); });
+  const double time_s = find_time_s(run, drawing);
+  DrawnTime drawn{time_s,
+                  {},
+                  build_start(clip, run.cast, sample_performance(clip.performance, time_s).camera,
+                              sample_stage(clip.spec.clip, time_s))};
+  draw_actors(scene.heads->heads, drawn, clip.spec.render, buffers);
+  buffers.text.clear();
   return drawn;
 }
 
@@ -82,33 +125,39 @@ SceneRun::SceneRun(const Clip& clip_, const Cast& cast_, const Resources& resour
       resources(resources_),
       include(build_povray_stage(build_parts(cast.figures, resources.stock.templates), clip.spec.render,
                                  resources.stock.templates, list_sets(clip.spec.clip))),
+      stage(build_povray_stage("", clip.spec.render, resources.stock.templates, list_sets(clip.spec.clip))),
       key(hash_settings(include, clip.spec.render)),
       groups(group_drawings(clip)),
       heads(static_cast<std::size_t>(jobs) + 1),
       buffers(static_cast<std::size_t>(jobs)) {}
 
 SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
-  const Clip& clip = run.clip;
-  const std::size_t group = run.groups.group[drawing];
   SceneText scene;
-  scene.heads =
-      share_thing<DrawnHeads>(run.heads, group, [&run, group] { return build_drawn_heads(run, group); });
-  const double time_s = find_time_s(run, drawing);
-  FrameStart start = build_start(clip, run.cast, sample_performance(clip.performance, time_s).camera,
-                                 sample_stage(clip.spec.clip, time_s));
-  // What the heads' file is called is nothing that pixels depend on.
   SceneBuffers& mine = run.buffers[static_cast<std::size_t>(worker)];
-  mine.text.clear();
-  append_povray_start(mine.text, start);
+  DrawnTime drawn = draw_scene(run, drawing, mine, scene);
+  // What the heads' file is called is nothing that pixels depend on.
+  append_povray_start(mine.text, drawn.start);
   const std::size_t start_size = mine.text.size();
-  append_actors(scene.heads->heads, time_s, {}, compute_ink_view(start.view, clip.spec.render, start.lamp),
-                mine);
+  append_actors(scene.heads->heads, mine);
   scene.key = hash_hex(run.key + scene.heads->key + mine.text);
   if (!scene.heads->include.empty()) {
-    start.includes = {scene.heads->include};
-    append_povray_start(scene.text, start);
+    drawn.start.includes = {scene.heads->include};
+    append_povray_start(scene.text, drawn.start);
   }
   scene.text.append(mine.text, scene.text.empty() ? 0 : start_size);
+  return scene;
+}
+
+SceneText build_quick_scene(SceneRun& run, std::size_t drawing, int worker) {
+  if (run.clip.spec.render.style == Style::ink) return build_scene(run, drawing, worker);
+  SceneText scene;
+  SceneBuffers& mine = run.buffers[static_cast<std::size_t>(worker)];
+  DrawnTime drawn = draw_scene(run, drawing, mine, scene);
+  if (!scene.heads->include.empty()) drawn.start.includes = {scene.heads->include};
+  append_povray_start(mine.text, drawn.start);
+  drawn.start.includes.clear();
+  append_quick_actors(scene.heads->heads, run.stage, drawn.start, run.clip.spec.render, mine);
+  scene.text = std::move(mine.text);
   return scene;
 }
 
@@ -145,10 +194,14 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
       build_povray_stage(build_parts(cast.figures, templates) + build_parts(heads.changing, templates),
                          clip.spec.render, templates, list_sets(clip.spec.clip));
   SceneBuffers buffers;
-  const FrameStart start = build_start(clip, cast, still.camera, still.stage);
-  append_povray_start(buffers.text, start);
-  append_actors(heads, still.time_s, still.pose, compute_ink_view(start.view, clip.spec.render, start.lamp),
-                buffers);
+  const DrawnTime drawn{still.time_s, still.pose, build_start(clip, cast, still.camera, still.stage)};
+  draw_actors(heads, drawn, clip.spec.render, buffers);
+  append_povray_start(buffers.text, drawn.start);
+  if (clip.spec.render.style == Style::ink)
+    append_actors(heads, buffers);
+  else
+    append_quick_actors(heads, build_povray_stage("", clip.spec.render, templates, list_sets(clip.spec.clip)),
+                        drawn.start, clip.spec.render, buffers);
   scene.text = std::move(buffers.text);
   scene.held = list_still_held(heads, still);
   return scene;

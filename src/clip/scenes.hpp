@@ -18,7 +18,7 @@ inline constexpr const char* kHeadInclude = "head.inc";
 // The buffers of one thread; contents mean nothing between calls.
 struct SceneBuffers {
   DrawBuffers draw;
-  Drawing drawing;
+  std::vector<Drawing> drawings;  // one an actor
   std::string text;
 };
 
@@ -39,6 +39,7 @@ struct SceneRun {
   const Cast& cast;
   const Resources& resources;
   std::string include;  // the text of head.inc
+  std::string stage;    // the same without parts
   std::string key;      // of it and of how pictures are rendered
   DrawingGroups groups;
   SharedCache<DrawnHeads> heads;
@@ -54,6 +55,9 @@ struct SceneText {
 
 // `worker` (below the run's jobs) is nobody else's during the call.
 SceneText build_scene(SceneRun& run, std::size_t drawing, int worker);
+
+// The same picture from a longer text, in less of POV-Ray's time: see sketch/casters.
+SceneText build_quick_scene(SceneRun& run, std::size_t drawing, int worker);
 
 // Its file, and beside it that of its heads' parts if they have one.
 void write_scene(const SceneText& scene, const std::filesystem::path& path);

@@ -106,9 +106,9 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   for_each_index(count, jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
     const std::size_t drawing = run.scenes.groups.order[turn];
-    const SceneText scene = build_scene(run.scenes, drawing, worker);
-    run.keys[drawing] = scene.key;
-    if (is_kept && !has_picture(run.store, scene.key)) write_scene(scene, find_scene(run, drawing));
+    run.keys[drawing] = build_scene(run.scenes, drawing, worker).key;
+    if (is_kept && !has_picture(run.store, run.keys[drawing]))
+      write_scene(build_quick_scene(run.scenes, drawing, worker), find_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
 }
@@ -154,7 +154,8 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
   std::size_t passes = count_passes(coarse, run.is_there);
   FrameHooks traced;
   traced.prepare = [&](const FrameJob& job) {
-    if (!fs::exists(job.scene)) write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
+    if (!fs::exists(job.scene))
+      write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
   };
   traced.done = [&](int frame, bool was_kept) {
     std::error_code ignored;
@@ -171,7 +172,7 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
   };
   traced.failed = [&](const FrameJob& job) {
     write_file(clip.files.scenes() / kHeadInclude, run.scenes.include);
-    write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
+    write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
   };
   if (!frames.empty()) render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
   repeat_pictures(clip);

@@ -200,6 +200,16 @@ void append_outline(std::string& text, const Part& part, const PartShape& shape)
   text += fmt::format(" }}\nsurface_of_{}() }}\n", part.name);
 }
 
+// Only rays to lamps meet it.
+void append_caster(std::string& text, const Mesh& caster) {
+  text += "mesh2 {\n";
+  append_vectors(text, "vertex_vectors", caster.positions, kPositionDecimals);
+  text += fmt::format("face_indices {{ {}", caster.triangles.size());
+  for (const auto& [a, b, c] : caster.triangles)
+    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
+  text += " }\npigment { rgb 1 } no_image no_reflection }\n";
+}
+
 // Before all that is made of it: eyes have their colours in head.inc.
 void append_ink_lamp(std::string& text, const InkLamp& lamp) {
   text += "#declare Lamp_way = ";
@@ -262,7 +272,8 @@ void append_povray_start(std::string& text, const FrameStart& start) {
   append_camera(text, start.view);
 }
 
-void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing) {
+void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing,
+                          const std::vector<Mesh>* casters) {
   if (drawing.parts.size() != model.parts.size())
     throw RunError("internal: a drawing has not the model's parts");
   constexpr std::size_t kPerVertex =
@@ -289,7 +300,9 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
-    text += fmt::format("surface_of_{}() }}\n", part.name);
+    const bool has_caster = casters && !(*casters)[i].triangles.empty();
+    text += fmt::format("surface_of_{}(){} }}\n", part.name, has_caster ? " no_shadow" : "");
+    if (has_caster) append_caster(text, (*casters)[i]);
   }
 }
 

@@ -93,8 +93,11 @@ struct FrameStart {
 // The picture's shape is not asked: POV-Ray fits the camera's box to it.
 void append_povray_start(std::string& text, const FrameStart& start);
 
-// Appends one drawing. Throws RunError if it does not fit the model or holds a number that is not finite.
-void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing);
+// Appends one drawing. `casters`, which may be null, has a mesh a part that throws its shadow instead of it,
+// or has no triangles. Throws RunError if the drawing does not fit the model or holds a number that is not
+// finite.
+void append_povray_figure(std::string& text, const Model& model, const Drawing& drawing,
+                          const std::vector<Mesh>* casters = nullptr);
 
 // Appends the whole text of a frame's file with one figure whose parts head.inc holds.
 void append_povray_frame(std::string& text, const Model& model, const Drawing& drawing,
