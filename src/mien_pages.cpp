@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
   }
   try {
     const std::filesystem::path folder = argv[1];
-    CompletionWords words{{}, {{"quality", kQualities}}};
+    CompletionWords words{{}, {{"quality", kQualities}, {"engine", {"local", "slurm"}}}};
     for (const CommandInfo* command : kCommands)
       if (command->list_kinds) words.kinds[command->name] = command->list_kinds();
     write_file(folder / "mien.1", build_man_page());

@@ -12,6 +12,22 @@
 
 namespace mien {
 
+// Who renders: this machine, or a farm.
+enum class Engine { local, slurm };
+
+// How a farm renders. Empty means "as the cluster says".
+struct FarmOptions {
+  Engine engine = Engine::local;            // --engine
+  std::string partition;                    // --partition
+  std::string time_limit;                   // --time, as Slurm has it: "30", "2:00:00", "1-12"
+  std::optional<double> chunk_s;            // --chunk 5m: how long a task should take
+  std::optional<int> chunk_drawings;        // --chunk 20: how many drawings a task traces
+  bool has_wait = true;                     // --no-wait
+  bool is_dry_run = false;                  // --dry-run
+  std::optional<std::pair<int, int>> part;  // --part I/N: this part of the plan that was submitted
+  bool is_gathering = false;                // --part gather: when all parts have ended
+};
+
 struct Options {
   std::string kind;            // the word before the file: what `list` lists, which sheet
   std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
@@ -34,6 +50,7 @@ struct Options {
   std::vector<std::string> beside;             // --beside real,comic, for render
   bool has_scenes = false;                     // --keep-scenes, for render
   std::optional<std::uintmax_t> store_bytes;  // --store, for render: what pictures beyond the clip's may take
+  FarmOptions farm;                           // for render
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

@@ -50,7 +50,7 @@ void take_back(const TraceRun& run, std::size_t drawing) {
 
 void open_work(TraceRun& run) {
   if (!run.work) {
-    run.work.emplace(run.scenes.clip.files.folder);
+    run.work.emplace(run.work_parent.empty() ? run.scenes.clip.files.folder : run.work_parent);
     write_file(run.work->path / kHeadInclude, run.scenes.include);
   }
 }
@@ -72,6 +72,27 @@ std::size_t count_passes(const CoarseOrder& coarse, const std::vector<bool>& is_
     for (; drawing < coarse.ends[passes]; ++drawing)
       if (!is_there[coarse.order[drawing]]) return passes;
   return passes;
+}
+
+// What a frame that is missing asks of its clip: its scene before it is traced, and once more where it can be
+// tried if it fails.
+FrameHooks make_scene_hooks(TraceRun& run, const std::map<int, std::size_t>& drawing_of) {
+  FrameHooks hooks;
+  hooks.prepare = [&](const FrameJob& job) {
+    if (!fs::exists(job.scene)) write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
+  };
+  hooks.failed = [&](const FrameJob& job) {
+    write_file(run.scenes.clip.files.scenes() / kHeadInclude, run.scenes.include);
+    write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
+  };
+  return hooks;
+}
+
+FrameJob make_frame_job(const TraceRun& run, std::size_t drawing) {
+  const Clip& clip = run.scenes.clip;
+  const int frame = clip.plan.drawings[drawing];
+  return {frame, find_scene(run, drawing), run.store.picture(run.keys[drawing]), run.keys[drawing],
+          clip.files.scene(frame)};
 }
 
 }  // namespace
@@ -101,7 +122,7 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   const Clip& clip = run.scenes.clip;
   const std::size_t count = clip.plan.drawings.size();
   run.keys.resize(count);
-  const bool is_kept = has_changing_heads(run.scenes);
+  const bool is_kept = run.keeps_scenes && has_changing_heads(run.scenes);
   if (is_kept) open_work(run);
   for_each_index(count, jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
@@ -147,16 +168,11 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
       hooks.done(frame, true);
     } else if (begun.insert(run.keys[drawing]).second) {
       open_work(run);
-      frames.push_back({frame, find_scene(run, drawing), run.store.picture(run.keys[drawing]),
-                        run.keys[drawing], clip.files.scene(frame)});
+      frames.push_back(make_frame_job(run, drawing));
     }
   }
   std::size_t passes = count_passes(coarse, run.is_there);
-  FrameHooks traced;
-  traced.prepare = [&](const FrameJob& job) {
-    if (!fs::exists(job.scene))
-      write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
-  };
+  FrameHooks traced = make_scene_hooks(run, drawing_of);
   traced.done = [&](int frame, bool was_kept) {
     std::error_code ignored;
     const std::size_t first = drawing_of.at(frame);
@@ -170,13 +186,35 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
     if (ended > passes && hooks.pass_ended) hooks.pass_ended(run.is_there);
     passes = ended;
   };
-  traced.failed = [&](const FrameJob& job) {
-    write_file(clip.files.scenes() / kHeadInclude, run.scenes.include);
-    write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
-  };
   if (!frames.empty()) render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
   repeat_pictures(clip);
   trim_store(run.store, {run.keys.begin(), run.keys.end()});
+}
+
+void trace_into_store(TraceRun& run, int jobs, const FrameDone& done) {
+  const Clip& clip = run.scenes.clip;
+  std::vector<FrameJob> frames;
+  std::map<int, std::size_t> drawing_of;  // by frame
+  for (std::size_t drawing = 0; drawing < run.keys.size(); ++drawing) {
+    const int frame = clip.plan.drawings[drawing];
+    drawing_of[frame] = drawing;
+    if (has_picture(run.store, run.keys[drawing])) {
+      done(frame, true);
+      continue;
+    }
+    open_work(run);
+    frames.push_back(make_frame_job(run, drawing));
+  }
+  if (frames.empty()) return;
+  FrameHooks traced = make_scene_hooks(run, drawing_of);
+  traced.done = [&](int frame, bool was_kept) {
+    std::error_code ignored;
+    fs::remove(find_scene(run, drawing_of.at(frame)), ignored);
+    done(frame, was_kept);
+  };
+  RenderSettings settings = list_settings(clip.spec.render, {run.work->path}, jobs);
+  settings.work_parent = run.work->path;
+  render_frames(frames, settings, traced);
 }
 
 }  // namespace mien

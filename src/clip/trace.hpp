@@ -33,12 +33,14 @@ struct TraceRun {
   PictureStore store;
   std::vector<std::string> keys;  // of the pictures of the plan's drawings: of compute_keys or write_scenes
   std::vector<bool> is_there;     // of each drawing: the store has its picture, whatever frame it was of
-  std::optional<WorkFolder> work = {};  // for scenes on their way to POV-Ray, once there are any
+  std::optional<WorkFolder> work = {};     // for scenes on their way to POV-Ray, once there are any
+  std::filesystem::path work_parent = {};  // where it is made; empty: in the clip's folder
+  bool keeps_scenes = true;                // see compute_keys
 };
 
 // Computes every drawing to learn what its picture is known by. Of heads that change, which cost more than a
-// drawing, the scenes that are missing are kept for trace_pictures; else nothing is written. Told the frame
-// of each, from any thread.
+// drawing, the scenes that are missing are kept for trace_pictures unless `keeps_scenes` is false; else
+// nothing is written. Told the frame of each, from any thread.
 void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed);
 
 // Which of the pictures that `keys` names the store has; those that only a frame has go back into it.
@@ -57,5 +59,9 @@ struct TraceHooks {
 // Scenes are written just before they are traced and removed after it; of a frame that fails the scene stays
 // in the clip's scenes/, where the message says how to try it. Throws as render_frames does.
 void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks);
+
+// The same for one of several who fill the store at once: no frame is given a picture, nothing is taken out
+// of the store, and all that is not a picture yet lies in the run's own work folder.
+void trace_into_store(TraceRun& run, int jobs, const FrameDone& done);
 
 }  // namespace mien

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <regex>
 #include <set>
 #include <string_view>
 
@@ -141,6 +142,68 @@ std::string read_store(const std::string& text, Options& options) {
   return "is not a size such as 2GB or 500MB";
 }
 
+std::string read_engine(const std::string& text, Options& options) {
+  if (text != "local" && text != "slurm") return "is not local or slurm" + suggest(text, {"local", "slurm"});
+  options.farm.engine = text == "slurm" ? Engine::slurm : Engine::local;
+  return {};
+}
+
+constexpr int kLongest_s = 366 * 24 * 3600;  // more is a typing mistake
+
+// "90s", "5m" or "2h".
+std::optional<int> read_long_time_s(std::string_view text) {
+  constexpr std::pair<char, int> kUnits[] = {{'s', 1}, {'m', 60}, {'h', 3600}};
+  for (const auto& [unit, seconds] : kUnits) {
+    if (!text.ends_with(unit)) continue;
+    const auto number = read_whole(text.substr(0, text.size() - 1));
+    if (number && *number > 0 && *number <= kLongest_s / seconds) return *number * seconds;
+  }
+  return std::nullopt;
+}
+
+std::string read_chunk(const std::string& text, Options& options) {
+  if (const auto seconds = read_long_time_s(text))
+    options.farm.chunk_s = seconds;
+  else if (const auto count = read_whole(text); count && *count > 0)
+    options.farm.chunk_drawings = count;
+  else
+    return "is not a time such as 5m or 90s, nor a number of drawings such as 20";
+  return {};
+}
+
+// As sbatch(1) has it: "minutes", "minutes:seconds", "hours:minutes:seconds", "days-hours" and
+// "days-hours:minutes[:seconds]"; and besides "90s", "30m" and "2h".
+std::string read_time_limit(const std::string& text, Options& options) {
+  static const std::regex kSlurm("[0-9]{1,8}(:[0-9]{1,2}){0,2}|[0-9]{1,3}-[0-9]{1,2}(:[0-9]{1,2}){0,2}");
+  if (const auto seconds = read_long_time_s(text))
+    options.farm.time_limit =
+        fmt::format("{}:{:02}:{:02}", *seconds / 3600, *seconds / 60 % 60, *seconds % 60);
+  else if (std::regex_match(text, kSlurm) && text.find_first_of("123456789") != text.npos)
+    options.farm.time_limit = text;
+  else
+    return "is not a time such as 30m, 2h or 1-12:00:00";
+  return {};
+}
+
+std::string read_partition(const std::string& text, Options& options) {
+  static const std::regex kNames("[A-Za-z0-9_.,-]+");
+  if (!std::regex_match(text, kNames)) return "is not the name of a partition";
+  options.farm.partition = text;
+  return {};
+}
+
+// "3/8", or "gather".
+std::string read_part(const std::string& text, Options& options) {
+  options.farm.is_gathering = text == "gather";
+  if (options.farm.is_gathering) return {};
+  const std::size_t slash = std::min(text.find('/'), text.size());
+  const auto part = read_whole(std::string_view(text).substr(0, slash));
+  const auto count = read_whole(std::string_view(text).substr(std::min(slash + 1, text.size())));
+  if (!part || !count || *part < 1 || *part > *count) return "is not a part such as 3/8, nor the word gather";
+  options.farm.part = {*part, *count};
+  return {};
+}
+
 void read_outputs(const std::string& text, Options& options) {
   std::size_t from = 0;
   for (std::size_t to = 0; to != text.npos; from = to + 1) {
@@ -161,6 +224,11 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "seed") return read_seed(text, kMaxSeed, options.seed);
   if (name == "beside") return read_beside(text, options);
   if (name == "store") return read_store(text, options);
+  if (name == "engine") return read_engine(text, options);
+  if (name == "partition") return read_partition(text, options);
+  if (name == "chunk") return read_chunk(text, options);
+  if (name == "time") return read_time_limit(text, options);
+  if (name == "part") return read_part(text, options);
   if (name == "random-head") return read_seed(text, kMaxSeed, options.random_head);
   if (name == "quiet") options.is_quiet = true;
   if (name == "stl") options.has_stl = true;
@@ -173,8 +241,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "json") options.is_json = true;
   if (name == "open") options.is_opened = true;
   if (name == "read-only") options.is_read_only = true;
-  for (const char* flag : {"quiet", "json", "half", "stl", "no-stl", "3mf", "preview", "openscad", "open",
-                           "read-only", "keep-scenes"})
+  if (name == "no-wait") options.farm.has_wait = false;
+  if (name == "dry-run") options.farm.is_dry_run = true;
+  for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "stl", "no-stl", "3mf", "preview",
+                           "openscad", "open", "read-only", "keep-scenes"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;
@@ -183,6 +253,16 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "area") options.area = text;
   if (name == "actor") options.actor = text;
   return {};
+}
+
+// What is only for those who have others render.
+void check_farm(const TypedValues& typed, const Options& options, std::vector<Diagnostic>& mistakes) {
+  if (options.farm.engine == Engine::slurm && typed.contains("part"))
+    add_mistake(mistakes, "--part is what the tasks of --engine slurm run; give one of them");
+  if (options.farm.engine == Engine::slurm) return;
+  for (const char* name : {"partition", "chunk", "time", "no-wait", "dry-run"})
+    if (typed.contains(name))
+      add_mistake(mistakes, fmt::format("--{} is for --engine slurm alone; give both or neither", name));
 }
 
 }  // namespace
@@ -209,6 +289,9 @@ Options build_options(const TypedValues& typed, std::vector<Diagnostic>& mistake
     if (typed.contains("half") && typed.contains(other))
       add_mistake(mistakes,
                   fmt::format("--half is the neutral head's half alone; give it without --{}", other));
+  if (typed.contains("no-wait") && typed.contains("dry-run"))
+    add_mistake(mistakes, "--dry-run submits nothing that --no-wait could leave; give one of them");
+  check_farm(typed, options, mistakes);
   return options;
 }
 

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <vector>
 
+#include "clip/farm.hpp"
 #include "clip/trace.hpp"
 #include "commands/hold.hpp"
 #include "commands/report.hpp"
@@ -30,11 +31,11 @@ std::vector<fs::path> list_folders(const fs::path& folder) {
 }
 
 // The files of mien's own naming in a folder, and the folder if nothing else is in it.
-void clean_folder(const fs::path& folder, Cleaned& cleaned) {
+void clean_folder(const fs::path& folder, bool (*is_ours)(const std::string& name), Cleaned& cleaned) {
   std::error_code error;
   std::vector<fs::path> files;
   for (const auto& entry : fs::directory_iterator(folder, error))
-    if (is_clip_file(entry.path().filename().string()) && entry.is_regular_file(error))
+    if (is_ours(entry.path().filename().string()) && entry.is_regular_file(error))
       files.push_back(entry.path());
   for (const fs::path& file : files) clean_file(file, cleaned);
   fs::remove(folder, error);  // only if it is empty
@@ -45,13 +46,14 @@ void clean_clip(const Options& options, const fs::path& folder, Cleaned& cleaned
   std::vector<fs::path> clips = list_folders(folder);
   clips.push_back(folder);
   for (const fs::path& clip : clips) {
-    constexpr std::array kParts{kStoreFolder, "frames", "scenes"};
+    constexpr std::array kParts{kStoreFolder, "frames", "scenes", kFarmFolder};
     if (std::ranges::none_of(kParts, [&](const char* part) { return fs::is_directory(clip / part); }))
       continue;
     const FolderLock lock = hold_folder(options, clip);
     clean_store({clip / kStoreFolder}, cleaned);
-    clean_folder(clip / "frames", cleaned);
-    clean_folder(clip / "scenes", cleaned);
+    clean_folder(clip / "frames", is_clip_file, cleaned);
+    clean_folder(clip / "scenes", is_clip_file, cleaned);
+    clean_folder(clip / kFarmFolder, is_farm_file, cleaned);
   }
 }
 
@@ -87,8 +89,8 @@ const CommandInfo command_clean{
     "[FILE]",
     "empties the store of drawings of out/NAME/",
     "Removes what can be made again: the store of drawings, the numbered frames, which are names of the\n"
-    "same pictures, and scenes. Clips, posters, manifests, busts and all that is not mien's own stay.\n"
-    "Without a FILE the folders of all clips in out/ are cleaned.",
+    "same pictures, scenes, and what a cluster was given. Clips, posters, manifests, busts and all that is\n"
+    "not mien's own stay. Without a FILE the folders of all clips in out/ are cleaned.",
     "output",
     "mien clean configs/hello.yaml\nmien clean",
     run_clean};

@@ -7,11 +7,13 @@
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
 #include "clip/trace.hpp"
+#include "commands/farm_clip.hpp"
 #include "commands/hold.hpp"
 #include "commands/report.hpp"
 #include "commands/sketch_clip.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/error.hpp"
 #include "core/streams.hpp"
 #include "core/text.hpp"
 #include "render/process.hpp"
@@ -47,9 +49,9 @@ void report_preview(const Options& options, const fs::path& path) {
                                        : fmt::format("preview: {}\n", path.string()));
 }
 
-// Pictures of a clip, whose folder is held; the keys of its drawings.
+// Pictures of a clip, whose folder is held; the keys of its drawings. The plan of a farm is in `plan_folder`.
 std::vector<std::string> make_pictures(const Options& options, const Clip& clip, const Cast& cast,
-                                       const Resources& resources) {
+                                       const Resources& resources, const fs::path& plan_folder) {
   report_starts(options, list_heads(clip), resources.heads);
   report_clip_held(options, clip, cast, resources.heads);
   const int jobs = count_jobs(options);
@@ -71,6 +73,7 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
   find_pictures(run);
   const std::size_t missing = count_missing(run);
   report_plan(options, clip, missing);
+  if (options.farm.is_gathering) check_gathered(run, plan_folder, missing);
 
   Progress frames = start_progress(options, "frames", count);
   TraceHooks hooks{[&](int frame, bool was_kept) { frames.advance(was_kept, frame); }};
@@ -101,13 +104,13 @@ void render_clip(const Options& options, const ClipParts& planned, const std::ve
                  const Resources& resources) {
   const Clip& clip = planned.clip;
   if (planned.parts.empty()) {
-    finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources));
+    finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources, clip.files.folder));
     return;
   }
   std::vector<std::vector<std::string>> keys;
   for (std::size_t i = 0; i < planned.parts.size(); ++i) {
     const FolderLock part_lock = hold_folder(options, planned.parts[i].files.folder);
-    keys.push_back(make_pictures(options, planned.parts[i], casts[i], resources));
+    keys.push_back(make_pictures(options, planned.parts[i], casts[i], resources, clip.files.folder));
   }
   const Clip whole = widen_clip(clip, planned.parts.size());
   const std::vector<std::string> joined = join_keys(keys);
@@ -121,21 +124,47 @@ void check_folders(const Options& options, const ClipParts& planned) {
   for (const Clip& part : planned.parts) check_clip_folder(options, part, true);
 }
 
+// Sketches are sooner drawn than a cluster has begun.
+void check_no_farm(const Options& options) {
+  if (options.farm.engine == Engine::slurm || options.farm.part || options.farm.is_gathering)
+    throw InputError(
+        "--engine slurm is for pictures of POV-Ray; the quality is sketch, expected draft, good or best");
+}
+
+// Who has others render needs no more than what asks them.
+bool needs_ffmpeg(const Options& options) {
+  return options.farm.engine == Engine::local && !options.farm.part;
+}
+
+void require_tools(const Options& options, bool is_sketched) {
+  if (options.farm.engine == Engine::slurm) {
+    if (options.farm.is_dry_run) return;
+    for (const char* program : {"sbatch", "squeue", "scancel", "scontrol"})
+      require_programs({{program, "slurm-client"}});
+    return;
+  }
+  if (!is_sketched) require_programs({{"povray", "povray"}});
+  if (needs_ffmpeg(options)) require_programs({{"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
+}
+
 void run_render(const Options& asked) {
   const Options options = take_videos(asked);
   const Resources resources = load_resources(find_data_folder());
   const ClipParts planned = plan_parts(options, resources);
   check_folders(options, planned);
   const bool is_sketched = is_sketch(planned.clip.spec.render);
-  if (!is_sketched) require_programs({{"povray", "povray"}});
-  require_programs({{"ffmpeg", "ffmpeg"}, {"ffprobe", "ffmpeg"}});
-  check_sound(planned.clip);
+  if (is_sketched) check_no_farm(options);
+  require_tools(options, is_sketched);
+  if (needs_ffmpeg(options)) check_sound(planned.clip);
   const std::vector<Cast> casts = build_casts(planned, resources.heads);
+  if (options.farm.engine == Engine::slurm) return farm_clip(options, planned, casts, resources);
+  if (options.farm.part) return farm_part(options, planned, casts, resources);
   const FolderLock lock = hold_folder(options, planned.clip.files.folder);
   if (is_sketched)
     sketch_clip(options, planned, casts, resources, nullptr);
   else
     render_clip(options, planned, casts, resources);
+  if (options.farm.is_gathering) tell_gathered(planned.clip.files.folder);
 }
 
 }  // namespace
@@ -151,7 +180,7 @@ const CommandInfo command_render{
     "designs of the head, side by side. With --quality sketch mien draws the frames itself, in a fraction\n"
     "of the time, and leaves NAME_sketch.mp4 and nothing else. -o names the folder, or the clip itself by\n"
     "its ending: .mp4, .webm, .mov (ProRes 4444), .gif, .webp or .apng; several clips may be asked for.",
-    "beside keep-scenes store",
+    "beside keep-scenes store engine partition chunk time no-wait dry-run part",
     "mien render configs/hello.yaml --quality sketch\nmien render configs/hello.yaml\n"
     "mien render configs/hello.yaml --quality draft --size 240x300\n"
     "mien render configs/hello.yaml -o hello.webm -o hello.gif\n"

@@ -110,7 +110,7 @@ Form as_map(std::string pattern, Forms items, double low) {
 
 Forms as_waiting_time(const Section& wait) { return {{FormKind::time}, as_section(wait)}; }
 
-Forms as_mix(std::string noun, std::span<const Word> words) {
+Forms as_mix(const std::string& noun, std::span<const Word> words) {
   Form weight = as_number(0, kMaxWeight);
   weight.is_above_low = true;
   Form mix = as_map("", {weight}, 1);

@@ -34,7 +34,7 @@ Form as_map(std::string pattern, Forms items, double low = 0);
 Forms as_waiting_time(const Section& wait);
 
 // One of the words, or weights of several of them.
-Forms as_mix(std::string noun, std::span<const Word> words);
+Forms as_mix(const std::string& noun, std::span<const Word> words);
 
 // "^[A-Za-z]{1,40}$" and the like, of a name of the author's own.
 std::string build_key_name_pattern();

@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 // Each use of a seed has a generator of its own.
-enum Use : std::uint64_t { use_character, use_dials, use_look, use_hair, use_beard, use_freckles };
+enum Use : std::uint64_t { kUseCharacter, kUseDials, kUseLook, kUseHair, kUseBeard, kUseFreckles };
 
 constexpr double kHundred = 100;  // what is drawn is a whole number of hundredths
 // Nearer to the middle nobody is drawn; a head that is set there may have a woman's or a man's hair.
@@ -27,7 +27,7 @@ glm::vec3 round_colour(const glm::vec3& colour) {
 }
 
 double draw_character(const People& people, std::uint64_t seed) {
-  std::mt19937_64 random = build_random(seed, use_character);
+  std::mt19937_64 random = build_random(seed, kUseCharacter);
   const double sex = sample_uniform(random) < 0.5 ? -1 : 1;
   const double size = people.character_middle + people.character_spread * sample_normal(random);
   return sex * round_hundredths(std::clamp(size, kLeastCharacter, 1.0));
@@ -88,7 +88,7 @@ double find_skin(const People& people, double rank) {
 }
 
 Look draw_look(const People& people, std::uint64_t seed, double tone) {
-  std::mt19937_64 random = build_random(seed, use_look);
+  std::mt19937_64 random = build_random(seed, kUseLook);
   const double at = find_skin(people, compute_rank(tone));
   const auto lighter = static_cast<std::size_t>(at);
   const std::size_t darker = std::min(lighter + 1, people.skins.size() - 1);
@@ -109,7 +109,7 @@ Look draw_look(const People& people, std::uint64_t seed, double tone) {
 }
 
 std::string draw_cut(const People& people, std::uint64_t seed, double character) {
-  std::mt19937_64 random = build_random(seed, use_hair);
+  std::mt19937_64 random = build_random(seed, kUseHair);
   const double man = smooth_step(-kLeastCharacter, kLeastCharacter, character);
   std::map<std::string, double> weights;
   for (const std::string& cut : kHairs) {
@@ -122,12 +122,12 @@ std::string draw_cut(const People& people, std::uint64_t seed, double character)
 
 std::string draw_beard(const People& people, std::uint64_t seed, double character) {
   if (people.beards.empty() || character < kLeastCharacter) return "none";
-  std::mt19937_64 random = build_random(seed, use_beard);
+  std::mt19937_64 random = build_random(seed, kUseBeard);
   return draw_name(people.beards, random);
 }
 
 double draw_freckles(const People& people, std::uint64_t seed, double tone) {
-  std::mt19937_64 random = build_random(seed, use_freckles);
+  std::mt19937_64 random = build_random(seed, kUseFreckles);
   const auto nearest = static_cast<std::size_t>(std::lround(find_skin(people, compute_rank(tone))));
   if (sample_uniform(random) >= people.skins[nearest].freckled) return 0;
   return round_hundredths(sample_uniform(random, people.least_freckles, people.most_freckles));
@@ -136,7 +136,7 @@ double draw_freckles(const People& people, std::uint64_t seed, double tone) {
 }  // namespace
 
 std::vector<double> draw_dials(const People& people, std::uint64_t seed, double character) {
-  std::mt19937_64 random = build_random(seed, use_dials);
+  std::mt19937_64 random = build_random(seed, kUseDials);
   // A crowd's character is on both sides of 0: its standard deviation is the root of its mean square.
   std::vector<double> own{character / std::hypot(people.character_middle, people.character_spread)};
   std::vector<double> dials{std::clamp(own[0], -people.most, people.most)};

@@ -37,6 +37,7 @@ struct RunError : std::runtime_error {
 // Ctrl-C or a termination signal came; what was finished stays. Exit status 130.
 struct Interrupted : std::runtime_error {
   Interrupted() : std::runtime_error("interrupted; what was finished is kept, run again to go on") {}
+  explicit Interrupted(const std::string& what_goes_on) : std::runtime_error(what_goes_on) {}
 };
 
 // "file:line:col: error: message", then the source line and a caret when they are known.

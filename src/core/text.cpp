@@ -35,7 +35,7 @@ constexpr std::array<std::uint32_t, 10> kWholePowersOfTen{1,      10,      100, 
 // "00" to "99" in a row.
 constexpr std::array<char, 200> build_pairs() {
   std::array<char, 200> pairs{};
-  for (int i = 0; i < 100; ++i) {
+  for (std::size_t i = 0; i < 100; ++i) {
     pairs[2 * i] = static_cast<char>('0' + i / 10);
     pairs[2 * i + 1] = static_cast<char>('0' + i % 10);
   }
@@ -47,7 +47,7 @@ constexpr std::array<char, 200> kPairs = build_pairs();
 char* write_digits(std::uint32_t value, char* end) {
   while (value >= 100) {
     end -= 2;
-    std::memcpy(end, &kPairs[2 * (value % 100)], 2);
+    std::memcpy(end, &kPairs[std::size_t{2} * (value % 100)], 2);
     value /= 100;
   }
   if (value < 10) {
@@ -55,7 +55,7 @@ char* write_digits(std::uint32_t value, char* end) {
     return end;
   }
   end -= 2;
-  std::memcpy(end, &kPairs[2 * value], 2);
+  std::memcpy(end, &kPairs[std::size_t{2} * value], 2);
   return end;
 }
 
@@ -113,7 +113,7 @@ char* write_number(char* text, double value, int decimals) {
   const auto whole =
       static_cast<std::uint32_t>(is_short ? static_cast<std::uint32_t>(rest) / power : rest / power);
   auto fraction = static_cast<std::uint32_t>(rest - std::uint64_t{whole} * power);
-  std::array<char, 2 * kLongestNumber> digits;  // the rest is there to be copied along, at a fixed size
+  std::array<char, std::size_t{2} * kLongestNumber> digits;  // the rest is there to be copied along, at a fixed size
   char* const end = digits.data() + kLongestNumber;
   char* begin = end;
   if (fraction != 0) {

@@ -153,7 +153,8 @@ std::vector<HeadPart> build_beard(const NeutralHead& head, const Look& look) {
   HeadPart part = make_hair_part("beard");
   part.part.is_printed = false;
   part.part.palette = make_hair_palette(compute_beard_colour(look), 0.35f, 0.2f);
-  const auto count = static_cast<std::uint32_t>(beard.count / 2 * std::sqrt(growth));
+  const int half = beard.count / 2;  // a side
+  const auto count = static_cast<std::uint32_t>(half * std::sqrt(growth));
   for (std::uint32_t i = 0; i < count; ++i) {
     // Each hair has its own piece of the meadow: even, and the same whatever the count.
     const double sum = meadow.sums.back() * (i + 0.5) / count;

@@ -22,6 +22,7 @@ namespace mien {
 namespace {
 
 constexpr int kLidColumns = 16;
+constexpr int kHalfLid = kLidColumns / 2;
 
 // How far a ring of the lids turns with its margin. The hidden back less, or it would come out of the ball;
 // crease and skin beyond less and less, or brow and cheek would move.
@@ -99,10 +100,10 @@ void turn_lid(const Eye& eye, bool is_upper, double angle_rad, Cage& cage) {
   const glm::dvec3 axis =
       glm::normalize(cage.points[find_point(cage, "E1_8")] - cage.points[find_point(cage, "E1_0")]);
   for (const RingShare& share : kRingShares)
-    for (int i = 1; i < kLidColumns / 2; ++i) {
+    for (int i = 1; i < kHalfLid; ++i) {
       const int column = is_upper ? i : kLidColumns - i;
       const std::uint32_t point = find_point(cage, fmt::format("{}_{}", share.ring, column));
-      const double taper = std::sin(std::numbers::pi * i / (kLidColumns / 2));
+      const double taper = std::sin(std::numbers::pi * i / kHalfLid);
       const double angle = angle_rad * taper * (is_upper ? share.upper : share.lower);
       const glm::dmat3 turn(glm::rotate(glm::dmat4(1), angle, axis));
       cage.points[point] = eye.centre + turn * (cage.points[point] - eye.centre);

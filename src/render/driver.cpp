@@ -250,7 +250,9 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
         hooks.done(job.number, true);
         continue;
       }
-      if (!run) run.emplace(settings, frames.front().picture.parent_path());
+      if (!run)
+        run.emplace(settings, settings.work_parent.empty() ? frames.front().picture.parent_path()
+                                                           : settings.work_parent);
       if (hooks.prepare) hooks.prepare(job);
       const auto index = static_cast<std::size_t>(&job - frames.data()) + 1;
       try {

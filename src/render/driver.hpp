@@ -26,6 +26,7 @@ struct RenderSettings {
   std::vector<std::string> povray_options;       // anti-aliasing and the like, from scene/povray
   std::vector<std::filesystem::path> libraries;  // folders for #include
   int jobs = 1;                                  // processes at once, one thread each
+  std::filesystem::path work_parent = {};        // of the WorkFolder; empty: beside the first picture
 };
 
 // Told after each frame; `frame_number` was rendered, or kept because its picture is already right.
@@ -40,7 +41,7 @@ struct FrameHooks {
 };
 
 // What a scene reads must not change while it is traced: the scenes of `frames` are their caller's alone.
-// Renders what is missing or stale. Each frame: povray into a WorkFolder beside the first picture, checked
+// Renders what is missing or stale. Each frame: povray into a WorkFolder, checked
 // (decodes, right size, not all one colour, scene not empty), stripped of its date, marked with its key,
 // written beside its place and renamed. A failing frame is tried once more while the others go on; if no
 // frame has worked yet, only the first that failed is, and nothing after it. At the end RunError tells the

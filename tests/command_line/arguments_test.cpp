@@ -73,6 +73,61 @@ TEST(arguments, set_the_options_of_stills_and_meshes) {
   EXPECT_EQ(mesh.landmarks, "face.json");
 }
 
+TEST(arguments, set_how_a_cluster_renders) {
+  const FarmOptions none = read({"render", "a.yaml"}).options.farm;
+  EXPECT_EQ(none.engine, Engine::local);
+  EXPECT_TRUE(none.has_wait && !none.is_dry_run && !none.part && !none.is_gathering);
+  EXPECT_EQ(read({"render", "a.yaml", "--engine", "local"}).options.farm.engine, Engine::local);
+  const auto read_farm = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"render", "a.yaml", "--engine", "slurm"});
+    return read(words).options.farm;
+  };
+  const FarmOptions farm =
+      read_farm({"--partition", "long,short", "--chunk", "5m", "--time", "2h", "--no-wait"});
+  EXPECT_EQ(farm.engine, Engine::slurm);
+  EXPECT_EQ(farm.partition, "long,short");
+  EXPECT_EQ(farm.chunk_s, 300);
+  EXPECT_EQ(farm.time_limit, "2:00:00");
+  EXPECT_FALSE(farm.has_wait);
+  EXPECT_EQ(read_farm({"--chunk", "20"}).chunk_drawings, 20);
+  EXPECT_EQ(read_farm({"--chunk", "90s"}).chunk_s, 90);
+  EXPECT_TRUE(read_farm({"--dry-run"}).is_dry_run);
+  EXPECT_EQ(read_farm({"--time", "90s"}).time_limit, "0:01:30");
+  for (const char* time : {"30", "30:00", "2:00:00", "1-12", "1-12:00", "1-12:00:00"})
+    EXPECT_EQ(read_farm({"--time", time}).time_limit, time);
+  EXPECT_EQ(read({"render", "a.yaml", "--part", "3/8"}).options.farm.part, std::pair(3, 8));
+  EXPECT_TRUE(read({"render", "a.yaml", "--part", "gather"}).options.farm.is_gathering);
+}
+
+TEST(arguments, tell_what_no_cluster_understands) {
+  const auto read_wrong = [](std::vector<const char*> words) {
+    words.insert(words.begin(), {"render", "a", "--engine", "slurm"});
+    return read_mistakes(words);
+  };
+  EXPECT_EQ(read_mistakes({"render", "a", "--engine", "slum"}),
+            "--engine: 'slum' is not local or slurm; did you mean 'slurm'?\n");
+  for (const char* chunk : {"0", "5x", "m", "-5m", "0s", "1.5m", "99999h"})
+    EXPECT_EQ(read_wrong({"--chunk", chunk}),
+              "--chunk: '" + std::string(chunk) +
+                  "' is not a time such as 5m or 90s, nor a number of drawings such as 20\n");
+  for (const char* time : {"0", "soon", "1-", "1:2:3:4", "5x", "-1", "0:00:00", "1-1:2:3:4"})
+    EXPECT_EQ(read_wrong({"--time", time}),
+              "--time: '" + std::string(time) + "' is not a time such as 30m, 2h or 1-12:00:00\n");
+  EXPECT_EQ(read_wrong({"--partition", "a b"}), "--partition: 'a b' is not the name of a partition\n");
+  for (const char* part : {"0/3", "4/3", "3", "/", "1/", "all"})
+    EXPECT_EQ(read_mistakes({"render", "a", "--part", part}),
+              "--part: '" + std::string(part) + "' is not a part such as 3/8, nor the word gather\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "--chunk", "5m", "--dry-run"}),
+            "--chunk is for --engine slurm alone; give both or neither\n"
+            "--dry-run is for --engine slurm alone; give both or neither\n");
+  EXPECT_EQ(read_mistakes({"render", "a", "--engine", "local", "--no-wait"}),
+            "--no-wait is for --engine slurm alone; give both or neither\n");
+  EXPECT_EQ(read_wrong({"--part", "1/2"}),
+            "--part is what the tasks of --engine slurm run; give one of them\n");
+  EXPECT_EQ(read_wrong({"--no-wait", "--dry-run"}),
+            "--dry-run submits nothing that --no-wait could leave; give one of them\n");
+}
+
 TEST(arguments, may_say_a_single_frame_and_a_time_without_unit) {
   EXPECT_EQ(read({"frames", "a", "--frames", "7"}).options.frames, std::pair(7, 7));
   EXPECT_EQ(read({"still", "a", "--at", "2"}).options.at_s, 2);

@@ -142,7 +142,8 @@ TEST(completions, of_fish_know_the_place) {
   EXPECT_THAT(complete("mien list a"), ElementsAre("ages", "areas"));
   EXPECT_THAT(complete("mien still --quality "), ElementsAre("best", "draft", "good", "sketch"));
   EXPECT_THAT(complete("mien bust --no"), ElementsAre("--no-stl"));
-  EXPECT_THAT(complete("mien render --no"), IsEmpty());
+  EXPECT_THAT(complete("mien still --no"), IsEmpty());
+  EXPECT_THAT(complete("mien render --no"), ElementsAre("--no-wait"));
 }
 
 }  // namespace
