@@ -79,7 +79,8 @@ std::size_t count_passes(const CoarseOrder& coarse, const std::vector<bool>& is_
 FrameHooks make_scene_hooks(TraceRun& run, const std::map<int, std::size_t>& drawing_of) {
   FrameHooks hooks;
   hooks.prepare = [&](const FrameJob& job) {
-    if (!fs::exists(job.scene)) write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
+    if (!fs::exists(job.scene))
+      write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
   };
   hooks.failed = [&](const FrameJob& job) {
     write_file(run.scenes.clip.files.scenes() / kHeadInclude, run.scenes.include);

@@ -40,7 +40,11 @@ struct HairLocks {
   double width_mm = 5, tips_mm = 0, ragged = 0.3, root_band = 0, stand = 0, rise_mm = 10;
   double wave_mm = 0, wave_length_mm = 40, curl_mm = 0, curl_length_mm = 20;
   int rings = 9;
-  double widest = 0;  // of its length: no lock is wider; 0: as wide as they are
+  double from_part = 0;                // share of them that begin at the part
+  double deepest = 0.8, risen = 0.28;  // of the mass: where the lowest lie; of its length: out of the skin
+  int gathers = 0;                     // in how many they fall together
+  double gathered = 0;                 // how close to their middle, 0..1
+  double widest = 0;                   // of its length: no lock is wider; 0: as wide as they are
 };
 
 // Single hairs.

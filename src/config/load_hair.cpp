@@ -82,6 +82,14 @@ HairLocks read_locks(const DataTable& table) {
   table.read_if("stand", locks.stand);
   table.read_if("rise", locks.rise_mm);
   table.read_if("rings", locks.rings);
+  table.read_if("from_part", locks.from_part);
+  table.read_if("deepest", locks.deepest);
+  table.read_if("risen", locks.risen);
+  if (const YamlValue* value = table.find("fall_in")) {
+    const DataTable fall(*value);
+    fall.read("count", locks.gathers);
+    fall.read("pull", locks.gathered);
+  }
   read_wave(table.find("wave"), locks.wave_mm, locks.wave_length_mm);
   read_wave(table.find("curl"), locks.curl_mm, locks.curl_length_mm);
   return locks;

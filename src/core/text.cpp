@@ -113,7 +113,8 @@ char* write_number(char* text, double value, int decimals) {
   const auto whole =
       static_cast<std::uint32_t>(is_short ? static_cast<std::uint32_t>(rest) / power : rest / power);
   auto fraction = static_cast<std::uint32_t>(rest - std::uint64_t{whole} * power);
-  std::array<char, std::size_t{2} * kLongestNumber> digits;  // the rest is there to be copied along, at a fixed size
+  std::array<char, std::size_t{2} * kLongestNumber>
+      digits;  // the rest is there to be copied along, at a fixed size
   char* const end = digits.data() + kLongestNumber;
   char* begin = end;
   if (fraction != 0) {

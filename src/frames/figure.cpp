@@ -113,6 +113,17 @@ void deform_slots(const Figure& figure, const Surface& surface, const Pose& aske
   update_pair_normals(surface, buffers.place_pairs, buffers.normal_pairs);
 }
 
+// Hair of the scalp: it goes with the skull, a fringe that lies over a brow, too.
+bool is_hair(const Part& part) { return part.name == "hair" || part.name == "hair_mass"; }
+
+void move_with_skull(const Mesh& rest, const glm::dmat4& world, PartShape& shape) {
+  shape.positions.clear();
+  shape.normals.clear();
+  const glm::dmat3 turn = glm::transpose(glm::inverse(glm::dmat3(world)));
+  for (const glm::vec3& p : rest.positions) shape.positions.emplace_back(world * glm::dvec4(p, 1));
+  for (const glm::vec3& n : rest.normals) shape.normals.emplace_back(glm::normalize(turn * glm::dvec3(n)));
+}
+
 void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const DeformBuffers& buffers,
                  PartShape& skin) {
   skin.positions.resize(count);
@@ -149,6 +160,8 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
                   head_turn, shape);
     } else if (bound.mount != Mount::strands) {
       shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, pose));
+    } else if (figure.has_still_hair && is_hair(part)) {
+      move_with_skull(part.rest, world, shape);
     } else if (is_neutral) {
       shape.positions = part.rest.positions;
       shape.normals = part.rest.normals;
@@ -265,6 +278,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
     figure.redraw.lens = {};
   }
   if (figure.redraw.is_on()) redraw_rest(figure);
+  figure.has_still_hair = is_ink;
   return figure;
 }
 

@@ -25,6 +25,7 @@ struct Figure {
   std::vector<HairRoots> roots;  // of parts[i]'s bindings, at rest
   Model model;
   std::string hair = "none";      // the cut that it wears
+  bool has_still_hair = false;    // of a drawing: no brow and no lid moves it
   Redraw redraw;                  // of a design; then the parts of eyes and jaw are no rigid ones,
   std::vector<Mesh> undistorted;  // and this is what each of them was before, empty for the others
 };

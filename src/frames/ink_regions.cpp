@@ -72,13 +72,19 @@ std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> value
 }
 
 std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr glm::vec3 kHalf_mm(13, 7.5f, 30), kAside_mm(3, 1, 0);  // of the patch, on an eye of 16 mm
+  constexpr float kWide_mm = 11.5f, kHigh_mm = 7.5f, kDeep_mm = 22;  // half of the patch, on an eye of 16 mm
+  constexpr glm::vec3 kAside_mm(0, 1, 0);
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
+  // Round on the cheek, which turns to the side, and not on a plane before the face.
+  const glm::vec3 out = glm::normalize(figure.head.skin.normals[find_point(figure.head.cage, "q12_C4")]);
+  const glm::vec3 level = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out)), up = glm::cross(out, level);
   std::vector<float> field;
   for (const glm::vec3& p : positions) {
-    const glm::vec3 away = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / (size * kHalf_mm);
-    field.push_back(1 - glm::length(away));
+    const glm::vec3 arm = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / size;
+    const glm::vec3 share(glm::dot(arm, level) / kWide_mm, glm::dot(arm, up) / kHigh_mm,
+                          glm::dot(arm, out) / kDeep_mm);
+    field.push_back(1 - glm::length(share));
   }
   return field;
 }

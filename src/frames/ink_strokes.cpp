@@ -178,7 +178,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // A fold's stroke dives into the skin where it gets thinner than that, in lines: it grows from its middle,
   // and never is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
-  constexpr float kAside = 0.2f, kFaced = 0.4f;  // of a ridge: cosines of its normal's angle to the view
+  constexpr float kAside = 0.26f, kFaced = 0.46f;  // of a ridge: cosines of its normal's angle to the view
+  constexpr float kShown = 0.3f;
   const StrokeRule& rule = stroke.rule;
   const auto find_lift_mm = [&](double at) {
     if (!stroke.fold) return rule.lift_mm;
@@ -222,6 +223,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
         rule.is_ridge
             ? smooth_step(kAside, kFaced, glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])))
             : 1.0f;
+    // A thread that is as thin as it may be would be a row of dots.
+    if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half = static_cast<float>(std::max(0.02, unit * amount * shown * find_width(rule.widths, at)));
     const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
     const glm::vec3 across = glm::cross(along, lifts[i]);

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <string>
 #include <tuple>
 
 #include "core/error.hpp"
+#include "head/cage.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -41,6 +43,14 @@ InkTonePointer build_ink_tone(const Figure& figure) {
       shares[{std::min(from, to), std::max(from, to)}] += 0.5 * area / std::max(1e-6, glm::dot(way, way));
     }
   }
+  // What folds at a mouth's corner says nothing: its tone is that of the cheek about it, or light specks
+  // stand in the shade there.
+  constexpr double kCorner = 0.02;
+  for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_"})
+    for (const char* place : {"5", "6", "7"}) {
+      const std::uint32_t left = find_point(cage, std::string(ring) + place);
+      for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
+    }
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;

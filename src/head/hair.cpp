@@ -90,6 +90,11 @@ HairCut draw_cut(HairCut cut) {
   cut.down.count = 0;
   cut.locks.widest = kWidest;
   cut.locks.rings *= kFiner;
+  const HairLocks as_they_grow;  // few and broad ones lie as they grow
+  cut.locks.from_part = as_they_grow.from_part;
+  cut.locks.deepest = as_they_grow.deepest;
+  cut.locks.risen = as_they_grow.risen;
+  cut.locks.gathers = as_they_grow.gathers;
   return cut;
 }
 

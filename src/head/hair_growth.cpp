@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 constexpr std::uint32_t kSeries = 43;  // of scatter()
-enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip };
+enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip, kStart };
 constexpr int kDegrees = 181;  // of a border: 0..180
 
 // A smooth curve through the knots of the left half, degree by degree.
@@ -98,6 +98,35 @@ glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm:
   return flatten(way, normal);
 }
 
+// Whether hair is combed out of the face at a place, 1, or ends where its cut says, 0: beside an open
+// forehead long hair falls.
+double compute_open(const HairScene& scene, const HairPlace& place) {
+  constexpr double kFalls_deg = 36, kFallsWhole_deg = 54;  // to the sides: there hair hangs past the face
+  if (scene.cut.locks.from_part <= 0 || scene.ends.empty()) return 0;
+  return (1 - sample_border(scene.hangs, 0)) *
+         (1 - smooth_step(kFalls_deg, kFallsWhole_deg, std::abs(place.azimuth_deg)));
+}
+
+// Hair that is combed from a part does not end at an open forehead: the nearer it comes to its border, the
+// more it goes along it, away from the part, until there is room to fall.
+glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
+                      const glm::dvec3& normal, const glm::dvec3& way) {
+  constexpr double kNear_mm = 34, kInside_mm = 3;  // from the border: there it turns, and there it has
+  constexpr double kAlong = 0.9;
+  const double open = compute_open(scene, place);
+  if (open <= 0) return way;
+  const double border = sample_border(scene.hairline, place.azimuth_deg);
+  const double left_mm = (border - place.way) * scene.chart.drop_mm / scene.chart.size;
+  const double share = open * (1 - smooth_step(kInside_mm, kNear_mm, left_mm));
+  const glm::dvec3 down = flatten({0, -1, 0}, normal);
+  const double falls = glm::dot(way, down);
+  if (share <= 0 || falls <= 0) return way;
+  const double hand = std::copysign(1.0, at.x - scene.cut.comb.side_mm * scene.chart.size);
+  const double beyond = left_mm < kInside_mm ? std::min(0.5, 0.1 * (kInside_mm - left_mm)) : 0;
+  return flatten(way - share * (falls + beyond) * down + share * kAlong * hand * glm::cross(normal, down),
+                 normal);
+}
+
 constexpr double kWeight_mm = 80;  // a lock has its own weight after so much
 
 // The lock's way over the ground in small equal steps.
@@ -106,11 +135,15 @@ struct Path {
   double step_mm = 0;
 };
 
-Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t index, double wanted_mm) {
+Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t index, std::uint32_t family,
+                double wanted_mm) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size;
   Path path{{root}, 3.0 * size};
-  const double tip = (scatter(kSeries, index, kTip) - 0.5) * 2 * cut.locks.tips_mm * size;
+  constexpr double kFamily = 0.65;  // of how tips differ: those that fall together end together
+  const double own = scatter(kSeries, index, kTip),
+               among = index == family ? own : std::lerp(own, scatter(kSeries, family, kTip), kFamily);
+  const double tip = (among - 0.5) * 2 * cut.locks.tips_mm * size;
   const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
   HairPlace place = root;
   double gone_mm = 0;
@@ -123,9 +156,10 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
     const double swirl = cut.comb.swirl_deg * (1 - share);
     glm::dvec3 way = compute_comb(scene, at, normal, cut.comb.droop * share);
     way = turn_about(way, normal, turn + swirl);
+    way = turn_aside(scene, place, at, normal, way);
     const HairPlace next = compute_hair_place(scene.chart, at + path.step_mm * way);
     if (next.way > HairChart::kLongest - 0.02) break;
-    if (!scene.ends.empty() &&
+    if (!scene.ends.empty() && compute_open(scene, next) < 0.05 &&
         next.way + tip / scene.chart.drop_mm > sample_border(scene.ends, next.azimuth_deg)) {
       // One that begins beyond the border has no place at all.
       if (path.places.size() < 2) path.places.clear();
@@ -266,7 +300,8 @@ double compute_wave(const HairScene& scene, const HairPlace& place) {
          std::abs(place.azimuth_deg) / kSlant_deg;
 }
 
-HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index) {
+HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index,
+                       std::uint32_t family) {
   const HairCut& cut = scene.cut;
   const HairLocks& locks = cut.locks;
   const double size = scene.chart.size, child = 1 - (1 - cut.infant) * scene.youth;
@@ -280,7 +315,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   strand.layer = scatter(kSeries, index, kLayer);
   if (wanted_mm < 1) return strand;
   const double standing = locks.stand;
-  const Path path = trace_path(scene, root, index, wanted_mm * (1 - standing));
+  const Path path = trace_path(scene, root, index, family, wanted_mm * (1 - standing));
   const auto steps = static_cast<double>(path.places.size()) - 1;
   if (steps < 1 && standing == 0) return strand;
   if (path.places.empty()) return strand;
@@ -288,11 +323,12 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   if (!cut.comb.is_gathered && standing == 0 && steps > 0)
     strand.length_mm = std::min(strand.length_mm, wanted_mm);
 
-  const double phase = scatter(kSeries, index, kPhase);
-  constexpr double kRisen = 0.28;  // of its length, at least: till there it comes out of the skin
-  const double risen = std::max(kRisen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
+  const double phase = scatter(kSeries, family, kPhase);
+  // Till there it comes out of the skin.
+  const double risen = std::max(locks.risen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
   // Over the mass, which hides what is deeper.
-  const double deepest = 0.8 * cut.mass, lift = deepest + (1 - deepest) * strand.layer * strand.layer;
+  const double deepest = locks.deepest * cut.mass,
+               lift = deepest + (1 - deepest) * strand.layer * strand.layer;
   for (int ring = 0; ring < locks.rings; ++ring) {
     const double s = static_cast<double>(ring) / (locks.rings - 1), at = s * steps;
     const auto i = std::min(static_cast<std::size_t>(at), path.places.size() - 1);
@@ -337,6 +373,81 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     strand.outs.push_back(out);
   }
   return strand;
+}
+
+HairPlace trace_to_part(const HairScene& scene, const HairPlace& place, std::uint32_t index) {
+  constexpr double kStep_mm = 4;
+  constexpr int kSteps = 120;                         // from the shoulders to the top
+  constexpr double kNearest_mm = 1.5, kWide_mm = 16;  // all at one line would be a seam
+  const HairChart& chart = scene.chart;
+  const double wanted_mm =
+      chart.size * (kNearest_mm + kWide_mm * std::pow(scatter(kSeries, index, kStart), 2));
+  HairPlace here = place;
+  for (int step = 0; step < kSteps; ++step) {
+    const glm::dvec3 at = compute_hair_point(chart, here, compute_ground_mm(scene, here));
+    const double left_mm = compute_part_arm(scene, at).distance_mm - wanted_mm;
+    if (left_mm <= 0) break;
+    const glm::dvec3 way = compute_comb_way(scene, here, (left_mm + wanted_mm) / chart.size);
+    const HairPlace back = compute_hair_place(chart, at - std::min(left_mm, kStep_mm * chart.size) * way);
+    if (back.way > sample_border(scene.hairline, back.azimuth_deg) && back.way > here.way) break;
+    here = back;
+  }
+  return here.way > sample_border(scene.hairline, here.azimuth_deg) ? place : here;
+}
+
+std::vector<HairStrand> grow_families(const HairScene& scene) {
+  constexpr std::uint32_t kFirst = 30000;  // their numbers among all
+  const HairLocks& locks = scene.cut.locks;
+  std::vector<HairStrand> families;
+  if (locks.gathers <= 0) return families;
+  const auto roots = spread_roots(scene, locks.gathers, locks.root_band, scene.cut.is_mirrored);
+  for (std::uint32_t i = 0; i < roots.size(); ++i) {
+    const std::uint32_t index = kFirst + i;
+    const HairPlace root = locks.from_part > 0 ? trace_to_part(scene, roots[i], index) : roots[i];
+    families.push_back(grow_strand(scene, root, index, index));
+    families.back().index = index;
+  }
+  std::erase_if(families, [](const HairStrand& strand) { return strand.points.empty(); });
+  return families;
+}
+
+const HairStrand* find_family(const HairScene& scene, const std::vector<HairStrand>& families,
+                              const HairPlace& place) {
+  const glm::dvec3 at = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
+  const HairStrand* nearest = nullptr;
+  double best = 1e18;
+  for (const HairStrand& family : families)
+    for (const glm::dvec3& point : family.points)
+      if (const glm::dvec3 away = point - at; glm::dot(away, away) < best) {
+        best = glm::dot(away, away);
+        nearest = &family;
+      }
+  return nearest;
+}
+
+void fall_in(const HairScene& scene, const HairStrand& middle, HairStrand& strand) {
+  constexpr double kBegins = 0.12, kWhole = 0.95;  // of its way
+  constexpr double kLevel = 0.3;                   // of what it lies higher or lower: a lock is flat
+  constexpr double kNear_mm = 12, kFar_mm = 28;    // from the middle: what is farther falls by itself
+  const double pull = scene.cut.locks.gathered;
+  for (std::size_t i = 0; i < strand.points.size(); ++i) {
+    const double s = static_cast<double>(i) / static_cast<double>(strand.points.size() - 1);
+    glm::dvec3& at = strand.points[i];
+    glm::dvec3 arm(0);
+    double best = 1e18;
+    for (std::size_t k = 0; k + 1 < middle.points.size(); ++k) {
+      const glm::dvec3 &a = middle.points[k], way = middle.points[k + 1] - a;
+      const double share = std::clamp(glm::dot(at - a, way) / std::max(1e-9, glm::dot(way, way)), 0.0, 1.0);
+      const glm::dvec3 away = a + share * way - at;
+      if (glm::dot(away, away) < best) {
+        best = glm::dot(away, away);
+        arm = away;
+      }
+    }
+    arm -= (1 - kLevel) * glm::dot(arm, strand.outs[i]) * strand.outs[i];
+    const double near = 1 - smooth_step(kNear_mm, kFar_mm, glm::length(arm) / scene.chart.size);
+    at += pull * near * smooth_step(kBegins, kWhole, s) * arm;
+  }
 }
 
 }  // namespace mien

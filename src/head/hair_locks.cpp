@@ -15,11 +15,11 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 constexpr std::uint32_t kSeries = 51;  // of scatter()
-enum Channel : std::uint32_t { kTone, kRoll, kWidth, kAngle, kDepth, kReach, kLean, kTurn };
+enum Channel : std::uint32_t { kTone, kRoll, kWidth, kAngle, kDepth, kReach, kLean, kTurn, kBegin };
 
 // How wide a lock is on its way: it comes out of the skin, is full, and runs out in a point.
-double compute_lock_width(double way) {
-  return (0.25 + 0.75 * smooth_step(0, 0.16, way)) * (1 - std::pow(way, 2.2));
+double compute_lock_width(double way, const LockForm& form) {
+  return (0.25 + 0.75 * smooth_step(0, form.widens, way)) * (1 - std::pow(way, form.runs_out));
 }
 
 std::uint16_t compute_tone(double shade) {
@@ -27,8 +27,11 @@ std::uint16_t compute_tone(double shade) {
 }
 
 // What lies deep is dark, and no two locks are the same.
-double compute_lock_shade(double layer, std::uint32_t index) {
-  return 0.15 + 0.5 * layer + 0.7 * (scatter(kSeries, index, kTone) - 0.5) * (0.4 + 0.6 * layer);
+double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t family) {
+  constexpr double kFamily = 0.5;
+  const double own = scatter(kSeries, index, kTone);
+  const double tone = index == family ? own : std::lerp(own, scatter(kSeries, family, kTone), kFamily);
+  return 0.15 + 0.5 * layer + 0.7 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
 // A curve hanging from the knot: out, then down.
@@ -55,7 +58,7 @@ const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
 }
 
 void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
-                 double shade, std::uint32_t index) {
+                 double shade, std::uint32_t index, const LockForm& form) {
   constexpr double kFan_deg = 26;  // more and neighbours look like rods, less and the mass like a sheet
   constexpr double kGround =
       0.5;  // of the head's own roundness: none and every lock shines by itself, all and none does
@@ -74,7 +77,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
     out = glm::dot(out, out) > 1e-6 ? glm::normalize(out) : glm::dvec3(0, 0, 1);
     const glm::dvec3 level = glm::cross(along, out);
     const glm::dvec3 side = std::cos(roll) * level + std::sin(roll) * out, up = glm::cross(side, along);
-    const double half_mm = 0.5 * width_mm * compute_lock_width(s);
+    const double half_mm = 0.5 * width_mm * compute_lock_width(s, form);
     const bool is_tip = i + 1 == rings;
     for (const double hand : {-1.0, 1.0}) {
       if (is_tip && hand > 0) break;
@@ -83,7 +86,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
       mesh.normals.emplace_back(
           glm::normalize(std::cos(fan) * lit + (is_tip ? 0 : hand) * std::sin(fan) * side));
       part.part.grain.emplace_back(
-          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s)), 100 * s);
+          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s, form)), 100 * s);
     }
   }
   const auto count = static_cast<std::uint32_t>(mesh.positions.size()) - first;
@@ -124,14 +127,22 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
   const auto roots = spread_roots(scene, cut.locks.count, cut.locks.root_band, cut.is_mirrored);
+  constexpr LockForm kTogether{0.04, 4};  // no skin shows at a part, and tips are no threads
+  const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
-    const HairStrand strand = grow_strand(scene, roots[index], index);
+    const HairStrand* middle = find_family(scene, families, roots[index]);
+    const std::uint32_t family = middle != nullptr ? middle->index : index;
+    const bool is_long = scatter(kSeries, index, kBegin) < cut.locks.from_part;
+    HairStrand strand =
+        grow_strand(scene, is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
     if (strand.points.empty()) continue;
+    if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
     if (is_touching(scene, strand, width)) continue;
-    append_lock(part, find_seat(scene, strand.root), strand, width, compute_lock_shade(strand.layer, index),
-                index);
+    append_lock(part, find_seat(scene, strand.root), strand, width,
+                compute_lock_shade(strand.layer, index, family), index,
+                middle != nullptr ? kTogether : LockForm{});
     if (cut.locks.widest > 0) bind_by_vertex(part, scene);  // cuts in ink alone have it
   }
 }
@@ -188,7 +199,7 @@ void append_tail(HeadPart& part, const HairScene& scene) {
       strand.outs.push_back(round);
     }
     append_lock(part, seat, strand, 1.5 * scene.cut.locks.width_mm * size,
-                compute_lock_shade((depth - 0.55) / 0.45, index), index);
+                compute_lock_shade((depth - 0.55) / 0.45, index, index), index);
   }
 }
 

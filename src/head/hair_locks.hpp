@@ -7,11 +7,16 @@ namespace mien {
 
 inline constexpr int kHairTones = 8;  // of one head of hair, dark to light
 
+// Of a lock's way: where it has come to its width; and how late it runs out in its tip, as a power.
+struct LockForm {
+  double widens = 0.16, runs_out = 2.2;
+};
+
 // One lock as a ribbon that ends in a point, its normals fanned across as if it were round; its vertices get
 // one binding, the seat of the strand's root. `shade` 0..1 of kHairTones. The grain runs along it: u mm
 // across, v 0 at the root to 100 at the tip.
 void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
-                 double shade, std::uint32_t index);
+                 double shade, std::uint32_t index, const LockForm& form = {});
 
 // All locks of the scene, of the left half only if it is mirrored.
 void append_locks(HeadPart& part, const HairScene& scene);

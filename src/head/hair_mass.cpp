@@ -100,13 +100,25 @@ void append_shell(HeadPart& part, const HairScene& scene) {
                                       smooth_step(kHigh, kLow, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
-    const double beside_deg = kBeside_deg * (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
+    // Hair that is combed from a part is combed out of the face.
+    constexpr double kCombed_deg = 16;
+    const double beside_deg = (cut.locks.from_part > 0 ? kCombed_deg : kBeside_deg) *
+                              (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
     for (const double beside : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       double near = std::abs(compute_azimuth(column) + beside * beside_deg);
       if (near > 180) near = 360 - near;
       least = std::min(least, sample_border(border, near));
     }
     shell.border.push_back(least - inset_mm * chart.size / chart.drop_mm);
+  }
+  // Where it turns from the forehead down beside the face, it has no corner.
+  constexpr int kRounds = 6;
+  for (int round = 0; cut.locks.from_part > 0 && round < kRounds; ++round) {
+    const std::vector<double> before = shell.border;
+    for (std::size_t i = 0; i < before.size(); ++i)
+      shell.border[i] =
+          std::min(before[i], 0.5 * before[i] + 0.25 * (before[(i + 1) % before.size()] +
+                                                        before[(i + before.size() - 1) % before.size()]));
   }
   for (int column = 0; column < kColumns; ++column) {
     const HairPlace place = find_place(shell, column, 1);
@@ -119,7 +131,9 @@ void append_shell(HeadPart& part, const HairScene& scene) {
   append_vertex(part, scene, {0, 0}, compute_hair_point(chart, {0, 0}, top_mm),
                 compute_mass_grain(scene, {0, 0}));
   std::vector<std::vector<glm::dvec3>> points(kColumns);
-  for (int column = kColumns / 2; column < kColumns; ++column)
+  // Both halves have one form, but for a part at a side.
+  const bool is_even = cut.comb.side_mm == 0 || cut.comb.scalp_mm <= 0;
+  for (int column = is_even ? kColumns / 2 : 0; column < kColumns; ++column)
     for (int row = 1; row <= kRows; ++row) {
       const HairPlace place = find_place(shell, column, static_cast<double>(row) / kRows);
       const double ground = compute_ground_mm(scene, place);
@@ -131,8 +145,9 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       const auto at = static_cast<std::size_t>(column),
                  other = static_cast<std::size_t>(kColumns - 1 - column);
       outer[at].push_back(distance);
-      outer[other].push_back(distance);
       points[at].push_back(compute_hair_point(chart, place, distance));
+      if (!is_even) continue;
+      outer[other].push_back(distance);
       points[other].push_back(mirror(points[at].back()));
     }
   for (int column = 0; column < kColumns; ++column)
@@ -152,7 +167,8 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       const double free = cut.covers_ears ? smooth_step(0.9, 1.15, place.way) : 0;
       const double sheet = glm::mix(60.0, size * cut.sheet_mm * (row == kInnerRows ? 0.45 : 1), free);
       const double skin = sample_hair_chart(chart, chart.skin_mm, place) - kSunk_mm;
-      const double out = outer[static_cast<std::size_t>(left)][at];
+      const double out = std::min(outer[static_cast<std::size_t>(left)][at],
+                                  outer[static_cast<std::size_t>(kColumns - 1 - left)][at]);
       const glm::dvec3 p = compute_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
                     left == column ? p : mirror(p), {4.0 * column, 100.0 * row / kInnerRows});

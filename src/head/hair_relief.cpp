@@ -128,7 +128,8 @@ std::vector<Ridge> list_ridges(const HairScene& scene) {
   const auto roots = spread_roots(scene, cut.locks.count, cut.locks.root_band, false);
   std::vector<Ridge> ridges(roots.size());
   for_each_index(roots.size(), count_workers(), [&](std::size_t i, int) {
-    const HairStrand strand = grow_strand(scene, roots[i], static_cast<std::uint32_t>(i));
+    const HairStrand strand =
+        grow_strand(scene, roots[i], static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(i));
     if (strand.points.empty()) return;
     Ridge& ridge = ridges[i];
     ridge.layer = strand.layer;

@@ -246,6 +246,17 @@ TEST(ink, locks_stay_on_the_mass_while_the_head_stretches) {
   }
 }
 
+TEST(ink, a_fringe_stays_where_it_is_while_brows_rise) {
+  const Subject subject = build_subject(make_spec("real"));  // which does not stretch
+  const Drawing rest = draw(subject, Pose{}, TurnKey{}, InkView{}),
+                raised = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, InkView{});
+  EXPECT_NE(rest.parts.front().positions, raised.parts.front().positions);
+  for (const char* name : {"hair", "hair_mass"}) {
+    const std::size_t part = find_part(subject.ink.model, name);
+    EXPECT_EQ(rest.parts[part].positions, raised.parts[part].positions) << name;
+  }
+}
+
 TEST(ink, creases_lie_on_the_skin_all_their_way) {
   const Subject& subject = comic();
   const Mesh& skin = subject.figure.model.parts.front().rest;
