@@ -141,7 +141,7 @@ TEST(store, shows_a_preview_while_it_works) {
              "mien: 1\nrender: {size: 16x20, quality: draft}\nclip:\n  fps: 24\n  draw: twos\n  keys:\n"
              "    - {at: 0s, express: neutral}\n    - {at: 25f, express: smile}\n    - {at: 57f, express: "
              "neutral}\n");
-  const ProgramRun run = run_shell(folder, "mien render clip.yaml --json");
+  const ProgramRun run = run_shell(folder, "mien render clip.yaml --json --jobs 1");
   ASSERT_EQ(run.status, 0) << run.err;
   EXPECT_THAT(run.err, testing::ContainsRegex(
                            "\"event\":\"plan\",\"frames\":57,\"drawings\":2[0-9],\"to_trace\":2[0-9]"));
