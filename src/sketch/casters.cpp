@@ -14,7 +14,7 @@ constexpr std::size_t kMostLamps = 32;
 // cloth; likewise away.
 constexpr float kClearly = 0.02f;
 constexpr float kBelow_mm = 0.05f, kDeep_mm = 1;  // how far below the skin a caster lies
-constexpr double kMostOpen = 0.01;  // of a closed part's edges: a bust is open below and behind its lids
+constexpr double kMostOpen = 0.004;  // of a closed part's edges: a bust is open below and behind its lids
 
 // A lamp that throws shadows: its place, or the corners of its cloth. In mien's space.
 using LampCorners = std::vector<glm::vec3>;

@@ -110,7 +110,8 @@ TEST(casters, hide_from_each_lamp_what_the_whole_part_hides) {
 
 TEST(casters, lie_nowhere_above_the_part) {
   const Model model = build_two_balls("skin");
-  for (const glm::vec3& p : build_casters(build_stage(), model, draw_at_rest(model))[0].positions)
+  const std::vector<Mesh> casters = build_casters(build_stage(), model, draw_at_rest(model));
+  for (const glm::vec3& p : casters[0].positions)
     EXPECT_LT(std::min(glm::length(p) - 80, glm::distance(p, glm::vec3(0, 0, 84)) - 20), -0.04f);
 }
 
