@@ -51,9 +51,10 @@ void append_actors(const Heads& heads, SceneBuffers& buffers) {
     append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawings[i]);
 }
 
-// The same with casters. `stage` is the text of head.inc without parts.
-void append_quick_actors(const Heads& heads, const std::string& stage, const FrameStart& start,
-                         const RenderSpec& render, SceneBuffers& buffers) {
+// The same with casters; ink has shadows of its own. `stage` is the text of head.inc without parts.
+void append_cast_actors(const Heads& heads, const std::string& stage, const FrameStart& start,
+                        const RenderSpec& render, SceneBuffers& buffers) {
+  if (render.style == Style::ink) return append_actors(heads, buffers);
   std::string text;
   append_povray_start(text, start);
   const SketchStage lamps = build_sketch_stage(stage, text, render.width_px, render.height_px);
@@ -78,20 +79,32 @@ DrawnHeads build_drawn_heads(const SceneRun& run, std::size_t group) {
   return drawn;
 }
 
-// A drawing's heads into `scene`, and what they do into the buffers, whose text is empty then.
-DrawnTime draw_scene(SceneRun& run, std::size_t drawing, SceneBuffers& buffers, SceneText& scene) {
-  const Clip& clip = run.clip;
+std::shared_ptr<const DrawnHeads> find_heads(SceneRun& run, std::size_t drawing) {
   const std::size_t group = run.groups.group[drawing];
-  scene.heads =
-      share_thing<DrawnHeads>(run.heads, group, [&run, group] { return build_drawn_heads(run, group); });
+  return share_thing<DrawnHeads>(run.heads, group, [&run, group] { return build_drawn_heads(run, group); });
+}
+
+// A drawing of the plan into the buffers.
+DrawnTime draw_scene(const SceneRun& run, std::size_t drawing, const DrawnHeads& heads,
+                     SceneBuffers& buffers) {
+  const Clip& clip = run.clip;
   const double time_s = find_time_s(run, drawing);
   DrawnTime drawn{time_s,
                   {},
                   build_start(clip, run.cast, sample_performance(clip.performance, time_s).camera,
                               sample_stage(clip.spec.clip, time_s))};
-  draw_actors(scene.heads->heads, drawn, clip.spec.render, buffers);
-  buffers.text.clear();
+  draw_actors(heads.heads, drawn, clip.spec.render, buffers);
   return drawn;
+}
+
+// Of what is drawn in the buffers. Casters follow from it, and what the heads' file is called is nothing that
+// pixels depend on.
+std::string hash_scene(const SceneRun& run, const DrawnHeads& heads, const FrameStart& start,
+                       SceneBuffers& buffers) {
+  buffers.text.clear();
+  append_povray_start(buffers.text, start);
+  append_actors(heads.heads, buffers);
+  return hash_hex(run.key + heads.key + buffers.text);
 }
 
 void write_held_frames(const Clip& clip) {
@@ -131,33 +144,24 @@ SceneRun::SceneRun(const Clip& clip_, const Cast& cast_, const Resources& resour
       heads(static_cast<std::size_t>(jobs) + 1),
       buffers(static_cast<std::size_t>(jobs)) {}
 
-SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
-  SceneText scene;
+std::string compute_scene_key(SceneRun& run, std::size_t drawing, int worker) {
   SceneBuffers& mine = run.buffers[static_cast<std::size_t>(worker)];
-  DrawnTime drawn = draw_scene(run, drawing, mine, scene);
-  // What the heads' file is called is nothing that pixels depend on.
-  append_povray_start(mine.text, drawn.start);
-  const std::size_t start_size = mine.text.size();
-  append_actors(scene.heads->heads, mine);
-  scene.key = hash_hex(run.key + scene.heads->key + mine.text);
-  if (!scene.heads->include.empty()) {
-    drawn.start.includes = {scene.heads->include};
-    append_povray_start(scene.text, drawn.start);
-  }
-  scene.text.append(mine.text, scene.text.empty() ? 0 : start_size);
-  return scene;
+  const std::shared_ptr<const DrawnHeads> heads = find_heads(run, drawing);
+  return hash_scene(run, *heads, draw_scene(run, drawing, *heads, mine).start, mine);
 }
 
-SceneText build_quick_scene(SceneRun& run, std::size_t drawing, int worker) {
-  if (run.clip.spec.render.style == Style::ink) return build_scene(run, drawing, worker);
-  SceneText scene;
+SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
   SceneBuffers& mine = run.buffers[static_cast<std::size_t>(worker)];
-  DrawnTime drawn = draw_scene(run, drawing, mine, scene);
-  if (!scene.heads->include.empty()) drawn.start.includes = {scene.heads->include};
-  append_povray_start(mine.text, drawn.start);
-  drawn.start.includes.clear();
-  append_quick_actors(scene.heads->heads, run.stage, drawn.start, run.clip.spec.render, mine);
-  scene.text = std::move(mine.text);
+  SceneText scene;
+  scene.heads = find_heads(run, drawing);
+  const FrameStart start = draw_scene(run, drawing, *scene.heads, mine).start;
+  scene.key = hash_scene(run, *scene.heads, start, mine);
+  mine.text.clear();
+  FrameStart told = start;
+  if (!scene.heads->include.empty()) told.includes = {scene.heads->include};
+  append_povray_start(mine.text, told);
+  append_cast_actors(scene.heads->heads, run.stage, start, run.clip.spec.render, mine);
+  scene.text = mine.text;
   return scene;
 }
 
@@ -197,11 +201,8 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
   const DrawnTime drawn{still.time_s, still.pose, build_start(clip, cast, still.camera, still.stage)};
   draw_actors(heads, drawn, clip.spec.render, buffers);
   append_povray_start(buffers.text, drawn.start);
-  if (clip.spec.render.style == Style::ink)
-    append_actors(heads, buffers);
-  else
-    append_quick_actors(heads, build_povray_stage("", clip.spec.render, templates, list_sets(clip.spec.clip)),
-                        drawn.start, clip.spec.render, buffers);
+  append_cast_actors(heads, build_povray_stage("", clip.spec.render, templates, list_sets(clip.spec.clip)),
+                     drawn.start, clip.spec.render, buffers);
   scene.text = std::move(buffers.text);
   scene.held = list_still_held(heads, still);
   return scene;

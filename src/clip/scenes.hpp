@@ -56,8 +56,8 @@ struct SceneText {
 // `worker` (below the run's jobs) is nobody else's during the call.
 SceneText build_scene(SceneRun& run, std::size_t drawing, int worker);
 
-// The same picture from a longer text, in less of POV-Ray's time: see sketch/casters.
-SceneText build_quick_scene(SceneRun& run, std::size_t drawing, int worker);
+// Its key alone, sooner: the casters of its shadows (sketch/casters) follow from the rest.
+std::string compute_scene_key(SceneRun& run, std::size_t drawing, int worker);
 
 // Its file, and beside it that of its heads' parts if they have one.
 void write_scene(const SceneText& scene, const std::filesystem::path& path);

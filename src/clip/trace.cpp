@@ -79,12 +79,11 @@ std::size_t count_passes(const CoarseOrder& coarse, const std::vector<bool>& is_
 FrameHooks make_scene_hooks(TraceRun& run, const std::map<int, std::size_t>& drawing_of) {
   FrameHooks hooks;
   hooks.prepare = [&](const FrameJob& job) {
-    if (!fs::exists(job.scene))
-      write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
+    if (!fs::exists(job.scene)) write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.scene);
   };
   hooks.failed = [&](const FrameJob& job) {
     write_file(run.scenes.clip.files.scenes() / kHeadInclude, run.scenes.include);
-    write_scene(build_quick_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
+    write_scene(build_scene(run.scenes, drawing_of.at(job.number), 0), job.told_scene);
   };
   return hooks;
 }
@@ -128,9 +127,9 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   for_each_index(count, jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
     const std::size_t drawing = run.scenes.groups.order[turn];
-    run.keys[drawing] = build_scene(run.scenes, drawing, worker).key;
+    run.keys[drawing] = compute_scene_key(run.scenes, drawing, worker);
     if (is_kept && !has_picture(run.store, run.keys[drawing]))
-      write_scene(build_quick_scene(run.scenes, drawing, worker), find_scene(run, drawing));
+      write_scene(build_scene(run.scenes, drawing, worker), find_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
 }

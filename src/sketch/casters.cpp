@@ -120,15 +120,17 @@ Mesh build_caster(const Part& part, const PartShape& shape, const std::vector<La
   const std::vector<std::uint32_t> kinds = find_kinds(part, shape, lamps);
   const std::uint32_t largest = find_largest_kind(kinds);
   if (largest == kNoKind) return caster;
-  std::map<bool, std::vector<std::uint32_t>> place;  // of a vertex in the caster; by whether it lies deep
-  for (const bool is_deep : {false, true}) place[is_deep].assign(shape.positions.size(), kNoKind);
+  constexpr std::uint32_t kNowhere = ~std::uint32_t{0};
+  std::array<std::vector<std::uint32_t>, 2>
+      places;  // of a vertex in the caster; the second of one that lies deep
+  for (auto& place : places) place.assign(shape.positions.size(), kNowhere);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (kinds[i] == largest) continue;
     Triangle triangle = part.rest.triangles[i];
     const bool is_deep = faces_all(shape, triangle, lamps, largest);
     for (std::uint32_t& v : triangle) {
-      std::uint32_t& at = place[is_deep][v];
-      if (at == kNoKind) {
+      std::uint32_t& at = places[is_deep ? 1 : 0][v];
+      if (at == kNowhere) {
         at = static_cast<std::uint32_t>(caster.positions.size());
         caster.positions.push_back(shape.positions[v] - (is_deep ? kDeep_mm : kBelow_mm) * shape.normals[v]);
       }
