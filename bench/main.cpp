@@ -196,7 +196,7 @@ double time_povray(const fs::path& scenes, const RenderSpec& render) {
   std::vector<std::string> command{
       "povray", "",    fmt::format("+W{}", render.width_px), fmt::format("+H{}", render.height_px), "+WT1",
       "-D",     "-GA", fmt::format("+L{}", scenes.string())};
-  for (const std::string& option : list_quality_options(render.quality)) command.push_back(option);
+  for (const std::string& option : list_quality_options(render)) command.push_back(option);
   const double start_s = read_clock_s();
   for_each_index(24, count_workers(), [&](std::size_t i, int) {
     std::vector<std::string> words = command;

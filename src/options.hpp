@@ -28,6 +28,14 @@ struct FarmOptions {
   bool is_gathering = false;                // --part gather: when all parts have ended
 };
 
+// How the frames of a clip are put into its files.
+struct VideoOptions {
+  int rounds = 1;             // --loop: how often a film shows them
+  int plays = 0;              // --loop=N: how often .gif, .webp and .apng are to play; 0: for ever
+  bool is_boomerang = false;  // --boomerang: forth and back
+  bool has_slate = false;     // --slate: what each shows is written on it
+};
+
 struct Options {
   std::string kind;            // the word before the file: what `list` lists, which sheet
   std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
@@ -51,6 +59,9 @@ struct Options {
   bool has_scenes = false;                     // --keep-scenes, for render
   std::optional<std::uintmax_t> store_bytes;  // --store, for render: what pictures beyond the clip's may take
   FarmOptions farm;                           // for render
+  VideoOptions video;                         // for render
+  std::optional<int> nice;                    // --nice, for render: as nice(1) has it
+  std::optional<int> every;                   // --every N, for sheet contact: of so many drawings one
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh
   std::optional<double> height_mm;                                  // --height, for bust
   bool has_stl = true;                                              // --no-stl, for bust

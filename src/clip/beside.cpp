@@ -58,9 +58,7 @@ void join_pictures(const std::vector<Clip>& parts, const Clip& whole, const std:
     throw_if_interrupted();
     const int frame = plan.drawings[i];
     if (read_picture_key(whole.files.picture(frame)) == keys[i]) continue;
-    Pixels page{{render.width_px, render.height_px}, {}};
-    page.rgb.resize(std::size_t{3} * static_cast<std::size_t>(render.width_px) *
-                    static_cast<std::size_t>(render.height_px));
+    Pixels page = make_pixels({render.width_px, render.height_px});
     int left_px = 0;
     for (const Clip& part : parts) {
       paste_pixels(page, read_pixels(part.files.picture(frame)), left_px, 0);

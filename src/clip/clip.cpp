@@ -54,6 +54,7 @@ Clip plan_clip(const Options& options, const Language& language) {
   plan_drawings(clip, options.frames);
   clip.files = {find_output(options, clip.spec), clip.spec.name};
   clip.videos = options.videos;
+  clip.video = options.video;
   return clip;
 }
 

@@ -42,6 +42,7 @@ struct Clip {
   ClipFiles files;
   int frame_count = 0;                             // of the whole clip, whatever --frames says
   std::vector<std::filesystem::path> videos = {};  // that -o names; none: NAME.mp4 in the folder
+  VideoOptions video = {};
 };
 
 // The people of a file that was read, without a plan of frames: for one moment.

@@ -92,7 +92,7 @@ PartPlan plan_parts_of(const std::vector<FarmDrawing>& drawings, std::size_t siz
 
 std::string describe_drawing_kind(const RenderSpec& render) {
   std::string kind = fmt::format("{}x{}", render.width_px, render.height_px);
-  for (const std::string& option : list_quality_options(render.quality)) kind += " " + option;
+  for (const std::string& option : list_quality_options(render)) kind += " " + option;
   return kind;
 }
 

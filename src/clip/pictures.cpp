@@ -5,10 +5,14 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "clip/slate.hpp"
 #include "core/error.hpp"
+#include "core/pool.hpp"
 #include "core/text.hpp"
 #include "render/picture_store.hpp"
+#include "render/process.hpp"
 #include "render/video.hpp"
+#include "render/work_folder.hpp"
 #include "scene/povray.hpp"
 #include "timeline/drawings.hpp"
 
@@ -32,7 +36,7 @@ RenderSettings list_settings(const RenderSpec& render, std::vector<fs::path> lib
   RenderSettings settings;
   settings.width_px = render.width_px;
   settings.height_px = render.height_px;
-  settings.povray_options = list_quality_options(render.quality);
+  settings.povray_options = list_quality_options(render);
   settings.libraries = std::move(libraries);
   settings.jobs = jobs;
   return settings;
@@ -73,11 +77,18 @@ std::string name_clip(const Clip& clip) {
   return is_whole ? name : fmt::format("{}_{}-{}", name, frames.front(), frames.back());
 }
 
+// What is done with the frames.
+std::string name_shown(const VideoOptions& video) {
+  return fmt::format("{}{}{}", video.is_boomerang ? "_boomerang" : "",
+                     video.rounds > 1 ? fmt::format("_loop{}", video.rounds) : "",
+                     video.has_slate ? "_slate" : "");
+}
+
 }  // namespace
 
 std::vector<fs::path> list_video_paths(const Clip& clip) {
   if (!clip.videos.empty()) return clip.videos;
-  return {clip.files.folder / (name_clip(clip) + ".mp4")};
+  return {clip.files.folder / (name_clip(clip) + name_shown(clip.video) + ".mp4")};
 }
 
 fs::path find_preview_path(const Clip& clip) {
@@ -102,11 +113,63 @@ std::optional<Sound> find_sound(const Clip& clip) {
   return Sound{fs::absolute(sound->file.path), sound->at_s - first_s};
 }
 
-void write_clip_videos(const Clip& clip) {
+namespace {
+
+// Forth, or forth and back without showing either end twice.
+std::size_t count_round(const Clip& clip) {
+  const std::size_t count = clip.plan.frames.size();
+  return clip.video.is_boomerang && count > 2 ? 2 * count - 2 : count;
+}
+
+// A picture of its own for each frame, in `folder`, by the plan's frames.
+std::vector<fs::path> write_slated(const Clip& clip, const Letters& letters, const fs::path& folder) {
+  std::vector<fs::path> pictures(clip.plan.frames.size());
+  for_each_index(pictures.size(), count_workers(), [&](std::size_t i, int) {
+    throw_if_interrupted();
+    const int frame = clip.plan.frames[i];
+    Pixels picture = read_pixels(clip.files.picture(frame));
+    draw_slate(picture, build_slate(clip, frame), letters);
+    pictures[i] = folder / (name_frame(frame) + ".png");
+    write_file(pictures[i], build_png(picture));
+  });
+  return pictures;
+}
+
+}  // namespace
+
+std::vector<std::size_t> list_shown_frames(const Clip& clip, const fs::path& video) {
+  const std::size_t count = clip.plan.frames.size(), round = count_round(clip);
+  const int rounds = is_film(video) ? clip.video.rounds : 1;
+  std::vector<std::size_t> shown;
+  for (int i = 0; i < rounds; ++i)
+    for (std::size_t k = 0; k < round; ++k) shown.push_back(k < count ? k : round - k);
+  return shown;
+}
+
+std::optional<Sound> find_shown_sound(const Clip& clip, const fs::path& video) {
+  std::optional<Sound> sound = find_sound(clip);
+  const double fps = clip.spec.clip.fps;
+  if (!sound || (!clip.video.is_boomerang && clip.video.rounds == 1) || !is_film(video)) return sound;
+  sound->rounds = clip.video.rounds;
+  sound->round_s = static_cast<double>(count_round(clip)) / fps;
+  sound->heard_s = static_cast<double>(clip.plan.frames.size()) / fps;
+  return sound;
+}
+
+void write_clip_videos(const Clip& clip, const Letters& letters) {
   std::vector<fs::path> pictures;
-  for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
-  for (const fs::path& video : list_video_paths(clip))
-    write_video(pictures, clip.spec.clip.fps, video, find_sound(clip));
+  std::optional<WorkFolder> work;
+  if (clip.video.has_slate) {
+    work.emplace(clip.files.folder);
+    pictures = write_slated(clip, letters, work->path);
+  } else {
+    for (const int frame : clip.plan.frames) pictures.push_back(clip.files.picture(frame));
+  }
+  for (const fs::path& video : list_video_paths(clip)) {
+    std::vector<fs::path> shown;
+    for (const std::size_t i : list_shown_frames(clip, video)) shown.push_back(pictures[i]);
+    write_video(shown, clip.spec.clip.fps, video, find_shown_sound(clip, video), clip.video.plays);
+  }
 }
 
 int find_poster_drawing(const Clip& clip) {

@@ -7,6 +7,7 @@
 
 #include "clip/clip.hpp"
 #include "clip/scenes.hpp"
+#include "print/glyphs.hpp"
 #include "render/driver.hpp"
 #include "render/video_kind.hpp"
 
@@ -27,7 +28,7 @@ int find_poster_drawing(const Clip& clip);
 std::string build_manifest(const Clip& clip, const std::vector<std::string>& keys);
 
 // The files that end a clip: those that -o names, else NAME.mp4, of all frames, or NAME_A-B.mp4 of those
-// asked for; of sketches NAME_sketch.mp4.
+// asked for; of sketches NAME_sketch.mp4. What shows the frames otherwise says so: NAME_boomerang_slate.mp4.
 std::vector<std::filesystem::path> list_video_paths(const Clip& clip);
 
 // NAME_preview.mp4: what there is of a clip while it is rendered.
@@ -43,8 +44,15 @@ void check_sound(const Clip& clip);
 // What is heard from the first frame asked for on, if the file names a sound.
 std::optional<Sound> find_sound(const Clip& clip);
 
+// Which of the plan's frames (from 0) a clip of that name shows, one after the other: all; forth and back; and
+// in a film, which cannot say how often it is to be seen, so many rounds of them.
+std::vector<std::size_t> list_shown_frames(const Clip& clip, const std::filesystem::path& video);
+
+// The sound of the frames so shown: each round anew, forth only.
+std::optional<Sound> find_shown_sound(const Clip& clip, const std::filesystem::path& video);
+
 // Joins the frames asked for into each of list_video_paths, and copies the one nearest to the poster's.
-void write_clip_videos(const Clip& clip);
+void write_clip_videos(const Clip& clip, const Letters& letters);
 void write_poster(const Clip& clip, const std::filesystem::path& path);
 
 }  // namespace mien

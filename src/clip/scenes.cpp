@@ -26,7 +26,7 @@ std::string build_parts(const std::vector<FigurePointer>& figures, const Templat
 // What the pixels of every frame depend on besides its own scene.
 std::string hash_settings(const std::string& include, const RenderSpec& render) {
   std::string text = fmt::format("{} {}x{}", MIEN_VERSION, render.width_px, render.height_px);
-  for (const std::string& option : list_quality_options(render.quality)) text += " " + option;
+  for (const std::string& option : list_quality_options(render)) text += " " + option;
   return hash_hex(text + "\n" + include);
 }
 
@@ -51,16 +51,24 @@ void append_actors(const Heads& heads, SceneBuffers& buffers) {
     append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawings[i]);
 }
 
+std::vector<std::vector<bool>> list_all_castable(const Heads& heads) {
+  std::vector<std::vector<bool>> castable;
+  for (const FigurePointer& figure : heads.figures)
+    castable.push_back(list_castable(figure->get_drawn_model()));
+  return castable;
+}
+
 // The same with casters; ink has shadows of its own. `stage` is the text of head.inc without parts.
-void append_cast_actors(const Heads& heads, const std::string& stage, const FrameStart& start,
-                        const RenderSpec& render, SceneBuffers& buffers) {
+void append_cast_actors(const Heads& heads, const std::vector<std::vector<bool>>& castable,
+                        const std::string& stage, const FrameStart& start, const RenderSpec& render,
+                        SceneBuffers& buffers) {
   if (render.style == Style::ink) return append_actors(heads, buffers);
   std::string text;
   append_povray_start(text, start);
   const SketchStage lamps = build_sketch_stage(stage, text, render.width_px, render.height_px);
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
     const Model& model = heads.figures[i]->get_drawn_model();
-    const std::vector<Mesh> casters = build_casters(lamps, model, buffers.drawings[i]);
+    const std::vector<Mesh> casters = build_casters(lamps, model, buffers.drawings[i], castable[i]);
     append_povray_figure(buffers.text, model, buffers.drawings[i], &casters);
   }
 }
@@ -71,7 +79,9 @@ double find_time_s(const SceneRun& run, std::size_t drawing) {
 
 DrawnHeads build_drawn_heads(const SceneRun& run, std::size_t group) {
   const std::size_t first = run.groups.first[group];
-  DrawnHeads drawn{build_heads(run.clip, run.cast, find_time_s(run, first), run.resources.heads), {}, {}, {}};
+  DrawnHeads drawn{
+      build_heads(run.clip, run.cast, find_time_s(run, first), run.resources.heads), {}, {}, {}, {}};
+  drawn.castable = list_all_castable(drawn.heads);
   drawn.parts = build_parts(drawn.heads.changing, run.resources.stock.templates);
   if (drawn.parts.empty()) return drawn;
   drawn.include = name_heads(run.clip.plan.drawings[first]);
@@ -160,7 +170,7 @@ SceneText build_scene(SceneRun& run, std::size_t drawing, int worker) {
   FrameStart told = start;
   if (!scene.heads->include.empty()) told.includes = {scene.heads->include};
   append_povray_start(mine.text, told);
-  append_cast_actors(scene.heads->heads, run.stage, start, run.clip.spec.render, mine);
+  append_cast_actors(scene.heads->heads, scene.heads->castable, run.stage, start, run.clip.spec.render, mine);
   scene.text = mine.text;
   return scene;
 }
@@ -201,7 +211,8 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
   const DrawnTime drawn{still.time_s, still.pose, build_start(clip, cast, still.camera, still.stage)};
   draw_actors(heads, drawn, clip.spec.render, buffers);
   append_povray_start(buffers.text, drawn.start);
-  append_cast_actors(heads, build_povray_stage("", clip.spec.render, templates, list_sets(clip.spec.clip)),
+  append_cast_actors(heads, list_all_castable(heads),
+                     build_povray_stage("", clip.spec.render, templates, list_sets(clip.spec.clip)),
                      drawn.start, clip.spec.render, buffers);
   scene.text = std::move(buffers.text);
   scene.held = list_still_held(heads, still);

@@ -25,9 +25,10 @@ struct SceneBuffers {
 // The heads of one group of drawings, and those parts of them that are not in head.inc.
 struct DrawnHeads {
   Heads heads;
-  std::string parts;    // POV-Ray's text; empty if there are none
-  std::string include;  // the file that holds it: "h0007.inc"; or empty
-  std::string key;      // a hash of it; or empty
+  std::string parts;                        // POV-Ray's text; empty if there are none
+  std::string include;                      // the file that holds it: "h0007.inc"; or empty
+  std::string key;                          // a hash of it; or empty
+  std::vector<std::vector<bool>> castable;  // of each figure's drawn model
 };
 
 // A clip's scenes on their way to text, in any order. However long the clip, few heads are in memory at once.

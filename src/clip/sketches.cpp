@@ -2,12 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <type_traits>
 
 #include "clip/pictures.hpp"
+#include "clip/slate.hpp"
 #include "clip/staging.hpp"
 #include "core/pool.hpp"
 #include "core/shared_cache.hpp"
@@ -16,6 +18,8 @@
 #include "sketch/sketch.hpp"
 
 namespace mien {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -144,10 +148,9 @@ DrawnMoment draw_drawing(SketchRun& run, std::size_t drawing, SketchBench& bench
 // Pictures of one width after the other.
 Pixels join_parts(const std::vector<Pixels>& parts) {
   if (parts.size() == 1) return parts.front();
-  Pixels whole{{0, parts.front().size.height_px}, {}};
-  for (const Pixels& part : parts) whole.size.width_px += part.size.width_px;
-  whole.rgb.resize(std::size_t{3} * static_cast<std::size_t>(whole.size.width_px) *
-                   static_cast<std::size_t>(whole.size.height_px));
+  PictureSize size{0, parts.front().size.height_px};
+  for (const Pixels& part : parts) size.width_px += part.size.width_px;
+  Pixels whole = make_pixels(size);
   int left_px = 0;
   for (const Pixels& part : parts) {
     paste_pixels(whole, part, left_px, 0);
@@ -219,7 +222,7 @@ void sketch_drawings(const std::vector<Staged>& parts, const Resources& resource
     for (auto ready = waiting.begin(); ready != waiting.end() && ready->first == next; ++next) {
       const FinishedSketch& first = ready->second;
       taken(ready->first, *first.picture, first.was_kept);
-      bytes += first.picture->rgb.size();
+      bytes += first.picture->rgb.size() + first.picture->alpha.size();
       if (store && bytes <= store->most_bytes) fresh.pictures.emplace(first.key, first.picture);
       ready = waiting.erase(ready);
     }
@@ -242,19 +245,73 @@ std::string build_sketch_manifest(const Clip& clip) {
   return manifest.dump(1) + "\n";
 }
 
-SketchVideos start_sketch_videos(const Clip& clip) {
-  SketchVideos videos{&clip, {}};
-  for (const std::filesystem::path& path : list_video_paths(clip))
-    videos.streams.push_back(
-        start_video(find_size(clip), clip.spec.clip.fps, path, find_sound(clip), clip.plan.frames.size()));
+namespace {
+
+fs::path find_kept(const SketchVideos& videos, std::size_t drawing) {
+  return videos.kept->path / fmt::format("{}.png", drawing);
+}
+
+// Those that are shown after a later one: the others are given when they are wanted, and not again.
+std::vector<bool> find_kept_drawings(const SketchVideos& videos) {
+  std::vector<bool> is_kept(videos.clip->plan.drawings.size(), false);
+  for (const SketchVideo& video : videos.videos) {
+    std::size_t latest = 0;
+    for (const std::size_t frame : video.shown) {
+      const std::size_t drawing = videos.drawing_of[frame];
+      if (drawing < latest) is_kept[drawing] = true;
+      latest = std::max(latest, drawing);
+    }
+  }
+  return is_kept;
+}
+
+void append_shown(SketchVideos& videos, SketchVideo& video, std::size_t frame, const Pixels& picture) {
+  if (!videos.clip->video.has_slate) return append_frame(video.stream, picture);
+  Pixels slated = picture;
+  draw_slate(slated, build_slate(*videos.clip, videos.clip->plan.frames[frame]), *videos.letters);
+  append_frame(video.stream, slated);
+}
+
+}  // namespace
+
+SketchVideos start_sketch_videos(const Clip& clip, const Letters& letters) {
+  SketchVideos videos{&clip, &letters, {}, {}, {}, {}};
+  const FramePlan& plan = clip.plan;
+  for (const int drawn_as : plan.drawn_as)
+    videos.drawing_of.push_back(
+        static_cast<std::size_t>(std::ranges::lower_bound(plan.drawings, drawn_as) - plan.drawings.begin()));
+  const VideoForm form{find_size(clip), clip.spec.clip.fps, has_alpha(clip.spec.render), true,
+                       clip.video.plays};
+  for (const fs::path& path : list_video_paths(clip)) {
+    std::vector<std::size_t> shown = list_shown_frames(clip, path);
+    VideoStream stream = start_video(form, path, find_shown_sound(clip, path), shown.size());
+    videos.videos.push_back({std::move(stream), std::move(shown)});
+  }
+  videos.is_kept = find_kept_drawings(videos);
+  if (std::ranges::find(videos.is_kept, true) != videos.is_kept.end())
+    videos.kept = std::make_unique<WorkFolder>(clip.files.folder);
   return videos;
 }
 
 void append_drawing(SketchVideos& videos, std::size_t drawing, const Pixels& picture) {
-  const FramePlan& plan = videos.clip->plan;
-  for (std::size_t i = 0; i < plan.frames.size(); ++i)
-    if (plan.drawn_as[i] == plan.drawings[drawing])
-      for (VideoStream& stream : videos.streams) append_frame(stream, picture);
+  if (videos.is_kept[drawing]) write_file(find_kept(videos, drawing), build_png(picture));
+  for (SketchVideo& video : videos.videos) {
+    std::optional<std::size_t> read;  // whose picture `again` is
+    Pixels again;
+    for (; video.done < video.shown.size(); ++video.done) {
+      const std::size_t frame = video.shown[video.done], wanted = videos.drawing_of[frame];
+      if (wanted > drawing) break;  // it is still to come
+      if (wanted != drawing && read != wanted) {
+        again = read_pixels(find_kept(videos, wanted));
+        read = wanted;
+      }
+      append_shown(videos, video, frame, wanted == drawing ? picture : again);
+    }
+  }
+}
+
+void finish_sketch_videos(SketchVideos& videos) {
+  for (SketchVideo& video : videos.videos) finish_video(video.stream);
 }
 
 }  // namespace mien

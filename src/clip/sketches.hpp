@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "clip/scenes.hpp"
+#include "print/glyphs.hpp"
 #include "render/picture.hpp"
 #include "render/video.hpp"
+#include "render/work_folder.hpp"
 
 namespace mien {
 
@@ -45,12 +47,25 @@ void sketch_drawings(const std::vector<Staged>& parts, const Resources& resource
 // What was made, for other programs: the text of manifest_sketch.json.
 std::string build_sketch_manifest(const Clip& clip);
 
-// Joins drawings, as sketch_drawings gives them, to the videos of the frames asked for.
+// One video on its way: the plan's frames (from 0) that it shows, and how many of them it has.
+struct SketchVideo {
+  VideoStream stream;
+  std::vector<std::size_t> shown;
+  std::size_t done = 0;
+};
+
+// Joins drawings, as sketch_drawings gives them, to the videos of the frames asked for. A picture that is
+// shown again after others waits on the disk till then. What it was made of must outlive it.
 struct SketchVideos {
   const Clip* clip = nullptr;
-  std::vector<VideoStream> streams;
+  const Letters* letters = nullptr;
+  std::vector<SketchVideo> videos;
+  std::vector<std::size_t> drawing_of;  // of each of the plan's frames
+  std::vector<bool> is_kept;            // of each drawing: it is shown again
+  std::unique_ptr<WorkFolder> kept;
 };
-SketchVideos start_sketch_videos(const Clip& clip);
+SketchVideos start_sketch_videos(const Clip& clip, const Letters& letters);
 void append_drawing(SketchVideos& videos, std::size_t drawing, const Pixels& picture);
+void finish_sketch_videos(SketchVideos& videos);
 
 }  // namespace mien

@@ -21,12 +21,16 @@ struct Typed {
   std::vector<std::string> words;        // neither options nor their values; the command's argument first
   std::vector<std::string> unknown;      // what looks like an option and is none
   TypedValues values;
+  TypedValues flags;  // of those flags that may be given a value; empty: not typed
 };
+
+constexpr const char* kNoValue = "true";  // what CLI11 makes of such a flag alone
 
 // A command that takes only what every command takes: for what stands before the command's name.
 constexpr CommandInfo kNoCommand{"", "", "", "", "", "", "", nullptr};
 
-void add_options(CLI::App& app, const CommandInfo& command, TypedValues& values) {
+void add_options(CLI::App& app, const CommandInfo& command, Typed& typed) {
+  TypedValues& values = typed.values;
   app.set_help_flag("");
   app.allow_extras();  // and judged by read_arguments, since CLI11's own messages suggest nothing
   for (const OptionInfo* option : list_options(command)) {
@@ -39,6 +43,8 @@ void add_options(CLI::App& app, const CommandInfo& command, TypedValues& values)
     };
     if (option->value.empty())
       app.add_flag_callback(flags, [keep] { keep({}); });
+    else if (!option->takes_word())
+      app.add_flag(flags, typed.flags[name])->take_last();
     else if (name == "output")
       app.add_option_function<std::vector<std::string>>(flags, gather)->take_all()->allow_extra_args(false);
     else
@@ -51,12 +57,12 @@ Typed read_typed(int argc, const char* const* argv) {
   if (argc > 1 && std::string_view("help") == words[1]) words[1] = "--help";
   Typed typed;
   CLI::App app;
-  add_options(app, kNoCommand, typed.values);
+  add_options(app, kNoCommand, typed);
   app.add_flag_callback("-V,--version", [&typed] { typed.values["version"]; });
   app.require_subcommand(0, 1);  // a second command's name is a word like any other
   for (const CommandInfo* command : kCommands) {
     CLI::App* sub = app.add_subcommand(std::string(command->name));
-    add_options(*sub, *command, typed.values);
+    add_options(*sub, *command, typed);
     sub->callback([&typed, command] { typed.command = command; });
   }
   try {
@@ -64,6 +70,8 @@ Typed read_typed(int argc, const char* const* argv) {
   } catch (const CLI::ParseError& e) {
     throw InputError(e.what());
   }
+  for (const auto& [name, value] : typed.flags)
+    if (!value.empty()) typed.values[name] = value == kNoValue ? "" : value;
   for (const std::string& word : app.remaining(true))
     (word.size() > 1 && word.front() == '-' ? typed.unknown : typed.words).push_back(word);
   return typed;

@@ -138,13 +138,13 @@ std::string format_zsh_action(const Slot& slot) {
 
 std::string format_zsh_option(const OptionInfo& option, const CompletionWords& words) {
   const std::string value =
-      option.value.empty() ? ""
+      !option.takes_word() ? ""
                            : fmt::format(":{}:{}", option.value, format_zsh_action(find_slot(option, words)));
   const std::string rest = quote(fmt::format("[{}]{}", escape_zsh(option.meaning), value), "'\\''");
-  const char* equals = option.value.empty() ? "" : "=";
+  const char* equals = option.takes_word() ? "=" : "";
   if (!option.letter) return fmt::format("--{}{}{}", option.name, equals, rest);
   return fmt::format("'(-{0} --{1})'{{-{0}{2},--{1}{3}}}{4}", option.letter, option.name,
-                     option.value.empty() ? "" : "+", equals, rest);
+                     option.takes_word() ? "+" : "", equals, rest);
 }
 
 // The arguments of one call of _arguments, one a line.
@@ -178,7 +178,7 @@ std::string format_fish_option(const OptionInfo& option, const std::string& cond
   std::string text = fmt::format("complete -c mien -n '{}' -l {}", condition, option.name);
   if (option.letter) text += fmt::format(" -s {}", option.letter);
   const Slot slot = find_slot(option, words);
-  if (!option.value.empty())
+  if (option.takes_word())
     text += (slot.source == Source::any_file ? " -r" : " -x") + format_fish_action(slot);
   return text + fmt::format(" -d {}\n", quote(option.meaning, "\\'"));
 }
@@ -188,7 +188,7 @@ std::string format_fish_option(const OptionInfo& option, const std::string& cond
 std::string build_bash_completion(const CompletionWords& words) {
   std::string with_value, values, options, places, names;
   for (const OptionInfo& option : kOptions) {
-    if (option.value.empty()) continue;
+    if (!option.takes_word()) continue;
     with_value += (with_value.empty() ? "" : "|") + format_pattern(option);
     values += fmt::format("    {}) {}; return ;;\n", format_pattern(option),
                           format_bash_action(find_slot(option, words)));

@@ -15,7 +15,7 @@ constexpr int kColumn = 20;
 std::string format_option(const OptionInfo& option) {
   const std::string dashes = option.letter ? fmt::format("-{}, --{}", option.letter, option.name)
                                            : fmt::format("    --{}", option.name);
-  const std::string usage = option.value.empty() ? dashes : fmt::format("{} {}", dashes, option.value);
+  const std::string usage = fmt::format("{}{}{}", dashes, option.takes_word() ? " " : "", option.value);
   return fmt::format("  {:<{}}  {}\n", usage, kColumn, option.meaning);
 }
 

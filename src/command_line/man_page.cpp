@@ -43,7 +43,8 @@ std::string format_option(const OptionInfo& option) {
   std::string text = ".TP\n";
   if (option.letter) text += fmt::format("\\fB\\-{}\\fR, ", option.letter);
   text += fmt::format("\\fB\\-\\-{}\\fR", escape(option.name));
-  if (!option.value.empty()) text += fmt::format(" \\fI{}\\fR", escape(option.value));
+  if (!option.value.empty())
+    text += fmt::format("{}\\fI{}\\fR", option.takes_word() ? " " : "", escape(option.value));
   return fmt::format("{}\n{}\n", text, escape(option.meaning));
 }
 

@@ -9,8 +9,10 @@ namespace mien {
 struct OptionInfo {
   std::string_view name;   // long name without dashes
   char letter;             // of its short form; 0: none
-  std::string_view value;  // what follows it; empty: a flag
+  std::string_view value;  // what follows it; empty: a flag; "[=N]": a flag that may be given a value
   std::string_view meaning;
+
+  bool takes_word() const { return !value.empty() && value.front() != '['; }
 };
 
 inline constexpr std::array kOptions{
@@ -30,6 +32,11 @@ inline constexpr std::array kOptions{
     OptionInfo{"keep-scenes", 0, "", "leave POV-Ray's scenes in out/NAME/scenes/, as 'mien frames' does"},
     OptionInfo{"store", 0, "SIZE",
                "how much room drawings may take that the clip does not show: 2GB (the default), 500MB, 0"},
+    OptionInfo{"loop", 0, "[=N]",
+               "the clip N times over in one film (2 without N); .gif, .webp and .apng play N times, else for ever"},
+    OptionInfo{"boomerang", 0, "", "the clip forth and back"},
+    OptionInfo{"slate", 0, "", "frame, time and key written on each frame of the clip"},
+    OptionInfo{"nice", 0, "[=N]", "let other work go first: a niceness of 10, or N from 1 to 19"},
     OptionInfo{"engine", 0, "WORD", "who renders: local (the default), or slurm: a cluster's job array"},
     OptionInfo{"partition", 0, "NAME", "of the cluster, for --engine slurm (default: the cluster's own)"},
     OptionInfo{"chunk", 0, "AMOUNT",
@@ -41,6 +48,7 @@ inline constexpr std::array kOptions{
     OptionInfo{"part", 0, "I/N",
                "what a task of --engine slurm runs: its part of the plan; gather: what ends it"},
     OptionInfo{"landmarks", 0, "PATH", "also the landmarks, as JSON"},
+    OptionInfo{"every", 0, "N", "of a clip's drawings the first, and then one in N (default: as many as fit)"},
     OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
     OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},
     OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},

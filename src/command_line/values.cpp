@@ -142,6 +142,35 @@ std::string read_store(const std::string& text, Options& options) {
   return "is not a size such as 2GB or 500MB";
 }
 
+// A number from `low` to `high` behind a flag that may stand alone.
+std::string read_count(const std::string& text, int low, int high, int otherwise, int& count) {
+  const auto whole = text.empty() ? std::optional(otherwise) : read_whole(text);
+  if (!whole || *whole < low || *whole > high)
+    return fmt::format("is not a whole number within {}..{}", low, high);
+  count = *whole;
+  return {};
+}
+
+std::string read_loop(const std::string& text, Options& options) {
+  constexpr int kMostRounds = 100, kRounds = 2;  // the seam is seen once
+  const std::string wrong = read_count(text, 1, kMostRounds, kRounds, options.video.rounds);
+  if (!text.empty()) options.video.plays = options.video.rounds;
+  return wrong;
+}
+
+std::string read_nice(const std::string& text, Options& options) {
+  constexpr int kWeakest = 19, kNice = 10;  // as nice(1)
+  return read_count(text, 1, kWeakest, kNice, options.nice.emplace());
+}
+
+std::string read_every(const std::string& text, Options& options) {
+  constexpr int kMost = 1000;
+  const auto every = read_whole(text);
+  if (!every || *every < 1 || *every > kMost) return fmt::format("is not a whole number within 1..{}", kMost);
+  options.every = every;
+  return {};
+}
+
 std::string read_engine(const std::string& text, Options& options) {
   if (text != "local" && text != "slurm") return "is not local or slurm" + suggest(text, {"local", "slurm"});
   options.farm.engine = text == "slurm" ? Engine::slurm : Engine::local;
@@ -224,6 +253,9 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "seed") return read_seed(text, kMaxSeed, options.seed);
   if (name == "beside") return read_beside(text, options);
   if (name == "store") return read_store(text, options);
+  if (name == "loop") return read_loop(text, options);
+  if (name == "nice") return read_nice(text, options);
+  if (name == "every") return read_every(text, options);
   if (name == "engine") return read_engine(text, options);
   if (name == "partition") return read_partition(text, options);
   if (name == "chunk") return read_chunk(text, options);
@@ -238,13 +270,15 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
   if (name == "keep-scenes") options.has_scenes = true;
+  if (name == "boomerang") options.video.is_boomerang = true;
+  if (name == "slate") options.video.has_slate = true;
   if (name == "json") options.is_json = true;
   if (name == "open") options.is_opened = true;
   if (name == "read-only") options.is_read_only = true;
   if (name == "no-wait") options.farm.has_wait = false;
   if (name == "dry-run") options.farm.is_dry_run = true;
   for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "stl", "no-stl", "3mf", "preview",
-                           "openscad", "open", "read-only", "keep-scenes"})
+                           "openscad", "open", "read-only", "keep-scenes", "boomerang", "slate"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

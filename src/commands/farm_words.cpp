@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "config/words.hpp"
 #include "core/text.hpp"
 
 namespace mien {
@@ -12,20 +13,6 @@ namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
-
-const char* name_quality(Quality quality) {
-  switch (quality) {
-    case Quality::sketch:
-      return "sketch";
-    case Quality::draft:
-      return "draft";
-    case Quality::good:
-      return "good";
-    case Quality::best:
-      break;
-  }
-  return "best";
-}
 
 // A file's name that begins with a dash is no option.
 std::string keep_name(const fs::path& file) {
@@ -47,12 +34,18 @@ FarmWords list_farm_words(const Options& options) {
     add(words, "frames", fmt::format("{}-{}", options.frames->first, options.frames->second));
   if (options.size_px)
     add(words, "size", fmt::format("{}x{}", options.size_px->first, options.size_px->second));
-  if (options.quality) add(words, "quality", name_quality(*options.quality));
+  if (options.quality) add(words, "quality", kQualities[static_cast<std::size_t>(*options.quality)]);
   if (!options.beside.empty()) add(words, "beside", fmt::format("{}", fmt::join(options.beside, ",")));
+  if (options.nice) add(words, "nice", std::to_string(*options.nice));
   add(words, "jobs", std::to_string(std::max(options.jobs, 1)));
   FarmWords farm{words, words, {}};
   if (options.store_bytes) add(farm.clip, "store", std::to_string(*options.store_bytes));
   if (options.has_scenes) farm.clip.emplace_back("--keep-scenes");
+  const VideoOptions& video = options.video;
+  if (video.rounds > 1 || video.plays > 0)
+    add(farm.clip, "loop", std::to_string(std::max(video.rounds, video.plays)));
+  if (video.is_boomerang) farm.clip.emplace_back("--boomerang");
+  if (video.has_slate) farm.clip.emplace_back("--slate");
   const FarmOptions& how = options.farm;
   farm.asked = fmt::format("{}\n{}\n{}\n{}\n{}", fmt::join(farm.clip, "\n"), how.partition, how.time_limit,
                            how.chunk_s.value_or(0), how.chunk_drawings.value_or(0));

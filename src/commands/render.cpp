@@ -91,9 +91,10 @@ std::vector<std::string> make_pictures(const Options& options, const Clip& clip,
   return run.keys;
 }
 
-void finish_clip(const Options& options, const Clip& clip, const std::vector<std::string>& keys) {
+void finish_clip(const Options& options, const Clip& clip, const Resources& resources,
+                 const std::vector<std::string>& keys) {
   write_file(clip.files.folder / "manifest.json", build_manifest(clip, keys));
-  write_clip_videos(clip);
+  write_clip_videos(clip, find_letters(resources.stock.templates));
   for (const fs::path& video : list_video_paths(clip)) report_result(options, "clip", video);
   const fs::path poster = clip.files.folder / kPoster;
   write_poster(clip, poster);
@@ -104,7 +105,8 @@ void render_clip(const Options& options, const ClipParts& planned, const std::ve
                  const Resources& resources) {
   const Clip& clip = planned.clip;
   if (planned.parts.empty()) {
-    finish_clip(options, clip, make_pictures(options, clip, casts.front(), resources, clip.files.folder));
+    finish_clip(options, clip, resources,
+                make_pictures(options, clip, casts.front(), resources, clip.files.folder));
     return;
   }
   std::vector<std::vector<std::string>> keys;
@@ -115,7 +117,7 @@ void render_clip(const Options& options, const ClipParts& planned, const std::ve
   const Clip whole = widen_clip(clip, planned.parts.size());
   const std::vector<std::string> joined = join_keys(keys);
   join_pictures(planned.parts, whole, joined);
-  finish_clip(options, whole, joined);
+  finish_clip(options, whole, resources, joined);
 }
 
 void check_folders(const Options& options, const ClipParts& planned) {
@@ -149,6 +151,7 @@ void require_tools(const Options& options, bool is_sketched) {
 
 void run_render(const Options& asked) {
   const Options options = take_videos(asked);
+  if (options.nice) let_others_first(*options.nice);
   const Resources resources = load_resources(find_data_folder());
   const ClipParts planned = plan_parts(options, resources);
   check_folders(options, planned);
@@ -179,8 +182,9 @@ const CommandInfo command_render{
     "that are moved, repeated or cut trace nothing that exists. --beside puts the performance on several\n"
     "designs of the head, side by side. With --quality sketch mien draws the frames itself, in a fraction\n"
     "of the time, and leaves NAME_sketch.mp4 and nothing else. -o names the folder, or the clip itself by\n"
-    "its ending: .mp4, .webm, .mov (ProRes 4444), .gif, .webp or .apng; several clips may be asked for.",
-    "beside keep-scenes store engine partition chunk time no-wait dry-run part",
+    "its ending: .mp4, .webm, .mov (ProRes 4444), .gif, .webp or .apng; several clips may be asked for.\n"
+    "With background: none in the file's render: frames and clips are transparent, but .mp4, which is white.",
+    "loop boomerang slate nice beside keep-scenes store engine partition chunk time no-wait dry-run part",
     "mien render configs/hello.yaml --quality sketch\nmien render configs/hello.yaml\n"
     "mien render configs/hello.yaml --quality draft --size 240x300\n"
     "mien render configs/hello.yaml -o hello.webm -o hello.gif\n"

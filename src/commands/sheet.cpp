@@ -18,6 +18,9 @@ void run_sheet(const Options& options) {
   if (options.seed && options.kind != command_sheet.kind_without_file)
     throw InputError(fmt::format("--seed says nothing to 'mien sheet {}'; expected it with 'mien sheet {}'",
                                  options.kind, command_sheet.kind_without_file));
+  if (options.every && options.kind != "contact")
+    throw InputError(fmt::format(
+        "--every says nothing to 'mien sheet {}'; expected it with 'mien sheet contact'", options.kind));
   if (!is_clip_sheet(options.kind)) check_sheet_kind(options.kind);
   const Resources resources = load_resources(find_data_folder());
   report_result(
@@ -40,12 +43,13 @@ const CommandInfo command_sheet{
     "people (twelve random heads, each with the seed that makes it; FILE, which may be left out, says\n"
     "what they have in common). FILE may be a library's name after expressions and an expression's after "
     "heads, for a FILE of\n"
-    "which --express names another than its poster's. --size is the size of one picture. Two kinds put\n"
-    "the clip itself on paper: strip (drawings and the curves of each area, as SVG) and exposure (each\n"
-    "frame's drawing and what changed, as CSV).",
-    "actor express seed",
+    "which --express names another than its poster's. --size is the size of one picture. Three kinds put\n"
+    "the clip itself on paper: contact (its drawings in rows, or one in --every), strip (drawings and the\n"
+    "curves of each area, as SVG) and exposure (each frame's drawing and what changed, as CSV).",
+    "actor express every seed",
     "mien sheet views configs/hello.yaml\nmien sheet ages configs/hello.yaml -o ages.png\n"
-    "mien sheet expressions tezuka\nmien sheet heads smile\nmien sheet people --seed 13",
+    "mien sheet expressions tezuka\nmien sheet heads smile\nmien sheet people --seed 13\n"
+    "mien sheet contact configs/hello.yaml --quality sketch",
     run_sheet,
     list_sheet_kinds,
     kPeopleSheet};

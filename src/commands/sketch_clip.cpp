@@ -32,14 +32,15 @@ void sketch_clip(const Options& options, const ClipParts& planned, const std::ve
   }
   const Clip whole = widen_clip(planned.clip, staged.size());
   Progress progress = start_progress(options, "sketches", whole.plan.drawings.size());
-  SketchVideos videos = start_sketch_videos(whole);
+  const Letters letters = find_letters(resources.stock.templates);
+  SketchVideos videos = start_sketch_videos(whole, letters);
   sketch_drawings(staged, resources, count_jobs(options), store,
                   [&](std::size_t drawing, const Pixels& picture, bool was_kept) {
                     append_drawing(videos, drawing, picture);
                     progress.advance(was_kept, whole.plan.drawings[drawing]);
                   });
   progress.finish();
-  for (VideoStream& stream : videos.streams) finish_video(stream);
+  finish_sketch_videos(videos);
   write_file(whole.files.folder / kSketchManifest, build_sketch_manifest(whole));
   for (const std::filesystem::path& video : list_video_paths(whole)) report_result(options, "clip", video);
 }

@@ -67,7 +67,7 @@ void fill_render(Section& render, const Section& ink) {
                   "How long a frame may take.",
                   std::string(kQualityWords[static_cast<std::size_t>(plain.quality)].name)},
                  {"background",
-                  {as_word("background", kBackgroundWords)},
+                  {as_word("background", kGroundWords)},
                   "What lies behind; `sun` behind ink.",
                   plain.background},
                  {"style",

@@ -86,7 +86,12 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
   }
   HeadCounts counts;
   load_stage(entries, {&book, {&words, {find_canonical(spec.file)}, &counts}}, spec);
-  if (const YamlValue* render = find_value(entries, "render")) spec.render = load_render(*render);
+  if (const YamlValue* render = find_value(entries, "render")) {
+    spec.render = load_render(*render);
+    if (has_alpha(spec.render) && !spec.clip.background.empty())
+      add_mistake(*render,
+                  "background: none is for the whole clip, whose `background` has keys; expected one of both");
+  }
   settle_style(words, spec);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);

@@ -102,6 +102,13 @@ inline constexpr std::array kBackgroundWords{Word{"studio", "cool grey, lighter 
                                              Word{"sun", "a flat warm yellow"},
                                              Word{"sky", "a flat light blue"},
                                              Word{"dots", "a printer's screen of dots"}};
+// Behind a clip or a still from beginning to end.
+inline constexpr auto kGroundWords = [] {
+  std::array<Word, kBackgroundWords.size() + 1> words{};
+  std::ranges::copy(kBackgroundWords, words.begin());
+  words.back() = {kNoBackground, "nothing: pictures are transparent where nobody is"};
+  return words;
+}();
 inline constexpr std::array kStyleWords{
     Word{"studio", "lit as in a photographer's studio: the default of real heads"},
     Word{"ink", "two tones and lines, as a comic is drawn: the default of drawn heads"},

@@ -38,6 +38,10 @@ inline bool is_sketch(const RenderSpec& render) { return render.quality == Quali
 // What lies behind ink where nothing is said of it.
 inline constexpr const char* kInkGround = "sun";
 
+// The background of pictures that are transparent where nobody is.
+inline constexpr const char* kNoBackground = "none";
+inline bool has_alpha(const RenderSpec& render) { return render.background == kNoBackground; }
+
 // A lens for 24 x 36 film. Distance 1 frames the same with each: a short one comes near, so that the nose
 // grows; a long one flattens the face.
 inline constexpr double kPortraitLens_mm = 100;

@@ -185,6 +185,9 @@ LiveAnswer answer_coarse(LiveSession& session, const Json& asked) {
   return build_bytes({{"model", scene->key}, {"triangles", counts}}, bytes);
 }
 
+// What the page shows where a picture is transparent, linear.
+constexpr glm::vec3 kBehindNothing{0.2f};
+
 LiveAnswer answer_sky(LiveSession& session, const Json& asked) {
   const DocumentPointer document = find_document(session.shelf, take_text(asked, "doc"));
   const ViewMoment moment = find_asked_moment(session, *document, asked);
@@ -197,7 +200,8 @@ LiveAnswer answer_sky(LiveSession& session, const Json& asked) {
       const float u = (static_cast<float>(x) + 0.5f) / static_cast<float>(width) - 0.5f;
       const float v = 0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(height);
       const glm::vec3 aside = camera.is_orthographic ? glm::vec3(0) : u * camera.right + v * camera.up;
-      const glm::vec3 light = glm::clamp(sample_sky(*moment.stage, camera.forward + aside), 0.0f, 1.0f);
+      const glm::vec4 sky = sample_sky(*moment.stage, camera.forward + aside);
+      const glm::vec3 light = glm::clamp(glm::vec3(sky) + (1 - sky.a) * kBehindNothing, 0.0f, 1.0f);
       for (int c = 0; c < 3; ++c) bytes += static_cast<char>(std::lround(255 * encode_srgb(light[c])));
     }
   return build_bytes({{"width", width}, {"height", height}}, bytes);

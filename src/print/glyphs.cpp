@@ -125,6 +125,10 @@ Letters build_letters(const Template& table) {
   return letters;
 }
 
+Letters find_letters(const Templates& templates) {
+  return build_letters(find_template(templates, "openscad/letters.csv"));
+}
+
 Label set_label(const Letters& letters, const std::string& text, double size_mm, double least_mm,
                 double width_mm) {
   std::vector<Letter> line = list_letters(text);

@@ -25,6 +25,7 @@ struct Letters {
 
 // From templates/openscad/letters.csv. Throws RunError "PATH:LINE: not a letter".
 Letters build_letters(const Template& table);
+Letters find_letters(const Templates& templates);
 
 // One line of text, set.
 struct Label {

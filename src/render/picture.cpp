@@ -7,6 +7,7 @@
 #include <zlib.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <set>
 #include <vector>
@@ -67,6 +68,11 @@ Chunks find_chunks(std::string_view png) {
 PictureSize read_size(const Chunks& chunks) {
   const std::string_view header = chunks.list.front().data;
   return {static_cast<int>(read_number(header)), static_cast<int>(read_number(header.substr(4)))};
+}
+
+// Its header's colour type: with an alpha channel.
+bool says_alpha(const Chunks& chunks) {
+  return (static_cast<unsigned char>(chunks.list.front().data[9]) & PNG_COLOR_MASK_ALPHA) != 0;
 }
 
 struct Decoded {
@@ -144,6 +150,12 @@ std::string read_picture_key(const std::filesystem::path& picture) {
   return "";
 }
 
+Pixels make_pixels(const PictureSize& size) {
+  const std::size_t count =
+      static_cast<std::size_t>(size.width_px) * static_cast<std::size_t>(size.height_px);
+  return {size, std::vector<std::uint8_t>(3 * count, 0)};
+}
+
 PictureSize read_picture_size(const std::filesystem::path& picture) {
   const std::string png = read_file(picture);
   const Chunks chunks = find_chunks(png);
@@ -155,9 +167,23 @@ Pixels read_pixels(const std::filesystem::path& picture) {
   const std::string png = read_file(picture);
   const Chunks chunks = find_chunks(png);
   if (!chunks.fault.empty()) fail_picture(picture, chunks.fault);
-  Decoded decoded = decode_picture(png, PNG_FORMAT_RGB);
+  const bool is_clear = says_alpha(chunks);
+  Decoded decoded = decode_picture(png, is_clear ? PNG_FORMAT_RGBA : PNG_FORMAT_RGB);
   if (!decoded.fault.empty()) fail_picture(picture, decoded.fault);
-  return {read_size(chunks), std::move(decoded.bytes)};
+  if (!is_clear) return {read_size(chunks), std::move(decoded.bytes)};
+  Pixels pixels{read_size(chunks), {}, {}};
+  for (std::size_t i = 0; i < decoded.bytes.size(); i += 4) {
+    pixels.rgb.insert(pixels.rgb.end(), &decoded.bytes[i], &decoded.bytes[i] + 3);
+    pixels.alpha.push_back(decoded.bytes[i + 3]);
+  }
+  return pixels;
+}
+
+bool has_alpha(const std::filesystem::path& picture) {
+  const std::string png = read_file(picture);
+  const Chunks chunks = find_chunks(png);
+  if (!chunks.fault.empty()) fail_picture(picture, chunks.fault);
+  return says_alpha(chunks);
 }
 
 void paste_pixels(Pixels& page, const Pixels& part, int left_px, int top_px) {
@@ -169,6 +195,38 @@ void paste_pixels(Pixels& page, const Pixels& part, int left_px, int top_px) {
     const std::ptrdiff_t at = std::ptrdiff_t{3} * ((top_px + y) * page.size.width_px + left_px);
     std::copy_n(part.rgb.begin() + y * row, row, page.rgb.begin() + at);
   }
+  if (part.alpha.empty() && page.alpha.empty()) return;
+  constexpr std::uint8_t kOpaque = 255;
+  if (page.alpha.empty()) page.alpha.assign(page.rgb.size() / 3, kOpaque);
+  for (int y = 0; y < part.size.height_px; ++y) {
+    const auto into = page.alpha.begin() + std::ptrdiff_t{top_px + y} * page.size.width_px + left_px;
+    if (part.alpha.empty())
+      std::fill_n(into, part.size.width_px, kOpaque);
+    else
+      std::copy_n(part.alpha.begin() + std::ptrdiff_t{y} * part.size.width_px, part.size.width_px, into);
+  }
+}
+
+void cover_pixel(Pixels& picture, std::size_t pixel, const std::array<std::uint8_t, 3>& srgb, double cover) {
+  const double below = (picture.alpha.empty() ? 1 : picture.alpha[pixel] / 255.0) * (1 - cover),
+               all = cover + below;
+  if (all <= 0) return;
+  for (std::size_t c = 0; c < 3; ++c) {
+    std::uint8_t& byte = picture.rgb[3 * pixel + c];
+    byte = static_cast<std::uint8_t>(std::lround((cover * srgb[c] + below * byte) / all));
+  }
+  if (!picture.alpha.empty()) picture.alpha[pixel] = static_cast<std::uint8_t>(std::lround(255 * all));
+}
+
+std::vector<std::uint8_t> join_bytes(const Pixels& pixels) {
+  std::vector<std::uint8_t> bytes;
+  if (pixels.alpha.empty()) return bytes;
+  bytes.reserve(4 * pixels.alpha.size());
+  for (std::size_t i = 0; i < pixels.alpha.size(); ++i) {
+    bytes.insert(bytes.end(), &pixels.rgb[3 * i], &pixels.rgb[3 * i] + 3);
+    bytes.push_back(pixels.alpha[i]);
+  }
+  return bytes;
 }
 
 std::string build_png(const Pixels& pixels) {
@@ -176,10 +234,12 @@ std::string build_png(const Pixels& pixels) {
   image.version = PNG_IMAGE_VERSION;
   image.width = static_cast<png_uint_32>(pixels.size.width_px);
   image.height = static_cast<png_uint_32>(pixels.size.height_px);
-  image.format = PNG_FORMAT_RGB;
+  image.format = pixels.alpha.empty() ? PNG_FORMAT_RGB : PNG_FORMAT_RGBA;
+  const std::vector<std::uint8_t> both = join_bytes(pixels);
+  const std::uint8_t* const bytes = both.empty() ? pixels.rgb.data() : both.data();
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string png(size, '\0');
-  if (png_image_write_to_memory(&image, png.data(), &size, 0, pixels.rgb.data(), 0, nullptr) == 0)
+  if (png_image_write_to_memory(&image, png.data(), &size, 0, bytes, 0, nullptr) == 0)
     throw RunError(fmt::format("cannot encode a picture: {}", image.message));
   png.resize(size);
   return png;

@@ -1,6 +1,8 @@
 // PNG pictures: judged, stripped of their date, marked with the key of what they show, joined into one.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <string>
@@ -31,13 +33,28 @@ PictureSize read_picture_size(const std::filesystem::path& picture);
 struct Pixels {
   PictureSize size;
   std::vector<std::uint8_t> rgb;
+  std::vector<std::uint8_t> alpha = {};  // a byte a pixel: 0 shows nothing of it; none: all is opaque
 };
+
+// All black, opaque.
+Pixels make_pixels(const PictureSize& size);
 
 // Throws RunError as read_picture_size does.
 Pixels read_pixels(const std::filesystem::path& picture);
 
-// `part` onto `page` with its corner at `left_px`, `top_px`; throws RunError if it does not lie within it.
+// Whether a PNG's pixels may be transparent: it says so in its header. Throws RunError as read_picture_size
+// does.
+bool has_alpha(const std::filesystem::path& picture);
+
+// In the place of what `page` has there: `part` with its corner at `left_px`, `top_px`; throws RunError if it
+// does not lie within it.
 void paste_pixels(Pixels& page, const Pixels& part, int left_px, int top_px);
+
+// Lays `srgb` over a pixel, `cover` of it (0..1).
+void cover_pixel(Pixels& picture, std::size_t pixel, const std::array<std::uint8_t, 3>& srgb, double cover);
+
+// Red, green, blue and alpha of each pixel; nothing of an opaque picture.
+std::vector<std::uint8_t> join_bytes(const Pixels& pixels);
 
 // A PNG file's content without date or remarks: the same pixels are the same bytes.
 std::string build_png(const Pixels& pixels);

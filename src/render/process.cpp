@@ -8,6 +8,7 @@
 #include <poll.h>
 #include <signal.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -450,6 +451,11 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::fi
   Process process = start_process(command, folder, environment);
   wait_for_any({&process});
   return std::move(process.result);
+}
+
+void let_others_first(int niceness) {
+  // Less than is asked for where a niceness was set already; more is never refused.
+  if (::getpriority(PRIO_PROCESS, 0) < niceness) ::setpriority(PRIO_PROCESS, 0, niceness);
 }
 
 void require_programs(const std::vector<std::pair<std::string, std::string>>& programs) {

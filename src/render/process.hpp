@@ -39,6 +39,10 @@ std::string describe_end(const std::string& program, const ProcessResult& result
 ProcessResult run_process(const std::vector<std::string>& command, const std::filesystem::path& folder,
                           const std::vector<std::string>& environment = {});
 
+// This program and all that it starts from here on make way for others: `niceness` as nice(1) has it, from 1
+// to 19.
+void let_others_first(int niceness);
+
 // Throws RunError "povray is not installed; install it with: apt-get install povray" for the first of
 // `programs` (program, Debian package) that PATH does not hold. Called before any work.
 void require_programs(const std::vector<std::pair<std::string, std::string>>& programs);

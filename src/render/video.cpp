@@ -50,15 +50,14 @@ void link_pictures(const std::vector<std::filesystem::path>& pictures, const std
 // In the work folder, whatever the clip is called: ffmpeg reads patterns in names.
 std::string name_made(const std::filesystem::path& clip) { return "clip" + find_ending(clip); }
 
-// What ffmpeg reads, and whether it is for a look.
+// What ffmpeg reads.
 struct VideoSource {
   std::vector<std::string> input;
-  bool is_sketch = false;
   std::optional<Sound> sound = {};
   double length_s = 0;  // of the sound
 };
 
-std::vector<std::string> build_command(const VideoSource& source, const PictureSize& size, int fps,
+std::vector<std::string> build_command(const VideoSource& source, const VideoForm& form,
                                        const std::filesystem::path& clip) {
   std::vector<std::string> command{"ffmpeg", "-nostdin", "-hide_banner", "-v", "error", "-y"};
   const auto append = [&command](const std::vector<std::string>& words) {
@@ -66,14 +65,14 @@ std::vector<std::string> build_command(const VideoSource& source, const PictureS
   };
   append(source.input);
   if (source.sound) append(list_sound_input(*source.sound));
-  append(list_encoder_options(clip, size, fps, source.is_sketch));
+  append(list_encoder_options(clip, form));
   if (source.sound) append(list_sound_options(*source.sound, clip, source.length_s));
   command.push_back(name_made(clip));
   return command;
 }
 
 std::optional<Sound> find_heard(const std::optional<Sound>& sound, const std::filesystem::path& clip) {
-  return sound && can_sound(clip) ? sound : std::nullopt;
+  return sound && is_film(clip) ? sound : std::nullopt;
 }
 
 void check_encoder(const ProcessResult& result, const std::vector<std::string>& command,
@@ -84,17 +83,9 @@ void check_encoder(const ProcessResult& result, const std::vector<std::string>& 
                                 quote_command(command), result.output));
 }
 
-struct VideoFacts {
-  PictureSize size;
-  int fps = 24;
-  std::size_t frame_count = 0;
-  bool has_sound = false;
-};
-
-void place_clip(const std::filesystem::path& folder, const VideoFacts& facts,
-                const std::filesystem::path& clip) {
-  const std::string fault =
-      find_video_fault(folder, name_made(clip), facts.size, facts.fps, facts.frame_count, facts.has_sound);
+void place_clip(const std::filesystem::path& folder, const VideoForm& form, std::size_t frame_count,
+                bool has_sound, const std::filesystem::path& clip) {
+  const std::string fault = find_video_fault(folder, name_made(clip), form, frame_count, has_sound);
   if (!fault.empty()) throw RunError(fmt::format("{}: {}", fault, clip.string()));
   std::error_code error;
   std::filesystem::rename(folder / name_made(clip), clip, error);
@@ -109,43 +100,59 @@ std::filesystem::path find_parent(const std::filesystem::path& clip) {
 }  // namespace
 
 void write_video(const std::vector<std::filesystem::path>& pictures, int fps,
-                 const std::filesystem::path& clip, const std::optional<Sound>& sound) {
-  const PictureSize size = check_pictures(pictures);
+                 const std::filesystem::path& clip, const std::optional<Sound>& sound, int plays) {
+  VideoForm form{check_pictures(pictures), fps};
+  form.has_alpha = has_alpha(pictures.front());
+  form.plays = plays;
   const WorkFolder work(find_parent(clip));
   link_pictures(pictures, work.path);
   const std::optional<Sound> heard = find_heard(sound, clip);
   const VideoSource source{{"-framerate", std::to_string(fps), "-start_number", "1", "-i", "%06d.png"},
-                           false,
                            heard,
                            static_cast<double>(pictures.size()) / fps};
-  const std::vector<std::string> command = build_command(source, size, fps, clip);
+  const std::vector<std::string> command = build_command(source, form, clip);
   check_encoder(run_process(command, work.path), command, work.path, clip);
-  place_clip(work.path, {size, fps, pictures.size(), heard.has_value()}, clip);
+  place_clip(work.path, form, pictures.size(), heard.has_value(), clip);
 }
 
-VideoStream start_video(const PictureSize& size, int fps, const std::filesystem::path& clip,
+VideoStream start_video(const VideoForm& asked, const std::filesystem::path& clip,
                         const std::optional<Sound>& sound, std::size_t frame_count) {
+  VideoForm form = asked;
+  form.is_sketch = true;
   const std::optional<Sound> heard = find_heard(sound, clip);
-  VideoStream video{
-      clip, size, fps, 0, heard.has_value(), {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
+  VideoStream video{clip, form, 0, heard.has_value(), {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
   const VideoSource source{
-      {"-f", "rawvideo", "-pixel_format", "rgb24", "-video_size",
-       fmt::format("{}x{}", size.width_px, size.height_px), "-framerate", std::to_string(fps), "-i", "-"},
-      true,
+      {"-f", "rawvideo", "-pixel_format", form.has_alpha ? "rgba" : "rgb24", "-video_size",
+       fmt::format("{}x{}", form.size.width_px, form.size.height_px), "-framerate", std::to_string(form.fps),
+       "-i", "-"},
       heard,
-      static_cast<double>(frame_count) / fps};
-  video.command = build_command(source, size, fps, clip);
+      static_cast<double>(frame_count) / form.fps};
+  video.command = build_command(source, form, clip);
   std::erase(video.command, "-nostdin");
   video.encoder = start_fed_process(video.command, video.work->path);
   return video;
 }
 
+namespace {
+
+bool feed_picture(VideoStream& video, const Pixels& picture) {
+  if (!video.form.has_alpha)
+    return feed_process(video.encoder, picture.rgb.data(), picture.rgb.size());
+  Pixels clear = picture;
+  if (clear.alpha.empty()) clear.alpha.assign(clear.rgb.size() / 3, 255);
+  const std::vector<std::uint8_t> bytes = join_bytes(clear);
+  return feed_process(video.encoder, bytes.data(), bytes.size());
+}
+
+}  // namespace
+
 void append_frame(VideoStream& video, const Pixels& picture) {
-  if (picture.size.width_px != video.size.width_px || picture.size.height_px != video.size.height_px)
+  const PictureSize& size = video.form.size;
+  if (picture.size.width_px != size.width_px || picture.size.height_px != size.height_px)
     throw RunError(fmt::format("a picture of {}x{} pixels for a clip of {}x{}", picture.size.width_px,
-                               picture.size.height_px, video.size.width_px, video.size.height_px));
+                               picture.size.height_px, size.width_px, size.height_px));
   ++video.frame_count;
-  if (feed_process(video.encoder, picture.rgb.data(), picture.rgb.size())) return;
+  if (feed_picture(video, picture)) return;
   close_input(video.encoder);
   if (video.encoder.id != 0) wait_for_any({&video.encoder});
   check_encoder(video.encoder.result, video.command, video.work->path, video.clip);
@@ -157,7 +164,7 @@ void finish_video(VideoStream& video) {
   close_input(video.encoder);
   wait_for_any({&video.encoder});
   check_encoder(video.encoder.result, video.command, video.work->path, video.clip);
-  place_clip(video.work->path, {video.size, video.fps, video.frame_count, video.has_sound}, video.clip);
+  place_clip(video.work->path, video.form, video.frame_count, video.has_sound, video.clip);
 }
 
 }  // namespace mien

@@ -36,17 +36,21 @@ constexpr const char* kScale =
     "scale=out_color_matrix=bt709:out_range=tv:flags=bicubic+accurate_rnd+full_chroma_int+bitexact,";
 
 // Odd sides get their last row or column twice, since yuv420p halves both.
-std::string build_halved_filters(const PictureSize& size) {
+std::string build_halved_filters(const PictureSize& size, const char* pixels) {
   const int right = size.width_px % 2, bottom = size.height_px % 2;
   std::string filters;
   if (right != 0 || bottom != 0)
     filters = fmt::format("pad={}:{},fillborders=right={}:bottom={}:mode=smear,", size.width_px + right,
                           size.height_px + bottom, right, bottom);
-  return filters + kScale + "format=yuv420p";
+  return filters + kScale + "format=" + pixels;
 }
 
-// With tags for its colours, and sound; the others are pictures that move, RGB or a palette of it.
-bool is_film(const std::string& ending) { return ending == ".mp4" || ending == ".webm" || ending == ".mov"; }
+// H.264 knows no transparency: its pictures lie on white.
+std::string build_white_ground(const VideoForm& form) {
+  if (!form.has_alpha) return "";
+  return fmt::format("color=c=white:s={}x{}:r={}[ground];[ground][in]overlay=shortest=1:format=gbrp,",
+                     form.size.width_px, form.size.height_px, form.fps);
+}
 
 PictureSize find_video_size(const std::string& ending, const PictureSize& size) {
   if (ending != ".mp4" && ending != ".webm") return size;
@@ -60,37 +64,62 @@ Words join(Words first, const Words& second) {
   return first;
 }
 
-Words list_kind(const std::string& ending, const PictureSize& size, int fps, bool is_sketch) {
+Words list_webm(const VideoForm& form) {
+  Words options{"-vf",       build_halved_filters(form.size, form.has_alpha ? "yuva420p" : "yuv420p"),
+                "-c:v",      "libvpx-vp9",
+                "-b:v",      "0",
+                "-crf",      std::to_string(kWebmQuality_crf),
+                "-deadline", "good",
+                "-cpu-used", form.is_sketch ? "6" : "2",
+                "-g",        std::to_string(form.fps),
+                "-threads",  std::to_string(kThreads)};
+  // VP9 has its alpha in a stream beside the other, which knows no such frames.
+  return form.has_alpha ? join(options, {"-auto-alt-ref", "0"}) : options;
+}
+
+Words list_mov(const VideoForm& form) {
+  const char* const pixels = form.has_alpha ? "yuva444p10le" : "yuv444p10le";
+  Words options{"-vf",
+                fmt::format("{}format={},setparams=range=tv:color_primaries=bt709:color_trc=bt709:"
+                            "colorspace=bt709",
+                            kScale, pixels),
+                "-c:v",
+                "prores_ks",
+                "-profile:v",
+                "4444",
+                "-vendor",
+                "apl0",
+                "-threads",
+                std::to_string(kThreads)};
+  return form.has_alpha ? join(options, {"-alpha_bits", "16"}) : options;
+}
+
+Words list_kind(const std::string& ending, const VideoForm& form) {
   const Words tags{"-colorspace", "bt709", "-color_primaries", "bt709",
                    "-color_trc",  "bt709", "-color_range",     "tv"};
   if (ending == ".mp4")
-    return join({"-vf", build_halved_filters(size),
+    return join({"-vf", build_white_ground(form) + build_halved_filters(form.size, "yuv420p"),
                  // One key frame a second, so that players step and seek fast.
-                 "-c:v", "libx264", "-preset", is_sketch ? "veryfast" : "slow", "-crf",
-                 std::to_string(is_sketch ? kSketchQuality_crf : kQuality_crf), "-g", std::to_string(fps),
+                 "-c:v", "libx264", "-preset", form.is_sketch ? "veryfast" : "slow", "-crf",
+                 std::to_string(form.is_sketch ? kSketchQuality_crf : kQuality_crf), "-g",
+                 std::to_string(form.fps),
                  // cpu-independent: the same bytes whatever vector instructions the processor has.
                  "-x264-params", "cpu-independent=1", "-threads", std::to_string(kThreads)},
                 join(tags, {"-movflags", "+faststart"}));
-  if (ending == ".webm")
-    return join({"-vf", build_halved_filters(size), "-c:v", "libvpx-vp9", "-b:v", "0", "-crf",
-                 std::to_string(kWebmQuality_crf), "-deadline", "good", "-cpu-used", is_sketch ? "6" : "2",
-                 "-g", std::to_string(fps), "-threads", std::to_string(kThreads)},
-                tags);
-  if (ending == ".mov")
-    return join(
-        {"-vf",
-         std::string(kScale) + "format=yuv444p10le,setparams=range=tv:color_primaries=bt709:"
-                               "color_trc=bt709:colorspace=bt709",
-         "-c:v", "prores_ks", "-profile:v", "4444", "-vendor", "apl0", "-threads", std::to_string(kThreads)},
-        join(tags, {"-movflags", "+write_colr"}));
-  // One palette for the whole clip, so that a still background stays still; an ordered dither does too.
+  if (ending == ".webm") return join(list_webm(form), tags);
+  if (ending == ".mov") return join(list_mov(form), join(tags, {"-movflags", "+write_colr"}));
+  // One palette for the whole clip, so that a still background stays still; an ordered dither does too. A GIF
+  // counts how often it begins again, -1 being never.
   if (ending == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
-            "-loop", "0"};
+            "-loop", std::to_string(form.plays == 0 ? 0 : form.plays == 1 ? -1 : form.plays - 1)};
   if (ending == ".webp")
-    return {"-c:v", "libwebp_anim", "-pix_fmt", "bgra", "-quality", std::to_string(kWebpQuality), "-loop",
-            "0"};
-  if (ending == ".apng") return {"-c:v", "apng", "-pix_fmt", "rgb24", "-plays", "0"};
+    return {"-c:v",     "libwebp_anim", "-pix_fmt",
+            "bgra",     "-quality",     std::to_string(kWebpQuality),
+            "-loop",    std::to_string(form.plays)};
+  if (ending == ".apng")
+    return {"-c:v", "apng", "-pix_fmt", form.has_alpha ? "rgba" : "rgb24", "-plays",
+            std::to_string(form.plays)};
   throw RunError(fmt::format("internal: no clip ends in '{}'", ending));
 }
 
@@ -101,9 +130,13 @@ std::uint32_t read_number(const std::string& bytes, std::size_t at, int count) {
   return number;
 }
 
+constexpr const char* kNoAlpha = "ffmpeg made a clip without transparency";
+
 // A picture that is held is one frame of the file, which lasts longer.
-std::string find_webp_fault(const std::string& bytes, const PictureSize& size, int fps,
-                            std::size_t frame_count) {
+std::string find_webp_fault(const std::string& bytes, const VideoForm& form, std::size_t frame_count) {
+  constexpr std::uint32_t kAlphaFlag = 0x10;
+  const PictureSize& size = form.size;
+  bool has_alpha = false;
   constexpr std::size_t kHeader = 12, kChunkHeader = 8, kAnimationSize = 10, kFrameHeader = 16;
   std::uint32_t length_ms = 0;
   std::size_t frames = 0;
@@ -111,9 +144,11 @@ std::string find_webp_fault(const std::string& bytes, const PictureSize& size, i
   for (std::size_t at = kHeader; at + kChunkHeader <= bytes.size();) {
     const std::string_view name(bytes.data() + at, 4);
     const std::size_t count = read_number(bytes, at + 4, 4), content = at + kChunkHeader;
-    if (name == "VP8X" && content + kAnimationSize <= bytes.size())
+    if (name == "VP8X" && content + kAnimationSize <= bytes.size()) {
+      has_alpha = (read_number(bytes, content, 1) & kAlphaFlag) != 0;
       found = {static_cast<int>(read_number(bytes, content + 4, 3)) + 1,
                static_cast<int>(read_number(bytes, content + 7, 3)) + 1};
+    }
     if (name == "ANMF" && content + kFrameHeader <= bytes.size()) {
       length_ms += read_number(bytes, content + 12, 3);
       ++frames;
@@ -124,8 +159,9 @@ std::string find_webp_fault(const std::string& bytes, const PictureSize& size, i
   if (found.width_px != size.width_px || found.height_px != size.height_px)
     return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", found.width_px, found.height_px,
                        size.width_px, size.height_px);
-  const double expected_ms = 1000.0 * static_cast<double>(frame_count) / fps;
-  if (std::abs(length_ms - expected_ms) <= 1000.0 / fps / 2) return {};
+  if (form.has_alpha && !has_alpha) return kNoAlpha;
+  const double expected_ms = 1000.0 * static_cast<double>(frame_count) / form.fps;
+  if (std::abs(length_ms - expected_ms) <= 1000.0 / form.fps / 2) return {};
   return fmt::format("ffmpeg made a clip of {} ms, not {:.0f}", length_ms, expected_ms);
 }
 
@@ -164,6 +200,15 @@ std::string find_sound_fault(const std::filesystem::path& folder, const std::str
   return fmt::format("ffmpeg made a clip whose sound is {:.2f} s long, not {:.2f}", end_s, length_s);
 }
 
+// Whether ffprobe says that the pictures are transparent; a kind that cannot be is as it should.
+bool says_transparent(const std::string& ending, const std::string& facts) {
+  const std::string pixels = find_value_of(facts, "pix_fmt");
+  if (ending == ".webm") return find_value_of(facts, "TAG:alpha_mode") == "1";
+  if (ending == ".mov") return pixels.starts_with("yuva");
+  if (ending == ".apng") return pixels == "rgba";
+  return true;
+}
+
 // "24/1", or as near as a kind that counts in its own ticks comes: "100000/4167".
 bool is_rate(const std::string& rate, int fps) {
   constexpr double kNear = 1e-3;
@@ -184,13 +229,15 @@ bool is_video_name(const std::filesystem::path& path) {
   return std::ranges::find(list_video_endings(), find_ending(path)) != list_video_endings().end();
 }
 
-std::vector<std::string> list_encoder_options(const std::filesystem::path& clip, const PictureSize& size,
-                                              int fps, bool is_sketch) {
-  return join(list_kind(find_ending(clip), size, fps, is_sketch),
+std::vector<std::string> list_encoder_options(const std::filesystem::path& clip, const VideoForm& form) {
+  return join(list_kind(find_ending(clip), form),
               {"-map_metadata", "-1", "-fflags", "+bitexact", "-flags:v", "+bitexact"});
 }
 
-bool can_sound(const std::filesystem::path& clip) { return is_film(find_ending(clip)); }
+bool is_film(const std::filesystem::path& clip) {
+  const std::string ending = find_ending(clip);
+  return ending == ".mp4" || ending == ".webm" || ending == ".mov";
+}
 
 bool is_sound(const std::filesystem::path& file) {
   const ProcessResult result =
@@ -205,23 +252,38 @@ std::vector<std::string> list_sound_input(const Sound& sound) {
   return {"-i", sound.file.string()};
 }
 
+namespace {
+
+// Silence before a sound and after it; of a round that begins again all of it does.
+std::string build_sound_filters(const Sound& sound) {
+  constexpr int kRate_hz = 48000;
+  const std::string delay =
+      fmt::format("adelay=delays={}:all=1", format_number(1000 * std::max(0.0, sound.at_s), 3));
+  if (sound.round_s <= 0) return delay + ",apad";
+  return fmt::format("aresample={0},{1},apad,atrim=end={2},apad,atrim=end={3},aloop=loop={4}:size={5},apad",
+                     kRate_hz, delay, format_number(sound.heard_s, kTimeDecimals),
+                     format_number(sound.round_s, kTimeDecimals), sound.rounds - 1,
+                     std::lround(sound.round_s * kRate_hz));
+}
+
+}  // namespace
+
 std::vector<std::string> list_sound_options(const Sound& sound, const std::filesystem::path& clip,
                                             double length_s) {
   const std::string ending = find_ending(clip);
-  Words options{
-      "-map", "0:v:0",
-      "-map", "1:a:0",
-      "-af",  fmt::format("adelay=delays={}:all=1,apad", format_number(1000 * std::max(0.0, sound.at_s), 3)),
-      "-t",   format_number(length_s, kTimeDecimals)};
+  Words options{"-map", "0:v:0",
+                "-map", "1:a:0",
+                "-af",  build_sound_filters(sound),
+                "-t",   format_number(length_s, kTimeDecimals)};
   if (ending == ".mp4") return join(options, {"-c:a", "aac", "-b:a", "192k"});
   if (ending == ".webm") return join(options, {"-c:a", "libopus", "-b:a", "128k"});
   return join(options, {"-c:a", "pcm_s16le"});
 }
 
 std::string find_video_fault(const std::filesystem::path& folder, const std::string& file,
-                             const PictureSize& size, int fps, std::size_t frame_count, bool has_sound) {
+                             const VideoForm& form, std::size_t frame_count, bool has_sound) {
   const std::string ending = find_ending(file);
-  if (ending == ".webp") return find_webp_fault(read_file(folder / file), size, fps, frame_count);
+  if (ending == ".webp") return find_webp_fault(read_file(folder / file), form, frame_count);
   const std::string counted =
       probe(folder, file, {"-count_frames", "-show_entries", "stream=nb_read_frames", "-of", "csv=p=0"});
   const std::string count = counted.substr(0, counted.find('\n'));
@@ -229,20 +291,23 @@ std::string find_video_fault(const std::filesystem::path& folder, const std::str
     return fmt::format("ffmpeg made a clip of {} frames, not {}", count, frame_count);
   const std::string facts = probe(
       folder, file,
-      {"-show_entries", "stream=width,height,r_frame_rate,color_space", "-of", "default=noprint_wrappers=1"});
-  const PictureSize wanted = find_video_size(ending, size);
+      {"-show_entries",
+       "stream=width,height,r_frame_rate,color_space,color_transfer,color_primaries,pix_fmt:stream_tags",
+       "-of", "default=noprint_wrappers=1"});
+  const PictureSize wanted = find_video_size(ending, form.size);
   const std::string width = find_value_of(facts, "width"), height = find_value_of(facts, "height");
   if (width != std::to_string(wanted.width_px) || height != std::to_string(wanted.height_px))
     return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", width, height, wanted.width_px,
                        wanted.height_px);
   const std::string rate = find_value_of(facts, "r_frame_rate");
   // A GIF counts in hundredths of a second; of one frame no rate is known.
-  if (ending != ".gif" && frame_count > 1 && !is_rate(rate, fps))
-    return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, fps);
-  const std::string colours = find_value_of(facts, "color_space");
-  if (is_film(ending) && colours != "bt709")
-    return fmt::format("ffmpeg made a clip with the colours of '{}', not bt709", colours);
-  return has_sound ? find_sound_fault(folder, file, static_cast<double>(frame_count) / fps) : "";
+  if (ending != ".gif" && frame_count > 1 && !is_rate(rate, form.fps))
+    return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, form.fps);
+  for (const char* tag : {"color_space", "color_transfer", "color_primaries"})
+    if (const std::string colours = find_value_of(facts, tag); is_film(file) && colours != "bt709")
+      return fmt::format("ffmpeg made a clip with the colours of '{}', not bt709", colours);
+  if (form.has_alpha && !says_transparent(ending, facts)) return kNoAlpha;
+  return has_sound ? find_sound_fault(folder, file, static_cast<double>(frame_count) / form.fps) : "";
 }
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 
 #include "core/conventions.hpp"
@@ -189,25 +190,42 @@ void append_part(std::string& text, const Part& part, const std::string& materia
   text += part.is_rigid ? "}\n" : "#end\n";
 }
 
+// Triangles without shades, told as append_vectors tells vertices.
+void append_triangles(std::string& text, const std::vector<Triangle>& triangles) {
+  constexpr std::size_t kChunk = 256, kLongest = 3 * 11 + 4;  // bytes of a triangle
+  std::array<char, kChunk * kLongest> chunk;
+  text += fmt::format("face_indices {{ {}", triangles.size());
+  for (std::size_t first = 0; first < triangles.size(); first += kChunk) {
+    char* end = chunk.data();
+    const std::size_t last = std::min(first + kChunk, triangles.size());
+    for (std::size_t i = first; i < last; ++i) {
+      for (const char c : {',', '\n', '<'}) *end++ = c;
+      for (const std::uint32_t v : triangles[i]) {
+        end = std::to_chars(end, chunk.data() + chunk.size(), v).ptr;
+        *end++ = ',';
+      }
+      end[-1] = '>';
+    }
+    text.append(chunk.data(), static_cast<std::size_t>(end - chunk.data()));
+  }
+  text += " }\n";
+}
+
 // Triangles of the drawing's own; none of them are no object.
 void append_outline(std::string& text, const Part& part, const PartShape& shape) {
   if (shape.triangles.empty()) return;
   text += "mesh2 {\n";
   append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
-  text += fmt::format("face_indices {{ {}", shape.triangles.size());
-  for (const auto& [a, b, c] : shape.triangles)
-    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
-  text += fmt::format(" }}\nsurface_of_{}() }}\n", part.name);
+  append_triangles(text, shape.triangles);
+  text += fmt::format("surface_of_{}() }}\n", part.name);
 }
 
 // Only rays to lamps meet it.
 void append_caster(std::string& text, const Mesh& caster) {
   text += "mesh2 {\n";
   append_vectors(text, "vertex_vectors", caster.positions, kPositionDecimals);
-  text += fmt::format("face_indices {{ {}", caster.triangles.size());
-  for (const auto& [a, b, c] : caster.triangles)
-    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
-  text += " }\npigment { rgb 1 } no_image no_reflection }\n";
+  append_triangles(text, caster.triangles);
+  text += "pigment { rgb 1 } no_image no_reflection }\n";
 }
 
 // Before all that is made of it: eyes have their colours in head.inc.

@@ -117,7 +117,8 @@ std::string build_povray_loop();
 std::string build_povray_ini(const RenderSpec& render, const std::string& name, int frame_count,
                              const std::filesystem::path& clip_folder, std::pair<int, int> range);
 
-// The command-line options that stand for a quality (anti-aliasing, dithering), in POV-Ray's own words.
-std::vector<std::string> list_quality_options(Quality quality);
+// The command-line options that stand for a picture's quality (anti-aliasing, dithering) and for an alpha
+// channel if nothing lies behind, in POV-Ray's own words.
+std::vector<std::string> list_quality_options(const RenderSpec& render);
 
 }  // namespace mien

@@ -54,16 +54,19 @@ std::string build_povray_ini(const RenderSpec& render, const std::string& name, 
   if (range != std::pair(1, last_frame))
     text += fmt::format("Subset_Start_Frame={}\nSubset_End_Frame={}\n", range.first, range.second);
   text += "Output_File_Type=N8\nDisplay=off\nPause_When_Done=off\n";
-  for (const std::string& option : list_quality_options(render.quality)) text += fmt::format("{}\n", option);
+  for (const std::string& option : list_quality_options(render)) text += fmt::format("{}\n", option);
   return text;
 }
 
-std::vector<std::string> list_quality_options(Quality quality) {
-  const PovrayQuality settings = find_povray_quality(quality);
-  return {"+AM1", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J",
-          "+AG1",  // differences are of light, not of what the eye makes of it: else every dark hair asks for
-                   // all rays
-          "+THB4"};  // ordered dithering: a dark background shows no bands and does not swarm
+std::vector<std::string> list_quality_options(const RenderSpec& render) {
+  const PovrayQuality settings = find_povray_quality(render.quality);
+  std::vector<std::string> options{
+      "+AM1", fmt::format("+A{}", settings.threshold), fmt::format("+R{}", settings.depth), "-J",
+      "+AG1",  // differences are of light, not of what the eye makes of it: else every dark hair asks for all
+               // rays
+      "+THB4"};  // ordered dithering: a dark background shows no bands and does not swarm
+  if (has_alpha(render)) options.emplace_back("+UA");
+  return options;
 }
 
 }  // namespace mien

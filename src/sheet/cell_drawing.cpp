@@ -60,7 +60,7 @@ void sketch_cells(const CellHead& head, std::size_t index, const std::vector<She
   std::vector<Bench> benches(static_cast<std::size_t>(jobs));
   const Model& model = head.figure.get_drawn_model();
   const std::string include = build_povray_stage("", head.render, templates);
-  const Letters letters = build_letters(find_template(templates, "openscad/letters.csv"));
+  const Letters letters = find_letters(templates);
   for_each_index(cells.size(), jobs, [&](std::size_t i, int worker) {
     if (cells[i]->head != index) return;
     throw_if_interrupted();

@@ -17,6 +17,7 @@
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
 #include "scene/strip.hpp"
+#include "sheet/contact.hpp"
 #include "sheet/plans.hpp"
 #include "timeline/chart.hpp"
 #include "timeline/exposure.hpp"
@@ -170,6 +171,7 @@ bool is_clip_sheet(const std::string& kind) {
 }
 
 std::filesystem::path write_clip_sheet(const Options& options, const Resources& resources) {
+  if (options.kind == "contact") return write_contact_sheet(options, resources);
   return options.kind == "strip" ? write_strip(options, resources) : write_exposure(options, resources);
 }
 

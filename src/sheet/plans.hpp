@@ -94,7 +94,7 @@ std::string build_caption(std::string word);
 SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject, const HeadData& data);
 
 // Kinds that are made elsewhere (clip_sheets.hpp): suggested like the others.
-inline constexpr std::array<std::string_view, 2> kClipSheets{"strip", "exposure"};
+inline constexpr std::array<std::string_view, 3> kClipSheets{"strip", "exposure", "contact"};
 
 // The one that needs no file.
 inline constexpr std::string_view kPeopleSheet = "people";

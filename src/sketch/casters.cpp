@@ -44,36 +44,17 @@ bool throws_shadow(const Part& part, const SketchStage& stage) {
   return !has_word(read_sdl(macro + "()\n", part.material, names), "no_shadow");
 }
 
-// Every edge has two sides, but for a few.
-bool is_closed(const std::vector<Triangle>& triangles) {
-  std::vector<std::array<std::uint32_t, 2>> edges;
-  edges.reserve(3 * triangles.size());
-  for (const Triangle& t : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.push_back({std::min(t[i], t[(i + 1) % 3]), std::max(t[i], t[(i + 1) % 3])});
-  std::ranges::sort(edges);
-  std::size_t open = 0;
-  for (std::size_t i = 0; i < edges.size();) {
-    std::size_t end = i;
-    while (end < edges.size() && edges[end] == edges[i]) ++end;
-    open += end - i == 1 ? 1 : 0;
-    i = end;
-  }
-  return static_cast<double>(open) < kMostOpen * static_cast<double>(edges.size());
-}
-
 // 1: a triangle faces all of a lamp, -1: it is turned away from all of it, 0: neither, or it has no side.
 int find_side(const PartShape& shape, const Triangle& triangle, const LampCorners& lamp) {
   const glm::vec3 &a = shape.positions[triangle[0]], &b = shape.positions[triangle[1]],
                   &c = shape.positions[triangle[2]];
   const glm::vec3 normal = glm::cross(b - a, c - a), middle = (a + b + c) / 3.0f;
-  const float length = glm::length(normal);
   int facing = 0, away = 0;
   for (const glm::vec3& corner : lamp) {
     const glm::vec3 way = corner - middle;
-    const float cosine = glm::dot(normal, way), least = kClearly * length * glm::length(way);
-    facing += cosine > least ? 1 : 0;
-    away += cosine < -least ? 1 : 0;
+    const float along = glm::dot(normal, way);
+    if (along * along <= kClearly * kClearly * glm::dot(normal, normal) * glm::dot(way, way)) continue;
+    (along > 0 ? facing : away) += 1;
   }
   const int all = static_cast<int>(lamp.size());
   return facing == all ? 1 : away == all ? -1 : 0;
@@ -143,18 +124,26 @@ Mesh build_caster(const Part& part, const PartShape& shape, const std::vector<La
 
 }  // namespace
 
-std::vector<Mesh> build_casters(const SketchStage& stage, const Model& model, const Drawing& drawing) {
+std::vector<bool> list_castable(const Model& model) {
+  std::vector<bool> castable;
+  for (const Part& part : model.parts) {
+    const std::vector<Triangle>& triangles = part.rest.triangles;
+    const double edges = 1.5 * static_cast<double>(triangles.size());
+    castable.push_back(!part.is_rigid && !part.is_outline && triangles.size() >= kFewest &&
+                       static_cast<double>(count_open_edges(triangles)) < kMostOpen * edges);
+  }
+  return castable;
+}
+
+std::vector<Mesh> build_casters(const SketchStage& stage, const Model& model, const Drawing& drawing,
+                                const std::vector<bool>& castable) {
   std::vector<Mesh> casters(model.parts.size());
   const std::vector<LampCorners> lamps = list_lamps(stage);
   if (lamps.empty() || lamps.size() >= kMostLamps) return casters;
-  for (std::size_t i = 0; i < casters.size(); ++i) {
-    const Part& part = model.parts[i];
-    const PartShape& shape = drawing.parts[i];
-    if (part.is_rigid || part.is_outline || part.rest.triangles.size() < kFewest) continue;
-    if (shape.normals.size() != shape.positions.size()) continue;
-    if (throws_shadow(part, stage) && is_closed(part.rest.triangles))
-      casters[i] = build_caster(part, shape, lamps);
-  }
+  for (std::size_t i = 0; i < casters.size(); ++i)
+    if (castable[i] && drawing.parts[i].normals.size() == drawing.parts[i].positions.size() &&
+        throws_shadow(model.parts[i], stage))
+      casters[i] = build_caster(model.parts[i], drawing.parts[i], lamps);
   return casters;
 }
 

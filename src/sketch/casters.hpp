@@ -11,10 +11,15 @@
 
 namespace mien {
 
+// Of each part of a model whether a caster may stand for it in any drawing: it is closed, but for the few
+// edges of a bust's foot and behind its lids, not rigid, and large enough to matter.
+std::vector<bool> list_castable(const Model& model);
+
 // One for each part of the model, in mien's space, without normals; none has triangles whose part throws its
-// shadow itself: it is open, rigid or too small to matter, or throws none. `stage` has the lamps and the
-// materials' macros. Shadows of those lamps stay as they are, but for a twentieth of a millimetre by which
-// casters lie below the skin.
-std::vector<Mesh> build_casters(const SketchStage& stage, const Model& model, const Drawing& drawing);
+// shadow itself, or none at all. `stage` has the lamps and the materials' macros, `castable` is of the model.
+// Shadows of those lamps stay as they are, but for a twentieth of a millimetre by which casters lie below the
+// skin.
+std::vector<Mesh> build_casters(const SketchStage& stage, const Model& model, const Drawing& drawing,
+                                const std::vector<bool>& castable);
 
 }  // namespace mien

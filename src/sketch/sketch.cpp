@@ -30,17 +30,17 @@ constexpr std::array<int, std::size_t{kTile} * kTile> kOrder{0, 8,  2, 10, 12, 4
 constexpr float kBehind_mm = 0.001f;  // a ray goes on so far behind what it met
 
 constexpr std::uint8_t kNotAsked = 2;
-constexpr glm::vec3 kUnknown{-1};
+constexpr glm::vec4 kUnknown{-1};
 
 struct SketchPage {
   const SketchStage& stage;
   SketchTracer& tracer;
-  std::vector<glm::vec3>& sky;
+  std::vector<glm::vec4>& sky;
   PictureSize size;
   std::vector<SketchPixel>& pixels;
   std::vector<std::vector<std::uint8_t>>& hidden;
   std::vector<std::vector<float>>& visible;
-  std::vector<glm::vec3>& light;
+  std::vector<glm::vec4>& light;
 
   std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width_px) +
@@ -145,10 +145,14 @@ glm::vec3 find_mirrored(const SketchPage& page, const SketchSurface& surface, co
 }
 
 // All that a ray through the pixel at `near` brings, `hit` first, however many clear things it passes.
-glm::vec3 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t near, int turn) {
+glm::vec4 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t near, int turn) {
   glm::vec3 sum(0), through(1);
   for (int layer = 0; layer < kLayers; ++layer) {
-    if (hit.part == SketchHit::kNone) return sum + through * sample_sky(page.stage, ray.direction);
+    if (hit.part == SketchHit::kNone) {
+      const glm::vec4 sky = sample_sky(page.stage, ray.direction);
+      const float clear = (through.r + through.g + through.b) / 3 * (1 - sky.a);
+      return {sum + through * glm::vec3(sky), 1 - clear};
+    }
     const SketchSurface surface = find_surface(page.tracer, ray, hit);
     measure_visible(page, surface, hit, near, turn);
     sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.seen) +
@@ -158,7 +162,7 @@ glm::vec3 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t 
     ray.near = hit.along_mm + kBehind_mm;
     hit = find_hit(page.tracer, ray);
   }
-  return sum;
+  return {sum, 1};
 }
 
 // Pixels are met in tiles of kPacket.
@@ -274,7 +278,7 @@ void light_pixels(SketchPage& page) {
       const std::size_t index = page.index(x, y);
       const SketchRay ray = build_pixel_ray(page, x, y);
       if (page.pixels[index].hit.part == SketchHit::kNone) {
-        glm::vec3& sky = page.sky[index];
+        glm::vec4& sky = page.sky[index];
         if (sky == kUnknown) sky = sample_sky(page.stage, ray.direction);
         page.light[index] = sky;
         continue;
@@ -288,8 +292,8 @@ void light_pixels(SketchPage& page) {
 void smooth_edges(SketchPage& page) {
   std::vector<std::uint8_t> is_edge(page.light.size(), 0);
   const auto compare = [&](std::size_t a, std::size_t b) {
-    const glm::vec3 apart = glm::abs(glm::min(page.light[a], 1.0f) - glm::min(page.light[b], 1.0f));
-    if (std::max({apart.r, apart.g, apart.b}) > kEdge) is_edge[a] = is_edge[b] = 1;
+    const glm::vec4 apart = glm::abs(glm::min(page.light[a], 1.0f) - glm::min(page.light[b], 1.0f));
+    if (std::max({apart.r, apart.g, apart.b, apart.a}) > kEdge) is_edge[a] = is_edge[b] = 1;
   };
   for (int y = 0; y < page.size.height_px; ++y)
     for (int x = 0; x < page.size.width_px; ++x) {
@@ -316,7 +320,7 @@ void smooth_edges(SketchPage& page) {
     find_hits(page.tracer, rays.data(), hits.data());
     for (std::size_t i = 0; i < kAtOnce && first + i < edges.size(); ++i) {
       const std::size_t edge = edges[first + i];
-      glm::vec3 sum = glm::clamp(page.light[edge], 0.0f, 1.0f);
+      glm::vec4 sum = glm::clamp(page.light[edge], 0.0f, 1.0f);
       for (std::size_t k = i * kFiner.size(); k < (i + 1) * kFiner.size(); ++k)
         sum += glm::clamp(trace_ray(page, rays[k], hits[k], edge, static_cast<int>(edge + k)), 0.0f, 1.0f);
       page.light[edge] = sum / static_cast<float>(kFiner.size() + 1);
@@ -334,19 +338,25 @@ struct SrgbTable {
   }
 };
 
-// Rounded up or down by a pattern, so that a dark ground shows no bands.
+// Rounded up or down by a pattern, so that a dark ground shows no bands. Where a pixel is transparent its
+// colour is that of what covers it.
 void write_pixels(const SketchPage& page, Pixels& picture) {
   static const SrgbTable table;
   picture.size = page.size;
   picture.rgb.resize(3 * page.light.size());
+  const auto is_clear = [](const glm::vec4& light) { return light.a < 1; };
+  if (std::ranges::any_of(page.light, is_clear)) picture.alpha.resize(page.light.size());
   for (int y = 0; y < page.size.height_px; ++y)
     for (int x = 0; x < page.size.width_px; ++x) {
       const float up =
           (static_cast<float>(kOrder[static_cast<std::size_t>((y % kTile) * kTile + x % kTile)]) + 0.5f) /
           (kTile * kTile);
       const std::size_t at = page.index(x, y);
+      const float covered = page.light[at].a;
+      if (!picture.alpha.empty()) picture.alpha[at] = static_cast<std::uint8_t>(std::lround(255 * covered));
+      const float share = covered > 0 && covered < 1 ? 1 / covered : 1;
       for (int c = 0; c < 3; ++c) {
-        const float light = std::clamp(page.light[at][c], 0.0f, 1.0f) * SrgbTable::kSteps;
+        const float light = std::clamp(share * page.light[at][c], 0.0f, 1.0f) * SrgbTable::kSteps;
         const float byte = table.bytes[static_cast<std::size_t>(light)];
         picture.rgb[3 * at + static_cast<std::size_t>(c)] =
             static_cast<std::uint8_t>(std::min(byte + up, 255.0f));

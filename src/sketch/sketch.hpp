@@ -32,13 +32,13 @@ struct SketchDesk {
   SketchDesk& operator=(SketchDesk&&) noexcept;
   ~SketchDesk();
   SketchStage stage;
-  std::vector<glm::vec3> sky;  // what lies behind each pixel, where it has been asked; or empty
+  std::vector<glm::vec4> sky;  // what lies behind each pixel, where it has been asked; or empty
   std::unique_ptr<SketchTracer> tracer;
 };
 
 void set_stage(SketchDesk& desk, SketchStage stage);
 
-// A picture of the desk's stage with these figures. Throws RunError if a drawing does not fit its model or
+// A picture of the desk's stage with these figures; transparent where the stage's sky is. Throws RunError if a drawing does not fit its model or
 // Embree fails.
 Pixels trace_sketch(SketchDesk& desk, const std::vector<SketchFigure>& figures, const PictureSize& size);
 

@@ -121,8 +121,10 @@ SketchStage build_sketch_stage(const std::string& include, const std::string& st
   return stage;
 }
 
-glm::vec3 sample_sky(const SketchStage& stage, const glm::vec3& direction) {
-  return sample_pigment(stage.sky, {glm::normalize(direction), {}, {}}).rgb;
+glm::vec4 sample_sky(const SketchStage& stage, const glm::vec3& direction) {
+  const SketchColour sky = sample_pigment(stage.sky, {glm::normalize(direction), {}, {}});
+  const float there = 1 - sky.transmit;
+  return {there * sky.rgb, there};
 }
 
 glm::vec3 sample_cards(const SketchStage& stage, const glm::vec3& from, const glm::vec3& direction) {

@@ -47,8 +47,9 @@ struct SketchStage {
 SketchStage build_sketch_stage(const std::string& include, const std::string& start, int width_px,
                                int height_px);
 
-// What a ray that leaves the stage meets.
-glm::vec3 sample_sky(const SketchStage& stage, const glm::vec3& direction);
+// What a ray that leaves the stage meets: its light, and how much of it is there (1, but where pictures are
+// transparent).
+glm::vec4 sample_sky(const SketchStage& stage, const glm::vec3& direction);
 // The card that a ray meets first, as bright as it is; 0 if none.
 glm::vec3 sample_cards(const SketchStage& stage, const glm::vec3& from, const glm::vec3& direction);
 

@@ -52,7 +52,7 @@ struct SketchTracer {
   std::vector<SketchPixel> pixels;
   std::vector<std::vector<std::uint8_t>> hidden;  // of each lamp with shadows: 1 hidden, 0 seen, 2 not asked
   std::vector<std::vector<float>> visible;        // of the same: 0 hidden .. 1
-  std::vector<glm::vec3> light;                   // linear
+  std::vector<glm::vec4> light;                   // linear, and how much of a pixel something covers
 };
 
 // Makes the scene anew.

@@ -143,7 +143,7 @@ Pixels build_pixels(int width, int height, std::uint8_t red) {
 
 TEST(video, can_be_fed_frame_by_frame) {
   Reel reel(0);
-  VideoStream stream = start_video({33, 25}, 24, reel.clip);
+  VideoStream stream = start_video({{33, 25}, 24}, reel.clip);
   for (const int red : {40, 40, 80})
     append_frame(stream, build_pixels(33, 25, static_cast<std::uint8_t>(red)));
   EXPECT_FALSE(std::filesystem::exists(reel.clip)) << "complete or absent";
@@ -160,7 +160,7 @@ TEST(video, can_be_fed_frame_by_frame) {
 TEST(video, that_is_not_finished_leaves_nothing) {
   Reel reel(0);
   {
-    VideoStream stream = start_video({32, 24}, 24, reel.clip);
+    VideoStream stream = start_video({{32, 24}, 24}, reel.clip);
     append_frame(stream, build_pixels(32, 24, 10));
   }
   EXPECT_TRUE(std::filesystem::is_empty(reel.scratch.path));
@@ -168,10 +168,10 @@ TEST(video, that_is_not_finished_leaves_nothing) {
 
 TEST(video, says_what_is_wrong_with_a_stream) {
   Reel reel(0);
-  VideoStream stream = start_video({32, 24}, 24, reel.clip);
+  VideoStream stream = start_video({{32, 24}, 24}, reel.clip);
   EXPECT_EQ(find_message<RunError>([&] { append_frame(stream, build_pixels(24, 32, 10)); }),
             "a picture of 24x32 pixels for a clip of 32x24");
-  VideoStream empty = start_video({32, 24}, 24, reel.scratch.path / "empty.mp4");
+  VideoStream empty = start_video({{32, 24}, 24}, reel.scratch.path / "empty.mp4");
   EXPECT_EQ(find_message<RunError>([&] { finish_video(empty); }), "a clip needs one picture at least");
 }
 
@@ -214,18 +214,18 @@ TEST(video, is_judged_by_size_rate_and_count) {
     const std::string name = "clip" + ending;
     write_video(reel.pictures, 24, reel.scratch.path / name);
     const auto find = [&](const PictureSize& size, int fps, std::size_t count) {
-      return find_video_fault(reel.scratch.path, name, size, fps, count);
+      return find_video_fault(reel.scratch.path, name, {size, fps}, count);
     };
     EXPECT_EQ(find({32, 24}, 24, 3), "") << name;
     EXPECT_EQ(find({30, 24}, 24, 3), "ffmpeg made a clip of 32x24 pixels, not 30x24") << name;
     EXPECT_NE(find({32, 24}, 24, 4), "") << name;
     EXPECT_EQ(find({32, 24}, 12, 3).empty(), ending == ".gif") << name;
   }
-  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {32, 24}, 24, 9),
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {{32, 24}, 24}, 9),
             "ffmpeg made a clip of 3 frames, not 9");
-  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {32, 24}, 25, 3),
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.mp4", {{32, 24}, 25}, 3),
             "ffmpeg made a clip of 24/1 frames a second, not 25");
-  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.webp", {32, 24}, 24, 9),
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "clip.webp", {{32, 24}, 24}, 9),
             "ffmpeg made a clip of 124 ms, not 375");
 }
 
@@ -266,19 +266,19 @@ TEST(video, is_heard_where_its_kind_can_be) {
   const std::filesystem::path wav = write_click(reel.scratch);
   constexpr double kNear_s = 0.004;  // encoders ring before a click
   for (const char* name : {"heard.mp4", "heard.webm", "heard.mov"}) {
-    EXPECT_TRUE(can_sound(name));
+    EXPECT_TRUE(is_film(name));
     for (const auto& [at_s, click_s] : {std::pair{0.0, 0.5}, {0.75, 1.25}, {-0.25, 0.25}}) {
       write_video(two_seconds, 24, reel.scratch.path / name, Sound{wav, at_s});
       EXPECT_NEAR(find_click_s(reel.scratch.path, name), click_s, kNear_s) << name << " at " << at_s;
-      EXPECT_EQ(find_video_fault(reel.scratch.path, name, {32, 24}, 24, 48, true), "");
+      EXPECT_EQ(find_video_fault(reel.scratch.path, name, {{32, 24}, 24}, 48, true), "");
     }
   }
   write_video(two_seconds, 24, reel.scratch.path / "silent.gif", Sound{wav, 0});
   write_video(two_seconds, 24, reel.scratch.path / "silent.mp4");
-  EXPECT_FALSE(can_sound("silent.gif"));
-  EXPECT_EQ(find_video_fault(reel.scratch.path, "silent.mp4", {32, 24}, 24, 48, true),
+  EXPECT_FALSE(is_film("silent.gif"));
+  EXPECT_EQ(find_video_fault(reel.scratch.path, "silent.mp4", {{32, 24}, 24}, 48, true),
             "ffmpeg made a clip without sound");
-  EXPECT_THAT(find_video_fault(reel.scratch.path, "heard.mov", {32, 24}, 24, 48, true), "");
+  EXPECT_THAT(find_video_fault(reel.scratch.path, "heard.mov", {{32, 24}, 24}, 48, true), "");
   EXPECT_THAT(find_message<RunError>([&] {
                 write_video(two_seconds, 24, reel.scratch.path / "x.mp4", Sound{reel.pictures[0], 0});
               }),
@@ -288,7 +288,7 @@ TEST(video, is_heard_where_its_kind_can_be) {
 TEST(video, of_sketches_is_heard_too) {
   const Reel reel(1);
   VideoStream stream =
-      start_video({32, 24}, 24, reel.scratch.path / "fed.mp4", Sound{write_click(reel.scratch), 0.25}, 24);
+      start_video({{32, 24}, 24}, reel.scratch.path / "fed.mp4", Sound{write_click(reel.scratch), 0.25}, 24);
   for (int i = 0; i < 24; ++i) append_frame(stream, read_pixels(reel.pictures[0]));
   finish_video(stream);
   EXPECT_NEAR(find_click_s(reel.scratch.path, "fed.mp4"), 0.75, 0.004);

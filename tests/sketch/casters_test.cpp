@@ -80,7 +80,7 @@ bool is_met(const glm::vec3& from, const glm::vec3& way, const Mesh& mesh) {
 TEST(casters, hide_from_each_lamp_what_the_whole_part_hides) {
   const Model model = build_two_balls("skin");
   const SketchStage stage = build_stage();
-  const std::vector<Mesh> casters = build_casters(stage, model, draw_at_rest(model));
+  const std::vector<Mesh> casters = build_casters(stage, model, draw_at_rest(model), list_castable(model));
   ASSERT_EQ(casters.size(), 1u);
   const Mesh& whole = model.parts[0].rest;
   ASSERT_FALSE(casters[0].triangles.empty());
@@ -110,7 +110,8 @@ TEST(casters, hide_from_each_lamp_what_the_whole_part_hides) {
 
 TEST(casters, lie_nowhere_above_the_part) {
   const Model model = build_two_balls("skin");
-  const std::vector<Mesh> casters = build_casters(build_stage(), model, draw_at_rest(model));
+  const std::vector<Mesh> casters =
+      build_casters(build_stage(), model, draw_at_rest(model), list_castable(model));
   for (const glm::vec3& p : casters[0].positions)
     EXPECT_LT(std::min(glm::length(p) - 80, glm::distance(p, glm::vec3(0, 0, 84)) - 20), -0.04f);
 }
@@ -118,15 +119,17 @@ TEST(casters, lie_nowhere_above_the_part) {
 TEST(casters, stand_for_no_part_that_is_open_or_throws_no_shadow) {
   Model open = build_two_balls("skin");
   open.parts[0].rest.triangles.resize(open.parts[0].rest.triangles.size() / 2 + 500);
-  EXPECT_TRUE(build_casters(build_stage(), open, draw_at_rest(open))[0].triangles.empty());
+  EXPECT_TRUE(
+      build_casters(build_stage(), open, draw_at_rest(open), list_castable(open))[0].triangles.empty());
   const Model hairs = build_two_balls("brow");
-  EXPECT_TRUE(build_casters(build_stage(), hairs, draw_at_rest(hairs))[0].triangles.empty());
+  EXPECT_TRUE(
+      build_casters(build_stage(), hairs, draw_at_rest(hairs), list_castable(hairs))[0].triangles.empty());
 }
 
 TEST(casters, are_seen_by_rays_to_lamps_alone) {
   const Model model = build_two_balls("skin");
   const Drawing drawing = draw_at_rest(model);
-  const std::vector<Mesh> casters = build_casters(build_stage(), model, drawing);
+  const std::vector<Mesh> casters = build_casters(build_stage(), model, drawing, list_castable(model));
   std::string text;
   append_povray_figure(text, model, drawing, &casters);
   EXPECT_NE(text.find("surface_of_balls() no_shadow }\nmesh2 {"), std::string::npos);

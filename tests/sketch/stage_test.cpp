@@ -70,7 +70,7 @@ TEST(sketch_stage, understands_every_light_set_and_background) {
     RenderSpec render;
     render.background = name;
     const SketchStage stage = build_stage(render, {});
-    const glm::vec3 ahead = sample_sky(stage, stage.camera.forward);
+    const glm::vec4 ahead = sample_sky(stage, stage.camera.forward);
     EXPECT_GT(ahead.r + ahead.g + ahead.b, 0.001) << name;
     EXPECT_LE(std::max({ahead.r, ahead.g, ahead.b}), 1.0f) << name;
   }
@@ -79,7 +79,7 @@ TEST(sketch_stage, understands_every_light_set_and_background) {
 TEST(sketch_stage, mixes_lights_and_backgrounds_by_their_shares) {
   const std::vector<BackgroundShare> grounds{{"", glm::vec3(1, 0, 0), 0.25}, {"", glm::vec3(0, 1, 0), 0.75}};
   const SketchStage stage = build_stage({}, {}, {}, {}, grounds);
-  const glm::vec3 sky = sample_sky(stage, {0, 0, 1});
+  const glm::vec4 sky = sample_sky(stage, {0, 0, 1});
   EXPECT_NEAR(sky.r, 0.25, 1e-5);
   EXPECT_NEAR(sky.g, 0.75, 1e-5);
   const SketchStage whole = build_stage({}, {}),
