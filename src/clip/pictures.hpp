@@ -7,9 +7,9 @@
 
 #include "clip/clip.hpp"
 #include "clip/scenes.hpp"
-#include "print/glyphs.hpp"
 #include "render/driver.hpp"
 #include "render/video_kind.hpp"
+#include "sketch/lettering.hpp"
 
 namespace mien {
 
@@ -44,8 +44,8 @@ void check_sound(const Clip& clip);
 // What is heard from the first frame asked for on, if the file names a sound.
 std::optional<Sound> find_sound(const Clip& clip);
 
-// Which of the plan's frames (from 0) a clip of that name shows, one after the other: all; forth and back; and
-// in a film, which cannot say how often it is to be seen, so many rounds of them.
+// Which of the plan's frames (from 0) a clip of that name shows, one after the other: all; forth and back;
+// and in a film, which cannot say how often it is to be seen, so many rounds of them.
 std::vector<std::size_t> list_shown_frames(const Clip& clip, const std::filesystem::path& video);
 
 // The sound of the frames so shown: each round anew, forth only.

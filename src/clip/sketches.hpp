@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "clip/scenes.hpp"
-#include "print/glyphs.hpp"
 #include "render/picture.hpp"
 #include "render/video.hpp"
 #include "render/work_folder.hpp"
+#include "sketch/lettering.hpp"
 
 namespace mien {
 

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/lettering.hpp"
+#include "sketch/lettering.hpp"
 
 namespace mien {
 
@@ -16,11 +16,10 @@ namespace {
 std::string describe_keys(const ClipSpec& clip, int frame) {
   const double time_s = static_cast<double>(frame) / clip.fps;
   const double half_frame_s = 0.5 / clip.fps;
-  const auto next = std::ranges::find_if(
-      clip.keys, [&](const PoseKey& key) { return key.at_s > time_s + half_frame_s; });
+  const auto next =
+      std::ranges::find_if(clip.keys, [&](const PoseKey& key) { return key.at_s > time_s + half_frame_s; });
   std::string from = next == clip.keys.begin() ? "" : std::prev(next)->label;
-  const bool is_on_key =
-      next != clip.keys.begin() && std::prev(next)->at_s > time_s - half_frame_s;
+  const bool is_on_key = next != clip.keys.begin() && std::prev(next)->at_s > time_s - half_frame_s;
   if (next != clip.keys.end() && !is_on_key && next->label != from)
     from += (from.empty() ? "to " : " to ") + next->label;
   for (const CueSpec& cue : clip.cues)

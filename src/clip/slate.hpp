@@ -4,8 +4,8 @@
 #include <string>
 
 #include "clip/clip.hpp"
-#include "print/glyphs.hpp"
 #include "render/picture.hpp"
+#include "sketch/lettering.hpp"
 
 namespace mien {
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <set>
 
+#include "clip/known_drawings.hpp"
 #include "clip/pictures.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
@@ -122,16 +123,24 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   const Clip& clip = run.scenes.clip;
   const std::size_t count = clip.plan.drawings.size();
   run.keys.resize(count);
+  const std::vector<std::string> origins = list_origins(run.scenes);
+  KnownDrawings known = read_known_drawings(run.store);
   const bool is_kept = run.keeps_scenes && has_changing_heads(run.scenes);
   if (is_kept) open_work(run);
   for_each_index(count, jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
     const std::size_t drawing = run.scenes.groups.order[turn];
+    if (const auto found = known.find(origins[drawing]); found != known.end()) {
+      run.keys[drawing] = found->second;
+      return computed(clip.plan.drawings[drawing]);
+    }
     run.keys[drawing] = compute_scene_key(run.scenes, drawing, worker);
     if (is_kept && !has_picture(run.store, run.keys[drawing]))
       write_scene(build_scene(run.scenes, drawing, worker), find_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
+  for (std::size_t i = 0; i < count; ++i) known[origins[i]] = run.keys[i];
+  write_known_drawings(run.store, known, run.keys);
 }
 
 void find_pictures(TraceRun& run) {

@@ -38,9 +38,9 @@ struct TraceRun {
   bool keeps_scenes = true;                // see compute_keys
 };
 
-// Computes every drawing to learn what its picture is known by. Of heads that change, which cost more than a
-// drawing, the scenes that are missing are kept for trace_pictures unless `keeps_scenes` is false; else
-// nothing is written. Told the frame of each, from any thread.
+// Computes every drawing that the store does not know yet to learn what its picture is known by. Of heads
+// that change, which cost more than a drawing, the scenes that are missing are kept for trace_pictures unless
+// `keeps_scenes` is false; else nothing is written. Told the frame of each, from any thread.
 void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed);
 
 // Which of the pictures that `keys` names the store has; those that only a frame has go back into it.

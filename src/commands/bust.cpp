@@ -92,8 +92,7 @@ void run_bust(const Options& options) {
   const std::vector<BustSpec> busts = find_busts(options, clip, actor, figure);
   const Templates& templates = resources.stock.templates;
   BustCache cache{figure, list_bust_menu(clip.spec, busts),
-                  clip.spec.title.empty() ? clip.spec.name : clip.spec.title,
-                  find_letters(templates)};
+                  clip.spec.title.empty() ? clip.spec.name : clip.spec.title, find_letters(templates)};
   const std::vector<std::string> stems = name_busts(busts);
   const std::filesystem::path folder = find_output(options, clip.spec);
   check_output_folder(options, folder, list_bust_files(stems, clip.spec.plate_mm.x > 0, options), clip.spec);

@@ -89,8 +89,9 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
   if (const YamlValue* render = find_value(entries, "render")) {
     spec.render = load_render(*render);
     if (has_alpha(spec.render) && !spec.clip.background.empty())
-      add_mistake(*render,
-                  "background: none is for the whole clip, whose `background` has keys; expected one of both");
+      add_mistake(
+          *render,
+          "background: none is for the whole clip, whose `background` has keys; expected one of both");
   }
   settle_style(words, spec);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);

@@ -91,6 +91,7 @@ void clean_file(const fs::path& file, Cleaned& cleaned) {
 void clean_store(const PictureStore& store, Cleaned& cleaned) {
   for (const StoredFile& file : list_stored(store)) clean_file(file.path, cleaned);
   std::error_code ignored;
+  fs::remove(store.folder / kKnownDrawings, ignored);
   fs::remove(store.folder, ignored);  // only if it is empty
 }
 

@@ -19,7 +19,10 @@ struct PictureStore {
   std::filesystem::path picture(const std::string& key) const { return folder / (key + ".png"); }
 };
 
-// Whether FOLDER may hold a file of this name: "0123456789abcdef.png".
+// Beside its pictures, of those who know them without computing them: lines of an origin and a key.
+inline constexpr const char* kKnownDrawings = "drawings.txt";
+
+// Whether FOLDER may hold a picture of this name: "0123456789abcdef.png".
 bool is_stored_file(const std::string& name);
 
 // Whether the picture is there, whole, and the one of its name.

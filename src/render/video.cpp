@@ -120,13 +120,13 @@ VideoStream start_video(const VideoForm& asked, const std::filesystem::path& cli
   VideoForm form = asked;
   form.is_sketch = true;
   const std::optional<Sound> heard = find_heard(sound, clip);
-  VideoStream video{clip, form, 0, heard.has_value(), {}, std::make_unique<WorkFolder>(find_parent(clip)), {}};
-  const VideoSource source{
-      {"-f", "rawvideo", "-pixel_format", form.has_alpha ? "rgba" : "rgb24", "-video_size",
-       fmt::format("{}x{}", form.size.width_px, form.size.height_px), "-framerate", std::to_string(form.fps),
-       "-i", "-"},
-      heard,
-      static_cast<double>(frame_count) / form.fps};
+  VideoStream video{clip, form, 0, heard.has_value(), {}, std::make_unique<WorkFolder>(find_parent(clip)),
+                    {}};
+  const VideoSource source{{"-f", "rawvideo", "-pixel_format", form.has_alpha ? "rgba" : "rgb24",
+                            "-video_size", fmt::format("{}x{}", form.size.width_px, form.size.height_px),
+                            "-framerate", std::to_string(form.fps), "-i", "-"},
+                           heard,
+                           static_cast<double>(frame_count) / form.fps};
   video.command = build_command(source, form, clip);
   std::erase(video.command, "-nostdin");
   video.encoder = start_fed_process(video.command, video.work->path);
@@ -136,8 +136,7 @@ VideoStream start_video(const VideoForm& asked, const std::filesystem::path& cli
 namespace {
 
 bool feed_picture(VideoStream& video, const Pixels& picture) {
-  if (!video.form.has_alpha)
-    return feed_process(video.encoder, picture.rgb.data(), picture.rgb.size());
+  if (!video.form.has_alpha) return feed_process(video.encoder, picture.rgb.data(), picture.rgb.size());
   Pixels clear = picture;
   if (clear.alpha.empty()) clear.alpha.assign(clear.rgb.size() / 3, 255);
   const std::vector<std::uint8_t> bytes = join_bytes(clear);

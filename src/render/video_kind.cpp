@@ -98,28 +98,32 @@ Words list_kind(const std::string& ending, const VideoForm& form) {
   const Words tags{"-colorspace", "bt709", "-color_primaries", "bt709",
                    "-color_trc",  "bt709", "-color_range",     "tv"};
   if (ending == ".mp4")
-    return join({"-vf", build_white_ground(form) + build_halved_filters(form.size, "yuv420p"),
-                 // One key frame a second, so that players step and seek fast.
-                 "-c:v", "libx264", "-preset", form.is_sketch ? "veryfast" : "slow", "-crf",
-                 std::to_string(form.is_sketch ? kSketchQuality_crf : kQuality_crf), "-g",
-                 std::to_string(form.fps),
-                 // cpu-independent: the same bytes whatever vector instructions the processor has.
-                 "-x264-params", "cpu-independent=1", "-threads", std::to_string(kThreads)},
-                join(tags, {"-movflags", "+faststart"}));
+    return join(
+        {"-vf", build_white_ground(form) + build_halved_filters(form.size, "yuv420p"),
+         // One key frame a second, so that players step and seek fast.
+         "-c:v", "libx264", "-preset", form.is_sketch ? "veryfast" : "slow", "-crf",
+         std::to_string(form.is_sketch ? kSketchQuality_crf : kQuality_crf), "-g", std::to_string(form.fps),
+         // cpu-independent: the same bytes whatever vector instructions the processor has.
+         "-x264-params", "cpu-independent=1", "-threads", std::to_string(kThreads)},
+        join(tags, {"-movflags", "+faststart"}));
   if (ending == ".webm") return join(list_webm(form), tags);
   if (ending == ".mov") return join(list_mov(form), join(tags, {"-movflags", "+write_colr"}));
   // One palette for the whole clip, so that a still background stays still; an ordered dither does too. A GIF
   // counts how often it begins again, -1 being never.
   if (ending == ".gif")
     return {"-vf", "split[a][b];[a]palettegen=stats_mode=full[p];[b][p]paletteuse=dither=bayer:bayer_scale=4",
-            "-loop", std::to_string(form.plays == 0 ? 0 : form.plays == 1 ? -1 : form.plays - 1)};
+            "-loop",
+            std::to_string(form.plays == 0   ? 0
+                           : form.plays == 1 ? -1
+                                             : form.plays - 1)};
   if (ending == ".webp")
-    return {"-c:v",     "libwebp_anim", "-pix_fmt",
-            "bgra",     "-quality",     std::to_string(kWebpQuality),
+    return {"-c:v",     "libwebp_anim",
+            "-pix_fmt", "bgra",
+            "-quality", std::to_string(kWebpQuality),
             "-loop",    std::to_string(form.plays)};
   if (ending == ".apng")
-    return {"-c:v", "apng", "-pix_fmt", form.has_alpha ? "rgba" : "rgb24", "-plays",
-            std::to_string(form.plays)};
+    return {
+        "-c:v", "apng", "-pix_fmt", form.has_alpha ? "rgba" : "rgb24", "-plays", std::to_string(form.plays)};
   throw RunError(fmt::format("internal: no clip ends in '{}'", ending));
 }
 
@@ -132,37 +136,60 @@ std::uint32_t read_number(const std::string& bytes, std::size_t at, int count) {
 
 constexpr const char* kNoAlpha = "ffmpeg made a clip without transparency";
 
-// A picture that is held is one frame of the file, which lasts longer.
-std::string find_webp_fault(const std::string& bytes, const VideoForm& form, std::size_t frame_count) {
-  constexpr std::uint32_t kAlphaFlag = 0x10;
-  const PictureSize& size = form.size;
+// What the chunks of a WebP file say.
+struct WebpFacts {
+  PictureSize size;
   bool has_alpha = false;
-  constexpr std::size_t kHeader = 12, kChunkHeader = 8, kAnimationSize = 10, kFrameHeader = 16;
+  std::size_t frames = 0;  // 0: a still picture
   std::uint32_t length_ms = 0;
-  std::size_t frames = 0;
-  PictureSize found;
-  for (std::size_t at = kHeader; at + kChunkHeader <= bytes.size();) {
+};
+
+PictureSize read_webp_size(const std::string& bytes, std::size_t at, int count) {
+  return {static_cast<int>(read_number(bytes, at, count)) + 1,
+          static_cast<int>(read_number(bytes, at + static_cast<std::size_t>(count), count)) + 1};
+}
+
+WebpFacts read_webp_facts(const std::string& bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8, kLargest = 16;
+  constexpr std::uint32_t kAlphaFlag = 0x10, kSide = 0x3FFF, kLosslessAlpha = 1u << 28;
+  WebpFacts facts;
+  for (std::size_t at = kHeader; at + kChunkHeader + kLargest <= bytes.size();) {
     const std::string_view name(bytes.data() + at, 4);
     const std::size_t count = read_number(bytes, at + 4, 4), content = at + kChunkHeader;
-    if (name == "VP8X" && content + kAnimationSize <= bytes.size()) {
-      has_alpha = (read_number(bytes, content, 1) & kAlphaFlag) != 0;
-      found = {static_cast<int>(read_number(bytes, content + 4, 3)) + 1,
-               static_cast<int>(read_number(bytes, content + 7, 3)) + 1};
-    }
-    if (name == "ANMF" && content + kFrameHeader <= bytes.size()) {
-      length_ms += read_number(bytes, content + 12, 3);
-      ++frames;
+    if (name == "VP8X") {
+      facts.has_alpha = (read_number(bytes, content, 1) & kAlphaFlag) != 0;
+      facts.size = read_webp_size(bytes, content + 4, 3);
+    } else if (name == "VP8L" && facts.size.width_px == 0) {
+      const std::uint32_t header = read_number(bytes, content + 1, 4);
+      facts.has_alpha = (header & kLosslessAlpha) != 0;
+      facts.size = {static_cast<int>(header & kSide) + 1, static_cast<int>(header >> 14 & kSide) + 1};
+    } else if (name == "VP8 " && facts.size.width_px == 0) {
+      facts.size = {static_cast<int>(read_number(bytes, content + 6, 2) & kSide),
+                    static_cast<int>(read_number(bytes, content + 8, 2) & kSide)};
+    } else if (name == "ANMF") {
+      const PictureSize drawn = read_webp_size(bytes, content + 6, 3);  // nothing lies around it
+      if (facts.frames == 0 &&
+          (drawn.width_px < facts.size.width_px || drawn.height_px < facts.size.height_px))
+        facts.has_alpha = true;
+      facts.length_ms += read_number(bytes, content + 12, 3);
+      ++facts.frames;
     }
     at = content + count + count % 2;
   }
-  if (frames == 0 && frame_count == 1) return {};  // a still picture
-  if (found.width_px != size.width_px || found.height_px != size.height_px)
-    return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", found.width_px, found.height_px,
-                       size.width_px, size.height_px);
-  if (form.has_alpha && !has_alpha) return kNoAlpha;
+  return facts;
+}
+
+// A picture that is held is one frame of the file, which lasts longer; a clip that holds one to its end is a
+// still picture.
+std::string find_webp_fault(const std::string& bytes, const VideoForm& form, std::size_t frame_count) {
+  const WebpFacts facts = read_webp_facts(bytes);
+  if (facts.size.width_px != form.size.width_px || facts.size.height_px != form.size.height_px)
+    return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", facts.size.width_px,
+                       facts.size.height_px, form.size.width_px, form.size.height_px);
+  if (form.has_alpha && !facts.has_alpha) return kNoAlpha;
   const double expected_ms = 1000.0 * static_cast<double>(frame_count) / form.fps;
-  if (std::abs(length_ms - expected_ms) <= 1000.0 / form.fps / 2) return {};
-  return fmt::format("ffmpeg made a clip of {} ms, not {:.0f}", length_ms, expected_ms);
+  if (facts.frames == 0 || std::abs(facts.length_ms - expected_ms) <= 1000.0 / form.fps / 2) return {};
+  return fmt::format("ffmpeg made a clip of {} ms, not {:.0f}", facts.length_ms, expected_ms);
 }
 
 // "key=value" lines.
@@ -216,6 +243,12 @@ bool is_rate(const std::string& rate, int fps) {
   if (slash == rate.npos) return false;
   const double above = std::atof(rate.c_str()), below = std::atof(rate.c_str() + slash + 1);
   return below > 0 && std::abs(above / below - fps) < kNear * fps;
+}
+
+// Of a kind whose rate ffprobe guesses, wrongly of two frames: by how long the first one stays.
+std::string find_rate(const std::filesystem::path& folder, const std::string& file) {
+  return "1/" + probe(folder, file,
+                      {"-show_entries", "packet=duration_time", "-read_intervals", "%+#1", "-of", "csv=p=0"});
 }
 
 }  // namespace
@@ -299,7 +332,7 @@ std::string find_video_fault(const std::filesystem::path& folder, const std::str
   if (width != std::to_string(wanted.width_px) || height != std::to_string(wanted.height_px))
     return fmt::format("ffmpeg made a clip of {}x{} pixels, not {}x{}", width, height, wanted.width_px,
                        wanted.height_px);
-  const std::string rate = find_value_of(facts, "r_frame_rate");
+  const std::string rate = ending == ".apng" ? find_rate(folder, file) : find_value_of(facts, "r_frame_rate");
   // A GIF counts in hundredths of a second; of one frame no rate is known.
   if (ending != ".gif" && frame_count > 1 && !is_rate(rate, form.fps))
     return fmt::format("ffmpeg made a clip of {} frames a second, not {}", rate, form.fps);

@@ -52,8 +52,8 @@ std::vector<std::string> list_sound_options(const Sound& sound, const std::files
 std::vector<std::string> list_encoder_options(const std::filesystem::path& clip, const VideoForm& form);
 
 // What is wrong with a finished clip: "ffmpeg made a clip of 4 frames, not 5", "... of 32x24 pixels, not
-// 48x60", "... of 25/1 frames a second, not 24", "... without transparency"; empty if nothing is. `file` is in
-// `folder`. Throws RunError with ffprobe's words if it cannot read it. With `has_sound` also "... without
+// 48x60", "... of 25/1 frames a second, not 24", "... without transparency"; empty if nothing is. `file` is
+// in `folder`. Throws RunError with ffprobe's words if it cannot read it. With `has_sound` also "... without
 // sound", and "... whose sound is 1.20 s long, not 2.00".
 std::string find_video_fault(const std::filesystem::path& folder, const std::string& file,
                              const VideoForm& form, std::size_t frame_count, bool has_sound = false);

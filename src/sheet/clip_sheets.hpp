@@ -14,8 +14,9 @@ namespace mien {
 bool is_clip_sheet(const std::string& kind);
 
 // "strip": key drawings, drawings between them and the curves of each area as one SVG file; "exposure": each
-// frame's drawing and what changed, as CSV; "contact": contact.hpp. To -o, else to out/NAME/strip.svg or out/NAME/exposure.csv;
-// returns the path. --size is a picture's in the strip. Throws InputError before anything is written.
+// frame's drawing and what changed, as CSV; "contact": contact.hpp. To -o, else to out/NAME/strip.svg or
+// out/NAME/exposure.csv; returns the path. --size is a picture's in the strip. Throws InputError before
+// anything is written.
 std::filesystem::path write_clip_sheet(const Options& options, const Resources& resources);
 
 }  // namespace mien

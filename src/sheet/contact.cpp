@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "clip/lettering.hpp"
 #include "clip/outputs.hpp"
 #include "clip/sketches.hpp"
 #include "clip/slate.hpp"
@@ -15,6 +14,7 @@
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
+#include "sketch/lettering.hpp"
 
 namespace mien {
 
@@ -49,9 +49,10 @@ ContactLayout lay_out(std::size_t count, const PictureSize& cell) {
   layout.page = {layout.gap + layout.columns * (cell.width_px + layout.gap),
                  layout.title + layout.rows * (cell.height_px + layout.caption) + layout.gap};
   if (std::max(layout.page.width_px, layout.page.height_px) > kMostSide_px)
-    throw InputError(fmt::format("--size: the sheet would have {}x{} pixels; expected pictures so small or so "
-                                 "few that no side has more than {}",
-                                 layout.page.width_px, layout.page.height_px, kMostSide_px));
+    throw InputError(
+        fmt::format("--size: the sheet would have {}x{} pixels; expected pictures so small or so "
+                    "few that no side has more than {}",
+                    layout.page.width_px, layout.page.height_px, kMostSide_px));
   return layout;
 }
 
@@ -162,8 +163,7 @@ fs::path write_contact_sheet(const Options& options, const Resources& resources)
   Clip clip = plan_clip(of_clip, *resources.stock.language);
   RenderSpec& render = clip.spec.render;
   const OutputFile file = find_output_file(
-      options,
-      fs::path("out") / clip.spec.name / (is_sketch(render) ? "contact_sketch.png" : "contact.png"));
+      options, fs::path("out") / clip.spec.name / (is_sketch(render) ? "contact_sketch.png" : "contact.png"));
   check_ending(file, "sheet", {".png"});
   check_output_files({file}, clip.spec);
   if (!options.size_px) {
@@ -172,8 +172,7 @@ fs::path write_contact_sheet(const Options& options, const Resources& resources)
     render.width_px = kPictureWidth_px;
   }
   clip = choose_drawings(clip, options);
-  const ContactLayout layout =
-      lay_out(clip.plan.drawings.size(), {render.width_px, render.height_px});
+  const ContactLayout layout = lay_out(clip.plan.drawings.size(), {render.width_px, render.height_px});
   if (!is_sketch(render)) require_programs({{"povray", "povray"}});
   const Cast cast = build_cast(clip, resources.heads);
   ContactPage page = start_page(clip, layout, resources.stock.templates);

@@ -38,8 +38,8 @@ struct SketchDesk {
 
 void set_stage(SketchDesk& desk, SketchStage stage);
 
-// A picture of the desk's stage with these figures; transparent where the stage's sky is. Throws RunError if a drawing does not fit its model or
-// Embree fails.
+// A picture of the desk's stage with these figures; transparent where the stage's sky is. Throws RunError if
+// a drawing does not fit its model or Embree fails.
 Pixels trace_sketch(SketchDesk& desk, const std::vector<SketchFigure>& figures, const PictureSize& size);
 
 }  // namespace mien

@@ -118,5 +118,43 @@ TEST(picture, is_pasted_into_a_page_that_reads_back) {
   EXPECT_THROW(paste_pixels(page, part, 0, 3), RunError);
 }
 
+TEST(picture, keeps_what_is_transparent) {
+  Pixels clear = make_pixels({3, 2});
+  clear.alpha = {0, 51, 255, 255, 128, 1};
+  for (std::size_t i = 0; i < clear.rgb.size(); ++i) clear.rgb[i] = static_cast<std::uint8_t>(10 * i);
+  const Scratch scratch;
+  write_file(scratch.path / "clear.png", build_png(clear));
+  write_file(scratch.path / "opaque.png", build_png(make_pixels({3, 2})));
+  EXPECT_TRUE(has_alpha(scratch.path / "clear.png"));
+  EXPECT_FALSE(has_alpha(scratch.path / "opaque.png"));
+  const Pixels read = read_pixels(scratch.path / "clear.png");
+  EXPECT_EQ(read.rgb, clear.rgb);
+  EXPECT_EQ(read.alpha, clear.alpha);
+  EXPECT_TRUE(read_pixels(scratch.path / "opaque.png").alpha.empty());
+
+  Pixels page = make_pixels({4, 2});
+  paste_pixels(page, clear, 1, 0);
+  EXPECT_EQ(page.alpha, (std::vector<std::uint8_t>{255, 0, 51, 255, 255, 255, 128, 1}));
+  paste_pixels(page, make_pixels({1, 2}), 1, 0);
+  EXPECT_EQ(page.alpha, (std::vector<std::uint8_t>{255, 255, 51, 255, 255, 255, 128, 1}));
+}
+
+TEST(picture, is_covered_as_paint_covers) {
+  Pixels opaque = make_pixels({1, 1});
+  cover_pixel(opaque, 0, {200, 100, 50}, 0.5);
+  EXPECT_EQ(opaque.rgb, (std::vector<std::uint8_t>{100, 50, 25}));
+  EXPECT_TRUE(opaque.alpha.empty());
+  Pixels clear = make_pixels({1, 1});
+  clear.alpha = {0};
+  cover_pixel(clear, 0, {200, 100, 50}, 0);
+  EXPECT_EQ(clear.alpha[0], 0);
+  cover_pixel(clear, 0, {200, 100, 50}, 0.4);
+  EXPECT_EQ(clear.rgb, (std::vector<std::uint8_t>{200, 100, 50})) << "nothing of what could not be seen";
+  EXPECT_EQ(clear.alpha[0], 102);
+  cover_pixel(clear, 0, {0, 0, 0}, 1);
+  EXPECT_EQ(clear.rgb, (std::vector<std::uint8_t>{0, 0, 0}));
+  EXPECT_EQ(clear.alpha[0], 255);
+}
+
 }  // namespace
 }  // namespace mien

@@ -202,10 +202,13 @@ TEST(video, is_of_the_kind_that_its_name_ends_in) {
   EXPECT_NE(webp.find("ANIM"), webp.npos);
 }
 
-TEST(video, of_one_picture_is_made_in_every_kind) {
+TEST(video, of_one_or_two_pictures_is_made_in_every_kind) {
   const Reel reel(1);
   for (const std::string& ending : list_video_endings())
     EXPECT_NO_THROW(write_video(reel.pictures, 24, reel.scratch.path / ("one" + ending))) << ending;
+  const std::vector<std::filesystem::path> held{reel.pictures[0], reel.pictures[0]};
+  for (const std::string& ending : list_video_endings())
+    EXPECT_NO_THROW(write_video(held, 24, reel.scratch.path / ("two" + ending))) << ending;
 }
 
 TEST(video, is_judged_by_size_rate_and_count) {
@@ -292,6 +295,108 @@ TEST(video, of_sketches_is_heard_too) {
   for (int i = 0; i < 24; ++i) append_frame(stream, read_pixels(reel.pictures[0]));
   finish_video(stream);
   EXPECT_NEAR(find_click_s(reel.scratch.path, "fed.mp4"), 0.75, 0.004);
+}
+
+// Three pictures, red in their left half and transparent in the right one.
+std::vector<std::filesystem::path> write_clear(const Scratch& scratch) {
+  std::vector<std::filesystem::path> pictures;
+  for (int i = 0; i < 3; ++i) {
+    Pixels picture = make_pixels({32, 24});
+    picture.alpha.assign(picture.rgb.size() / 3, 255);
+    for (std::size_t k = 0; k < picture.alpha.size(); ++k) {
+      picture.rgb[3 * k] = static_cast<std::uint8_t>(200 + i);
+      if (k % 32 >= 16) picture.alpha[k] = 0;
+    }
+    pictures.push_back(scratch.path / fmt::format("clear{}.png", i));
+    write_file(pictures.back(), build_png(picture));
+  }
+  return pictures;
+}
+
+// The alpha of the first frame in the middle of each half, or its red in an .mp4.
+std::pair<int, int> read_halves(const std::filesystem::path& folder, const std::string& name) {
+  std::vector<std::string> words{"ffmpeg", "-v", "error"};
+  if (name.ends_with(".webm")) words.insert(words.end(), {"-c:v", "libvpx-vp9"});
+  words.insert(words.end(), {"-i", name, "-frames:v", "1", "-pix_fmt", "rgba", "-f", "rawvideo", "-"});
+  const std::string rgba = run_process(words, folder).output;
+  if (rgba.size() < std::size_t{4} * 32 * 24) return {-1, -1};
+  const auto at = [&](int x) {
+    return static_cast<int>(static_cast<unsigned char>(
+        rgba[4 * (12 * 32 + static_cast<std::size_t>(x)) + (name.ends_with(".mp4") ? 1 : 3)]));
+  };
+  return {at(8), at(24)};
+}
+
+TEST(video, is_transparent_where_its_kind_can_be) {
+  const Scratch scratch;
+  const auto pictures = write_clear(scratch);
+  for (const std::string& ending : list_video_endings()) {
+    const std::string name = "clear" + ending;
+    write_video(pictures, 24, scratch.path / name);
+    const VideoForm form{{32, 24}, 24, true};
+    EXPECT_EQ(find_video_fault(scratch.path, name, form, 3), "") << name;
+    if (ending == ".webp") continue;  // ffmpeg cannot read its own; its flag is judged above
+    const auto [left, right] = read_halves(scratch.path, name);
+    if (ending == ".mp4") {
+      EXPECT_LT(left, 20) << "red, without green";
+      EXPECT_GT(right, 245) << "white";
+    } else {
+      EXPECT_GT(left, 250) << name;
+      EXPECT_LT(right, 5) << name;
+    }
+  }
+  const Reel opaque(3);
+  for (const char* name : {"o.webm", "o.mov", "o.apng"}) {
+    write_video(opaque.pictures, 24, scratch.path / name);
+    EXPECT_EQ(find_video_fault(scratch.path, name, {{32, 24}, 24, true}, 3),
+              "ffmpeg made a clip without transparency")
+        << name;
+  }
+}
+
+TEST(video, says_how_often_it_is_to_be_seen_where_it_can) {
+  const Reel reel(3);
+  const auto find_bytes = [&](const std::string& ending, int plays) {
+    write_video(reel.pictures, 24, reel.scratch.path / ("plays" + ending), {}, plays);
+    return read_file(reel.scratch.path / ("plays" + ending));
+  };
+  // The Netscape block counts how often a GIF begins again; the chunks ANIM and acTL how often it plays.
+  const auto gif = [&](int plays) {
+    const std::string bytes = find_bytes(".gif", plays);
+    const std::size_t at = bytes.find("NETSCAPE2.0");
+    return at == bytes.npos ? -1 : static_cast<int>(static_cast<unsigned char>(bytes[at + 13]));
+  };
+  EXPECT_EQ(gif(0), 0) << "for ever";
+  EXPECT_EQ(gif(1), -1) << "once";
+  EXPECT_EQ(gif(3), 2);
+  const auto at_chunk = [&](const std::string& ending, const char* chunk, std::size_t offset, int plays) {
+    const std::string bytes = find_bytes(ending, plays);
+    return static_cast<int>(static_cast<unsigned char>(bytes[bytes.find(chunk) + offset]));
+  };
+  for (const int plays : {0, 1, 3}) {
+    EXPECT_EQ(at_chunk(".webp", "ANIM", 12, plays), plays);
+    EXPECT_EQ(at_chunk(".apng", "acTL", 11, plays), plays);
+  }
+}
+
+TEST(video, is_heard_anew_in_each_round) {
+  const Reel reel(1);
+  const std::vector<std::filesystem::path> rounds(72, reel.pictures[0]);  // two of a second and a half
+  Sound sound{write_click(reel.scratch), 0.25};
+  sound.rounds = 2;
+  sound.round_s = 1.5;
+  sound.heard_s = 1;
+  write_video(rounds, 24, reel.scratch.path / "rounds.mov", sound);
+  const auto find_after_s = [&](const char* from_s) {
+    run_process({"ffmpeg", "-v", "error", "-y", "-ss", from_s, "-i", "rounds.mov", "-vn", "cut.wav"},
+                reel.scratch.path);
+    return find_click_s(reel.scratch.path, "cut.wav");
+  };
+  EXPECT_NEAR(find_after_s("0"), 0.75, 0.004);
+  EXPECT_NEAR(find_after_s("1"), 1.25, 0.004) << "at 2.25 s";
+  sound.heard_s = 0.5;  // before the click
+  write_video(rounds, 24, reel.scratch.path / "rounds.mov", sound);
+  EXPECT_EQ(find_after_s("0"), -1);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "clip/lettering.hpp"
+#include "sketch/lettering.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -12,8 +12,7 @@ void write_line(Pixels& picture, const WrittenLine& line, const Letters& letters
       set_label(letters, line.words, line.capital_px, kSmallest * line.capital_px, line.width_px);
   if (label.strokes.empty()) return;
   const double half_px = std::max(0.5, kPen * label.size_mm / 2);
-  const double middle_px =
-      line.left_px + label.width_mm / 2 + line.align * (line.width_px - label.width_mm);
+  const double middle_px = line.left_px + label.width_mm / 2 + line.align * (line.width_px - label.width_mm);
   const auto floor_px = [](double px) { return static_cast<int>(std::floor(px)); };
   const int left = std::max(0, floor_px(middle_px - label.width_mm / 2 - half_px)),
             right = std::min(picture.size.width_px, floor_px(middle_px + label.width_mm / 2 + half_px) + 2),
