@@ -98,6 +98,7 @@ KnownDrawings read_known_drawings(const PictureStore& store) {
 
 void write_known_drawings(const PictureStore& store, const KnownDrawings& known,
                           const std::vector<std::string>& in_use) {
+  if (known.empty()) return;
   const std::set<std::string> used(in_use.begin(), in_use.end());
   std::string text;
   std::error_code ignored;

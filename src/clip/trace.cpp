@@ -124,13 +124,13 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
   const std::size_t count = clip.plan.drawings.size();
   run.keys.resize(count);
   const std::vector<std::string> origins = list_origins(run.scenes);
-  KnownDrawings known = read_known_drawings(run.store);
+  run.known = read_known_drawings(run.store);
   const bool is_kept = run.keeps_scenes && has_changing_heads(run.scenes);
   if (is_kept) open_work(run);
   for_each_index(count, jobs, [&](std::size_t turn, int worker) {
     throw_if_interrupted();
     const std::size_t drawing = run.scenes.groups.order[turn];
-    if (const auto found = known.find(origins[drawing]); found != known.end()) {
+    if (const auto found = run.known.find(origins[drawing]); found != run.known.end()) {
       run.keys[drawing] = found->second;
       return computed(clip.plan.drawings[drawing]);
     }
@@ -139,8 +139,7 @@ void compute_keys(TraceRun& run, int jobs, const SceneWritten& computed) {
       write_scene(build_scene(run.scenes, drawing, worker), find_scene(run, drawing));
     computed(clip.plan.drawings[drawing]);
   });
-  for (std::size_t i = 0; i < count; ++i) known[origins[i]] = run.keys[i];
-  write_known_drawings(run.store, known, run.keys);
+  for (std::size_t i = 0; i < count; ++i) run.known[origins[i]] = run.keys[i];
 }
 
 void find_pictures(TraceRun& run) {
@@ -198,6 +197,7 @@ void trace_pictures(TraceRun& run, int jobs, const TraceHooks& hooks) {
   if (!frames.empty()) render_frames(frames, list_settings(clip.spec.render, {run.work->path}, jobs), traced);
   repeat_pictures(clip);
   trim_store(run.store, {run.keys.begin(), run.keys.end()});
+  write_known_drawings(run.store, run.known, run.keys);
 }
 
 void trace_into_store(TraceRun& run, int jobs, const FrameDone& done) {
@@ -214,7 +214,7 @@ void trace_into_store(TraceRun& run, int jobs, const FrameDone& done) {
     open_work(run);
     frames.push_back(make_frame_job(run, drawing));
   }
-  if (frames.empty()) return;
+  if (frames.empty()) return write_known_drawings(run.store, run.known, run.keys);
   FrameHooks traced = make_scene_hooks(run, drawing_of);
   traced.done = [&](int frame, bool was_kept) {
     std::error_code ignored;
@@ -224,6 +224,7 @@ void trace_into_store(TraceRun& run, int jobs, const FrameDone& done) {
   RenderSettings settings = list_settings(clip.spec.render, {run.work->path}, jobs);
   settings.work_parent = run.work->path;
   render_frames(frames, settings, traced);
+  write_known_drawings(run.store, run.known, run.keys);
 }
 
 }  // namespace mien

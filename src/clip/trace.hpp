@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "clip/known_drawings.hpp"
 #include "clip/scenes.hpp"
 #include "render/driver.hpp"
 #include "render/picture_store.hpp"
@@ -31,8 +32,9 @@ CoarseOrder order_coarsely(const FramePlan& plan, int poster_drawing);
 struct TraceRun {
   SceneRun scenes;
   PictureStore store;
-  std::vector<std::string> keys;  // of the pictures of the plan's drawings: of compute_keys or write_scenes
-  std::vector<bool> is_there;     // of each drawing: the store has its picture, whatever frame it was of
+  std::vector<std::string> keys;    // of the pictures of the plan's drawings: of compute_keys or write_scenes
+  KnownDrawings known = {};         // of compute_keys: those that the store knew, and the plan's
+  std::vector<bool> is_there = {};  // of each drawing: the store has its picture, whatever frame it was of
   std::optional<WorkFolder> work = {};     // for scenes on their way to POV-Ray, once there are any
   std::filesystem::path work_parent = {};  // where it is made; empty: in the clip's folder
   bool keeps_scenes = true;                // see compute_keys

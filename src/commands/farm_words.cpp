@@ -42,8 +42,10 @@ FarmWords list_farm_words(const Options& options) {
   if (options.store_bytes) add(farm.clip, "store", std::to_string(*options.store_bytes));
   if (options.has_scenes) farm.clip.emplace_back("--keep-scenes");
   const VideoOptions& video = options.video;
-  if (video.rounds > 1 || video.plays > 0)
-    add(farm.clip, "loop", std::to_string(std::max(video.rounds, video.plays)));
+  if (video.plays > 0)
+    add(farm.clip, "loop", std::to_string(video.plays));
+  else if (video.rounds > 1)
+    farm.clip.emplace_back("--loop");
   if (video.is_boomerang) farm.clip.emplace_back("--boomerang");
   if (video.has_slate) farm.clip.emplace_back("--slate");
   const FarmOptions& how = options.farm;

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <map>
 #include <set>
 
@@ -166,7 +168,8 @@ TEST(farm, hands_every_option_of_render_on_to_its_jobs) {
                                        "dry-run", "part",      "quiet", "json", "help"};
   const std::map<std::string_view, std::string> given{
       {"output", "there"}, {"frames", "1-2"}, {"size", "32x40"},   {"quality", "best"},
-      {"jobs", "3"},       {"store", "5"},    {"keep-scenes", ""}, {"beside", "real,comic"}};
+      {"jobs", "3"},       {"store", "5"},    {"keep-scenes", ""}, {"beside", "real,comic"},
+      {"loop", "3"},       {"nice", "5"},     {"boomerang", ""},   {"slate", ""}};
   for (const OptionInfo* option : list_options(*find_command("render"))) {
     if (own.contains(option->name)) continue;
     ASSERT_TRUE(given.contains(option->name)) << option->name << " is no option that a task is given";
@@ -177,7 +180,9 @@ TEST(farm, hands_every_option_of_render_on_to_its_jobs) {
         list_farm_words(read_arguments(static_cast<int>(argv.size()), argv.data()).options);
     EXPECT_THAT(words.clip, testing::Contains(word));
     EXPECT_THAT(words.asked, HasSubstr(word));
-    const bool is_for_all = option->name != "store" && option->name != "keep-scenes";
+    constexpr auto kOfClip =
+        std::to_array<std::string_view>({"store", "keep-scenes", "loop", "boomerang", "slate"});
+    const bool is_for_all = std::ranges::find(kOfClip, option->name) == kOfClip.end();
     EXPECT_EQ(std::ranges::count(words.tasks, word), is_for_all ? 1 : 0) << word;
   }
 }

@@ -288,7 +288,7 @@ TEST(sheet_plans, are_of_kinds_that_are_known) {
   EXPECT_EQ(find_mistake("vews"), "unknown kind 'vews'; did you mean 'views'?");
   EXPECT_EQ(find_mistake("poster"),
             "unknown kind 'poster'; expected views, details, ages, skulls, features, "
-            "expressions, libraries, designs, heads, people, areas, limits, strip or exposure");
+            "expressions, libraries, designs, heads, people, areas, limits, strip, exposure or contact");
   EXPECT_EQ(find_mistake("stripp"), "unknown kind 'stripp'; did you mean 'strip'?");
   EXPECT_EQ(find_mistake("exposre"), "unknown kind 'exposre'; did you mean 'exposure'?");
 }
