@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 // Of this program and of all that it reads of its own.
 std::string hash_program() {
   std::error_code ignored;
-  std::string all = hash_hex(read_file(fs::read_symlink("/proc/self/exe", ignored)));
+  std::string all = hash_hex(read_file("/proc/self/exe"));  // there even if the file has been replaced
   std::vector<fs::path> files;
   for (const char* folder : {"templates", "configs/expressions"})
     for (const auto& entry : fs::recursive_directory_iterator(find_data_folder() / folder, ignored))
@@ -87,7 +87,12 @@ KnownDrawings read_known_drawings(const PictureStore& store) {
   std::error_code ignored;
   const fs::path file = store.folder / kKnownDrawings;
   if (!fs::is_regular_file(file, ignored)) return known;
-  std::istringstream lines(read_file(file));
+  std::istringstream lines;
+  try {
+    lines.str(read_file(file));
+  } catch (const RunError&) {
+    return known;
+  }
   for (std::string line; std::getline(lines, line);) {
     const std::size_t blank = std::min(line.find(' '), line.size());
     const std::string origin = line.substr(0, blank), key = line.substr(std::min(blank + 1, line.size()));

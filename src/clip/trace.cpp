@@ -204,14 +204,16 @@ void trace_into_store(TraceRun& run, int jobs, const FrameDone& done) {
   const Clip& clip = run.scenes.clip;
   std::vector<FrameJob> frames;
   std::map<int, std::size_t> drawing_of;  // by frame
+  std::set<std::string> begun;            // pictures that are to be traced
   for (std::size_t drawing = 0; drawing < run.keys.size(); ++drawing) {
     const int frame = clip.plan.drawings[drawing];
     drawing_of[frame] = drawing;
-    if (has_picture(run.store, run.keys[drawing])) {
+    if (begun.contains(run.keys[drawing]) || has_picture(run.store, run.keys[drawing])) {
       done(frame, true);
       continue;
     }
     open_work(run);
+    begun.insert(run.keys[drawing]);
     frames.push_back(make_frame_job(run, drawing));
   }
   if (frames.empty()) return write_known_drawings(run.store, run.known, run.keys);

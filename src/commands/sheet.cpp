@@ -21,6 +21,8 @@ void run_sheet(const Options& options) {
   if (options.every && options.kind != "contact")
     throw InputError(fmt::format(
         "--every says nothing to 'mien sheet {}'; expected it with 'mien sheet contact'", options.kind));
+  if (options.actor && options.kind == "contact")
+    throw InputError("--actor says nothing to 'mien sheet contact', which shows everybody");
   if (!is_clip_sheet(options.kind)) check_sheet_kind(options.kind);
   const Resources resources = load_resources(find_data_folder());
   report_result(

@@ -454,7 +454,7 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::fi
 }
 
 void let_others_first(int niceness) {
-  // Less than is asked for where a niceness was set already; more is never refused.
+  // Whoever has given way further already stays there: the way back is not everybody's to go.
   if (::getpriority(PRIO_PROCESS, 0) < niceness) ::setpriority(PRIO_PROCESS, 0, niceness);
 }
 

@@ -14,6 +14,7 @@
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
+#include "scene/plate.hpp"
 #include "sketch/lettering.hpp"
 
 namespace mien {
@@ -92,8 +93,8 @@ ContactPage start_page(const Clip& clip, const ContactLayout& layout, const Temp
   cover_box(page.pixels, 0, 0, layout.page, kPaper, 1);
   WrittenLine line;
   line.words = fmt::format("{}, {} frames at {} a second, {} of its drawings",
-                           clip.spec.title.empty() ? clip.spec.name : clip.spec.title, clip.frame_count,
-                           clip.spec.clip.fps, clip.plan.drawings.size());
+                           simplify_letters(clip.spec.title.empty() ? clip.spec.name : clip.spec.title),
+                           clip.frame_count, clip.spec.clip.fps, clip.plan.drawings.size());
   line.left_px = layout.gap;
   line.capital_px = 1.5 * layout.capital;
   line.base_px = 0.6 * layout.title;

@@ -132,6 +132,8 @@ TEST(contact_sheet, shows_drawings_and_traces_none_twice) {
   EXPECT_TRUE(fs::exists(folder / "out/a/contact_sketch.png"));
   EXPECT_EQ(run_shell(folder, "mien sheet contact a.yaml -o c.jpg").err,
             "error: -o c.jpg: unknown kind of sheet '.jpg'; expected a name that ends in .png\n");
+  EXPECT_EQ(run_shell(folder, "mien sheet contact a.yaml --actor ann").err,
+            "error: --actor says nothing to 'mien sheet contact', which shows everybody\n");
   EXPECT_EQ(run_shell(folder, "mien sheet views a.yaml --every 2").err,
             "error: --every says nothing to 'mien sheet views'; expected it with 'mien sheet contact'\n");
 }
