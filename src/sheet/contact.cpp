@@ -23,8 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostPictures = 48;  // unless --every asks for more
-constexpr int kPictureWidth_px = 200;
+constexpr std::size_t kMostContacts = 48;  // unless --every asks for more
+constexpr int kContactWidth_px = 200;
 constexpr int kMostSide_px = 20000;  // of a page
 constexpr std::array<std::uint8_t, 3> kPaper{226, 222, 213}, kInk{42, 38, 36}, kPencil{150, 60, 50};
 
@@ -61,7 +61,7 @@ ContactLayout lay_out(std::size_t count, const PictureSize& cell) {
 Clip choose_drawings(const Clip& clip, const Options& options) {
   const std::vector<int>& all = clip.plan.drawings;
   const std::size_t every = options.every ? static_cast<std::size_t>(*options.every)
-                                          : (all.size() + kMostPictures - 1) / kMostPictures;
+                                          : (all.size() + kMostContacts - 1) / kMostContacts;
   Clip some = clip;
   some.plan.drawings.clear();
   for (std::size_t i = 0; i < all.size(); i += every) some.plan.drawings.push_back(all[i]);
@@ -168,9 +168,9 @@ fs::path write_contact_sheet(const Options& options, const Resources& resources)
   check_ending(file, "sheet", {".png"});
   check_output_files({file}, clip.spec);
   if (!options.size_px) {
-    render.height_px = std::clamp(kPictureWidth_px * render.height_px / render.width_px, kPictureWidth_px / 4,
-                                  kPictureWidth_px * 4);
-    render.width_px = kPictureWidth_px;
+    render.height_px = std::clamp(kContactWidth_px * render.height_px / render.width_px, kContactWidth_px / 4,
+                                  kContactWidth_px * 4);
+    render.width_px = kContactWidth_px;
   }
   clip = choose_drawings(clip, options);
   const ContactLayout layout = lay_out(clip.plan.drawings.size(), {render.width_px, render.height_px});
