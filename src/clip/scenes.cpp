@@ -1,6 +1,7 @@
 #include "clip/scenes.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include "clip/staging.hpp"
 #include "core/error.hpp"
@@ -23,9 +24,17 @@ std::string build_parts(const std::vector<FigurePointer>& figures, const Templat
   return parts;
 }
 
+// The POV-Ray that would trace here: by its file, as asking for its version would start it. Empty where there
+// is none.
+std::string hash_povray() {
+  const fs::path povray = find_program("povray");
+  return povray.empty() || ::access(povray.c_str(), R_OK) != 0 ? "" : hash_hex(read_file(povray));
+}
+
 // What the pixels of every frame depend on besides its own scene.
 std::string hash_settings(const std::string& include, const RenderSpec& render) {
-  std::string text = fmt::format("{} {}x{}", MIEN_VERSION, render.width_px, render.height_px);
+  std::string text =
+      fmt::format("{} {} {}x{}", MIEN_VERSION, hash_povray(), render.width_px, render.height_px);
   for (const std::string& option : list_quality_options(render)) text += " " + option;
   return hash_hex(text + "\n" + include);
 }

@@ -242,20 +242,6 @@ void end_stalled(Process& process) {
   process.result.stalled_s = process.limit_s;
 }
 
-bool is_on_path(const std::string& program) {
-  const char* variable = std::getenv("PATH");
-  std::string_view path = variable != nullptr ? variable : "/usr/bin:/bin";
-  while (true) {
-    const std::size_t end = path.find(':');
-    const std::filesystem::path candidate = std::filesystem::path(path.substr(0, end)) / program;
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(candidate, ignored) && ::access(candidate.c_str(), X_OK) == 0)
-      return true;
-    if (end == std::string_view::npos) return false;
-    path.remove_prefix(end + 1);
-  }
-}
-
 }  // namespace
 
 double read_stall_limit_s() {
@@ -458,9 +444,23 @@ void let_others_first(int niceness) {
   if (::getpriority(PRIO_PROCESS, 0) < niceness) ::setpriority(PRIO_PROCESS, 0, niceness);
 }
 
+std::filesystem::path find_program(const std::string& program) {
+  const char* variable = std::getenv("PATH");
+  std::string_view path = variable != nullptr ? variable : "/usr/bin:/bin";
+  while (true) {
+    const std::size_t end = path.find(':');
+    const std::filesystem::path candidate = std::filesystem::path(path.substr(0, end)) / program;
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(candidate, ignored) && ::access(candidate.c_str(), X_OK) == 0)
+      return candidate;
+    if (end == std::string_view::npos) return {};
+    path.remove_prefix(end + 1);
+  }
+}
+
 void require_programs(const std::vector<std::pair<std::string, std::string>>& programs) {
   for (const auto& [program, package] : programs)
-    if (!is_on_path(program))
+    if (find_program(program).empty())
       throw RunError(
           fmt::format("{} is not installed; install it with: apt-get install {}", program, package));
 }

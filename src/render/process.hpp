@@ -43,6 +43,9 @@ ProcessResult run_process(const std::vector<std::string>& command, const std::fi
 // to 19.
 void let_others_first(int niceness);
 
+// The file that PATH has for a program; empty: none.
+std::filesystem::path find_program(const std::string& program);
+
 // Throws RunError "povray is not installed; install it with: apt-get install povray" for the first of
 // `programs` (program, Debian package) that PATH does not hold. Called before any work.
 void require_programs(const std::vector<std::pair<std::string, std::string>>& programs);

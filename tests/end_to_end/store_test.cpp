@@ -70,6 +70,17 @@ TEST(store, traces_nothing_that_exists_whatever_was_edited) {
   EXPECT_EQ(read_file(folder / "out/clip/manifest.json"), manifest);
 }
 
+TEST(store, knows_the_povray_that_traced) {
+  const auto folder = make_folder("store_povray");
+  EXPECT_EQ(render(folder, build_clip(kThere)), 7);
+  const std::string other =
+      make_program(folder, "povray", "exec /usr/bin/env PATH=/usr/local/bin:/usr/bin:/bin povray \"$@\"\n");
+  const ProgramRun run = run_shell(folder, other + "'" + program_path() + "' render clip.yaml");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("12 frames, 7 drawings, 7 to trace\n"));
+  EXPECT_EQ(render(folder, build_clip(kThere)), 0) << "the first one's pictures are there as well";
+}
+
 TEST(store, leaves_a_clip_its_frames_and_the_store) {
   const auto folder = make_folder("store_left");
   render(folder, build_clip(kThere));
