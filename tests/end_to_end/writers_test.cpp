@@ -14,6 +14,7 @@
 #include <thread>
 
 #include "end_to_end/program.hpp"
+#include "render/picture.hpp"
 
 namespace mien {
 namespace {
@@ -48,10 +49,11 @@ std::string start_first(const fs::path& folder, const char* option = "") {
          "while [ ! -e started ] && kill -0 $first; do sleep 0.05; done\n";
 }
 
-std::map<std::string, std::string> read_pictures(const fs::path& folder) {
-  std::map<std::string, std::string> pictures;
+// Their pixels: a povray that waits is another povray, so the keys in them differ.
+std::map<std::string, std::vector<std::uint8_t>> read_pictures(const fs::path& folder) {
+  std::map<std::string, std::vector<std::uint8_t>> pictures;
   for (const std::string& file : list_files(folder / "frames"))
-    pictures[file] = read_file(folder / "frames" / file);
+    pictures[file] = read_pixels(folder / "frames" / file).rgb;
   return pictures;
 }
 
