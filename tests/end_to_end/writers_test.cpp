@@ -79,7 +79,8 @@ TEST(writers, a_folder_has_one_at_a_time) {
                                          "elsewhere with -o\n",
                                          name)));
   EXPECT_EQ(read_pictures(folder / "X"), read_pictures(folder / "Y"));
-  const ProgramRun again = run_shell(folder, "mien render a/p.yaml -o X");
+  const ProgramRun again =
+      run_shell(folder, make_waiting_povray(folder) + "'" + program_path() + "' render a/p.yaml -o X");
   EXPECT_EQ(again.status, 0);
   EXPECT_THAT(again.err, HasSubstr("frames: 0 done, 3 kept"));
   EXPECT_EQ(read_pictures(folder / "X"), read_pictures(folder / "Y"));
