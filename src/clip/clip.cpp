@@ -9,6 +9,7 @@
 #include "core/pool.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/head_track.hpp"
+#include "voice/speech.hpp"
 
 namespace mien {
 
@@ -18,6 +19,7 @@ int count_jobs(const Options& options) { return options.jobs > 0 ? options.jobs 
 
 Spec load_request(const Options& options, const Language& language) {
   Spec spec = load_spec(options.file, language);
+  add_speech(spec, *language.speech);
   if (options.size_px) std::tie(spec.render.width_px, spec.render.height_px) = *options.size_px;
   if (options.quality) spec.render.quality = *options.quality;
   return spec;

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "clip/slate.hpp"
+#include "clip/sound.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
@@ -93,24 +94,6 @@ std::vector<fs::path> list_video_paths(const Clip& clip) {
 
 fs::path find_preview_path(const Clip& clip) {
   return clip.files.folder / (name_clip(clip) + "_preview.mp4");
-}
-
-void check_sound(const Clip& clip) {
-  const std::optional<SoundSpec>& sound = clip.spec.clip.sound;
-  if (!sound || is_sound(sound->file.path)) return;
-  throw InputError(std::vector<Diagnostic>{
-      {sound->file.place,
-       fmt::format("'{}' has no sound that ffmpeg can read; expected a file such as voice.wav",
-                   sound->file.path.filename().string()),
-       {},
-       false}});
-}
-
-std::optional<Sound> find_sound(const Clip& clip) {
-  const std::optional<SoundSpec>& sound = clip.spec.clip.sound;
-  if (!sound) return std::nullopt;
-  const double first_s = static_cast<double>(clip.plan.frames.front() - 1) / clip.spec.clip.fps;
-  return Sound{fs::absolute(sound->file.path), sound->at_s - first_s};
 }
 
 namespace {

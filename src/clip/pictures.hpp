@@ -38,12 +38,6 @@ std::filesystem::path find_preview_path(const Clip& clip);
 // until the next that is there.
 void write_preview(const Clip& clip, const std::vector<bool>& is_there);
 
-// Throws InputError, at its place, for a sound that ffmpeg cannot read: before anything is drawn for it.
-void check_sound(const Clip& clip);
-
-// What is heard from the first frame asked for on, if the file names a sound.
-std::optional<Sound> find_sound(const Clip& clip);
-
 // Which of the plan's frames (from 0) a clip of that name shows, one after the other: all; forth and back;
 // and in a film, which cannot say how often it is to be seen, so many rounds of them.
 std::vector<std::size_t> list_shown_frames(const Clip& clip, const std::filesystem::path& video);

@@ -174,6 +174,31 @@ Rows list_people(const fs::path& data) {
   return rows;
 }
 
+// The sounds that share each mouth, then the letters and names that other programs give them.
+Rows list_mouths(const fs::path& data) {
+  const SpeechDataPointer speech = load_language(data)->speech;
+  const auto find_names = [](const std::map<std::string, VisemeIndices>& all, std::size_t viseme) {
+    std::string names;
+    for (const auto& [name, visemes] : all)
+      if (visemes == VisemeIndices{viseme}) names += (names.empty() ? "" : " ") + name;
+    return names;
+  };
+  Rows rows;
+  for (std::size_t i = 0; i < speech->visemes.size(); ++i) {
+    const Viseme& viseme = speech->visemes[i];
+    std::string meaning = fmt::format("{:<58}", viseme.meaning + ";");
+    meaning += find_names(speech->phonemes, i);
+    const std::string letters = find_names(speech->rhubarb, i), blair = find_names(speech->preston_blair, i);
+    if (!letters.empty()) meaning += "; Rhubarb " + letters;
+    if (!blair.empty()) meaning += "; Preston Blair " + blair;
+    rows.emplace_back(viseme.name, meaning);
+  }
+  for (const auto& [letter, visemes] : speech->rhubarb)
+    rows.emplace_back("mouths/" + letter,
+                      fmt::format("Rhubarb's {}: {}", letter, speech->visemes[visemes.front()].meaning));
+  return rows;
+}
+
 Rows list_qualities(const fs::path&) {
   Rows rows;
   for (const Word& word : kQualityWords) rows.emplace_back(word.name, word.meaning);
@@ -198,6 +223,7 @@ constexpr std::array kKinds{
     Kind{"limits", list_limits_of_adult},
     Kind{"expressions", list_expressions},
     Kind{"landmarks", list_landmarks},
+    Kind{"mouths", list_mouths},
     Kind{"qualities", list_qualities},
 };
 

@@ -5,6 +5,7 @@
 #include "clip/beside.hpp"
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
+#include "clip/sound.hpp"
 #include "clip/scenes.hpp"
 #include "clip/trace.hpp"
 #include "commands/farm_clip.hpp"

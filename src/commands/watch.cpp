@@ -6,6 +6,7 @@
 
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
+#include "clip/sound.hpp"
 #include "commands/hold.hpp"
 #include "commands/sketch_clip.hpp"
 #include "commands/table.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <bitset>
 #include <cstdint>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -142,7 +143,7 @@ enum class Rule {
 };
 
 // Layers lie on the keys, the higher upon the lower; within one, later ones upon earlier ones.
-enum class Layer { table, cue, law };
+enum class Layer { table, cue, speech, law };
 
 inline constexpr double kForever_s = std::numeric_limits<double>::infinity();
 
@@ -155,6 +156,7 @@ struct CueSpec {
   Layer layer = Layer::cue;
   Rule rule = Rule::over;
   bool has_lead = true;  // comes and goes area by area, as the clip's `lead` says
+  double amount = 1;     // how much of it there is when it is all there
   std::bitset<kMoveCount> owns;
   PoseKey what;  // its time is not looked at
   std::shared_ptr<const ClipSpec> script = {};
@@ -199,6 +201,33 @@ struct SoundSpec {
   double at_s = 0;
 };
 
+// A line that is said: by a voice that is made, by a recording, or without a sound.
+struct SaySpec {
+  double at_s = 0;
+  std::string text;             // "*words*" are stressed; empty: `mouths` says it all
+  std::string voice = "en-us";  // as eSpeak NG names it
+  double pace = 1;
+  std::optional<FileReference> sound = {}, mouths = {};
+  double strength = 1;     // of all that the mouth does
+  double share = 1.0 / 3;  // how much of the feeling's the mouth's corners keep
+  double still = 0;        // 1: nothing but the mouth moves
+  Place place = {}, text_place = {}, voice_place = {}, mouths_place = {};  // in the file
+};
+
+// What is heard of a line.
+struct SpokenSound {
+  double at_s = 0;
+  std::filesystem::path file = {};              // this one,
+  std::shared_ptr<const std::string> wav = {};  // or these bytes
+  double from_s = 0;                            // of it
+};
+
+// A word of a line, for charts.
+struct SpokenWord {
+  double from_s = 0, to_s = 0;
+  std::string text;
+};
+
 struct ClipSpec {
   int fps = 24;
   int draw = 1;                               // each drawing is held for this many frames: ones, twos, threes
@@ -217,6 +246,11 @@ struct ClipSpec {
   DriftSpec drift;
   AsymmetrySpec asymmetry;
   std::optional<SoundSpec> sound = {};
+  std::vector<SaySpec> say = {};          // by time
+  std::vector<SpokenSound> spoken = {};   // what `say` comes to, added when it is spoken (voice/speech.hpp)
+  std::vector<SpokenWord> words = {};     // likewise
+  std::vector<SpokenWord> phonemes = {};  // likewise, in IPA
+  bool has_length = false;                // it is the author's
   double length_s = 0;  // `length:`, else the time of the last key of any track, or where the last cue ends
 };
 

@@ -95,7 +95,7 @@ struct Sections {
   Section expression, dominance, growth;
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;
   Section lead, wait, cue, law, track, include, script;
-  Section blink, gaze, gaze_key, direction, drift, asymmetry, sound;
+  Section blink, gaze, gaze_key, direction, drift, asymmetry, sound, say;
   Section actor, place, render, ink, bust, bust_set;
 
   Sections();  // fills them; forms point at sections of the same object
@@ -116,6 +116,7 @@ const Form* find_form(const Forms& forms, FormKind kind);
 // Lengths of names, in letters or bytes.
 inline constexpr std::size_t kMaxTitleLength = 200;    // bytes; it is shown in one line
 inline constexpr std::size_t kMaxLabelLength = 200;    // bytes; far more than any base has room for
+inline constexpr std::size_t kMaxSaidLength = 2000;    // bytes; some two minutes
 inline constexpr std::size_t kMaxKeyName = 40;         // a name is a word, not a sentence
 inline constexpr std::size_t kMaxActorName = 12;       // POV-Ray's words end after 40
 inline constexpr std::size_t kMaxExpressionName = 64;  // names become file names

@@ -180,6 +180,37 @@ void fill_sound(Section& sound) {
                 {"at", {as_duration()}, "When it begins.", "0"}};
 }
 
+void fill_say(Sections& all) {
+  Section& say_line = all.say;
+  say_line.name = "say";
+  say_line.help = "A line that the mouth says.";
+  say_line.expected = "a line such as {at: 1s, text: \"I'm fine.\"}";
+  say_line.keys = {
+      {"at", as_waiting_time(all.wait), "When it begins.", "0"},
+      {"text",
+       {as_line(kMaxSaidLength)},
+       "What is said; \"*so*\" stresses a word. Without a `sound` eSpeak NG speaks it."},
+      {"voice",
+       {as_tag("^[A-Za-z0-9_+-]{1,40}$")},
+       "A voice or language of eSpeak NG, such as de or en-gb.",
+       SaySpec{}.voice},
+      {"pace", {as_number(0.4, 2.5)}, "How quickly: 2 is twice as quick.", say(SaySpec{}.pace)},
+      {"sound", {find_key(all.sound, "file")->forms[0]}, "A recording of it."},
+      {"mouths",
+       {as_file({".tsv", ".xml", ".json", ".dat", ".pgo", ".TextGrid", ".vtt", ".csv"})},
+       "What the mouth does when, from Rhubarb Lip Sync, Papagayo, the Montreal Forced Aligner or WebVTT."},
+      build_strength_key("How much the mouth moves.", false),
+      {"share", {as_number(0, 1)}, "How much of the feeling's the mouth's corners keep.", "0.33"},
+      {"still",
+       {as_number(0, 1)},
+       "1: nothing moves but the mouth; 0: stressed words nod, questions raise the brows, pauses blink.",
+       say(SaySpec{}.still)}};
+  say_line.rules = {{KeyRule::Kind::one_of, {"text", "mouths"}},
+                    {KeyRule::Kind::apart, {"text", "mouths"}},
+                    {KeyRule::Kind::needs, {"voice", "text"}},
+                    {KeyRule::Kind::needs, {"pace", "text"}}};
+}
+
 void fill_clip(Sections& all) {
   Section& change = all.draw_change;
   const Forms frames{as_word("draw", kDrawWords), as_whole(1, kMaxDraw, "frames a drawing")};
@@ -247,6 +278,7 @@ void fill_clip(Sections& all) {
       {"sound",
        {find_key(all.sound, "file")->forms[0], as_section(all.sound)},
        "What is heard: a sound file that the clip is given. It is cut where the clip ends."},
+      {"say", list(all.say), "What is said: the mouth speaks it, and it is heard."},
       {"head", list(all.head_key),
        "The head in time: each key says what of it changes. In between all is mixed."},
       {"light", list(all.light_key), "The lights, by rising time."},
@@ -263,6 +295,7 @@ void fill_clip_sections(Sections& all) {
   fill_idle_sections(all);
   fill_layer_sections(all);
   fill_sound(all.sound);
+  fill_say(all);
   fill_clip(all);
 }
 

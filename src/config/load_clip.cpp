@@ -301,7 +301,7 @@ void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec&
   into.lead = reader.lead;
   into.length_s = compute_last_s(into);
   if (const YamlValue* length = find_value(entries, "length"))
-    load_duration(*length, reader.clock, into.length_s);
+    into.has_length = load_duration(*length, reader.clock, into.length_s);
   check_formulas(into, reader);
 }
 
@@ -336,6 +336,7 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   load_layers(entries, reader, clip);
   load_idle(entries, reader.clock, clip);
   if (const YamlValue* sound = find_value(entries, "sound")) load_sound(*sound, reader.clock, clip.sound);
+  load_say(entries, reader, clip.say);
   if (!clip.gaze.keys.empty() && find_value(entries, "length") == nullptr)
     clip.length_s = std::max(clip.length_s, clip.gaze.keys.back().at_s);
   if (clip.length_s > reader.clock.end_s) {

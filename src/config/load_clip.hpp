@@ -119,6 +119,9 @@ void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<Cu
 void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
 void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
 
+// `say:`, appended.
+void load_say(const YamlMapping& clip, const ClipReader& reader, std::vector<SaySpec>& into);
+
 // `attack: 0.4s`, `release: 0.8s` of a cue, a law or a table; false if there is none.
 bool load_duration(const YamlMapping& entries, std::string_view key, const ClipClock& clock, double& into);
 void load_rule(const YamlMapping& entries, Rule& into);

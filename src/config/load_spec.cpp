@@ -132,6 +132,7 @@ LanguagePointer load_language(const std::filesystem::path& data_folder) {
   auto language = std::make_shared<Language>();
   language->libraries = build_book(load_expression_libraries(data_folder / "configs/expressions"));
   language->words = load_head_words(data_folder, findings);
+  language->speech = load_speech_data(data_folder, findings);
   throw_mistakes(std::move(findings));
   return language;
 }

@@ -10,6 +10,7 @@
 #include "config/expressions.hpp"
 #include "config/head_words.hpp"
 #include "config/spec.hpp"
+#include "config/speech_data.hpp"
 
 namespace mien {
 
@@ -25,6 +26,7 @@ inline constexpr int kMinSide_px = 16;
 struct Language {
   ExpressionBook libraries;
   HeadWords words;
+  SpeechDataPointer speech;
 };
 using LanguagePointer = std::shared_ptr<const Language>;
 

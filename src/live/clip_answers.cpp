@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "clip/reach.hpp"
@@ -17,6 +18,8 @@
 namespace mien {
 
 namespace {
+
+constexpr std::array kLayerNames{"table", "cue", "speech", "law"};
 
 // With the place in the text where it stands; a place in an included file is none.
 Json describe_key(const LiveSession& session, const char* kind, double at_s, const std::string& label,
@@ -41,7 +44,7 @@ Json describe_cue(const LiveSession& session, const CueSpec& cue, double length_
   value["full_s"] = find_end_s(cue.full_s, length_s);
   value["ebb_s"] = find_end_s(cue.ebb_s, length_s);
   value["end_s"] = find_end_s(cue.end_s, length_s);
-  value["layer"] = cue.layer == Layer::table ? "table" : cue.layer == Layer::cue ? "cue" : "law";
+  value["layer"] = kLayerNames[static_cast<std::size_t>(cue.layer)];
   Json areas = Json::array();
   for (const AreaKey& key : kAreaKeys) {
     if (key.is_both) continue;

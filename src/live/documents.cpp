@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "core/text.hpp"
+#include "voice/speech.hpp"
 
 namespace mien {
 
@@ -15,7 +16,10 @@ DocumentPointer build_document(const LiveShelf& shelf, const std::string& text, 
   auto document = std::make_shared<LiveDocument>();
   document->key = std::move(key);
   try {
-    Clip clip = build_clip(load_spec(shelf.file, text, *shelf.resources->stock.language));
+    const Language& language = *shelf.resources->stock.language;
+    Spec spec = load_spec(shelf.file, text, language);
+    add_speech(spec, *language.speech);
+    Clip clip = build_clip(std::move(spec));
     plan_drawings(clip);
     document->is_growing = std::ranges::any_of(
         clip.actors, [](const Actor& actor) { return !actor.performance.clip.head.empty(); });

@@ -99,7 +99,7 @@ double compute_envelope(const CueStack& stack, const Cue& cue, std::size_t move,
   };
   const double come = sample(cue.from, cue.full, stack.leads[cue.come]);
   const double gone = time <= cue.ebb ? 0 : sample(cue.ebb, cue.end, stack.leads[cue.go]);
-  return come * (1 - gone);
+  return cue.spec.amount * come * (1 - gone);
 }
 
 void lay(Rule rule, std::size_t move, double weight, const FaceState& shown, FaceState& face) {

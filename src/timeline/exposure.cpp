@@ -39,6 +39,14 @@ std::map<int, std::string> find_key_labels(const ClipSpec& clip) {
   return labels;
 }
 
+// The sounds that begin with each frame.
+std::map<int, std::string> find_sounds(const ClipSpec& clip) {
+  std::map<int, std::string> sounds;
+  for (const SpokenWord& phoneme : clip.phonemes)
+    sounds[static_cast<int>(std::floor(phoneme.from_s * clip.fps + kSameTime_s))] += phoneme.text;
+  return sounds;
+}
+
 // A word of the sheet. One that a table program might take for a formula is made plain text.
 std::string quote(const std::string& word) {
   const bool is_formula = !word.empty() && std::string_view("=+-@\t").find(word[0]) != std::string_view::npos;
@@ -75,6 +83,7 @@ std::vector<ExposureLine> build_exposure(const Performance& performance) {
   const std::vector<int> first = compute_drawings(performance.clip, {rehearsal.drawings});
   const std::vector<ChartRow> rows = list_chart_rows(rehearsal.shown);
   const std::map<int, std::string> labels = find_key_labels(performance.clip);
+  const std::map<int, std::string> sounds = find_sounds(performance.clip);
   std::map<int, int> numbers;  // of drawings, by their first frames
   std::vector<ExposureLine> lines;
   CameraKey before;
@@ -86,6 +95,7 @@ std::vector<ExposureLine> build_exposure(const Performance& performance) {
     line.drawing = numbers.emplace(shown, static_cast<int>(numbers.size()) + 1).first->second;
     line.is_held = frame > 0 && shown == first[static_cast<std::size_t>(frame - 1)];
     if (const auto label = labels.find(frame); label != labels.end()) line.key = label->second;
+    if (const auto sound = sounds.find(frame); sound != sounds.end()) line.sound = sound->second;
     const CameraKey camera =
         sample_performance(performance, compute_drawing_time_s(performance.clip, frame)).camera;
     if (frame > 0) line.changed = list_changed(rows, frame);
@@ -97,12 +107,15 @@ std::vector<ExposureLine> build_exposure(const Performance& performance) {
 }
 
 std::string build_exposure_csv(const std::vector<ExposureLine>& lines) {
-  std::string csv = "frame,time_s,drawing,held,key,changed\n";
+  const bool speaks =
+      std::ranges::any_of(lines, [](const ExposureLine& line) { return !line.sound.empty(); });
+  std::string csv = fmt::format("frame,time_s,drawing,held,key,changed{}\n", speaks ? ",sound" : "");
   for (const ExposureLine& line : lines) {
     std::string changed;
     for (const std::string& area : line.changed) changed += (changed.empty() ? "" : " ") + area;
-    csv += fmt::format("{},{},{},{},{},{}\n", line.frame, format_number(line.time_s, 6), line.drawing,
-                       line.is_held ? "held" : "", quote(line.key), quote(changed));
+    csv += fmt::format("{},{},{},{},{},{}{}\n", line.frame, format_number(line.time_s, 6), line.drawing,
+                       line.is_held ? "held" : "", quote(line.key), quote(changed),
+                       speaks ? "," + quote(line.sound) : "");
   }
   return csv;
 }

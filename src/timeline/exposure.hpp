@@ -15,6 +15,7 @@ struct ExposureLine {
   bool is_held = false;              // shows the drawing of the frame before
   std::string key;                   // the label of a key whose moment this frame is the first to show
   std::vector<std::string> changed;  // "brows", "lips", "head", "camera": against the frame before
+  std::string sound = {};            // what is said from this frame on, in IPA; empty: what was said before
 };
 
 // The first frame (from 0) whose drawing shows `time_s` or a later moment; the last one if none does.
@@ -22,7 +23,8 @@ int compute_key_frame(const ClipSpec& clip, double time_s);
 
 std::vector<ExposureLine> build_exposure(const Performance& performance);
 
-// RFC 4180 with a line of names first; changed areas with blanks between.
+// RFC 4180 with a line of names first; changed areas with blanks between. A clip that speaks has a column of
+// sounds.
 std::string build_exposure_csv(const std::vector<ExposureLine>& lines);
 
 }  // namespace mien

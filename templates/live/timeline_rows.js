@@ -33,7 +33,7 @@ function findHeld(chart, area, names, actor, fps) {
 // Overlapping cues go below each other, and what follows a formula or a table below them.
 function layCues(cues) {
   const ends = [];
-  const rank = (cue) => ["cue", "law", "table"].indexOf(cue.layer);
+  const rank = (cue) => ["cue", "law", "table", "speech"].indexOf(cue.layer);
   return [...cues].sort((a, b) => rank(a) - rank(b) || a.from_s - b.from_s).map((cue) => {
     let lane = ends.findIndex((end) => end <= cue.from_s + 1e-6);
     if (lane < 0) lane = ends.length;

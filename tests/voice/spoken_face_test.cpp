@@ -1,0 +1,221 @@
+// A face that speaks: lips meet where they have to, nothing jumps, and the feeling stays in what is not the
+// word's.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "config/load_spec.hpp"
+#include "frames/figure.hpp"
+#include "head/cage.hpp"
+#include "places.hpp"
+#include "shipped.hpp"
+#include "timeline/performance.hpp"
+#include "voice/speech.hpp"
+
+namespace mien {
+namespace {
+
+struct Sentence {
+  const char* voice;
+  const char* text;
+};
+
+constexpr std::array kSentences{
+    Sentence{"en-us", "I'm fine."},
+    Sentence{"en-us", "Bob may pump the map back up."},
+    Sentence{"en-us", "Five very brave foxes leave the village."},
+    Sentence{"en-us", "Who would have thought of you?"},
+    Sentence{"en-us", "My mother baked apple pie for Bill."},
+    Sentence{"en-gb", "Perhaps we had better begin before noon."},
+    Sentence{"en-gb", "She sells sea shells by the shore."},
+    Sentence{"en-gb", "Mind the gap between the train and the platform."},
+    Sentence{"de", "Papa und Mama bauen am Abend ein Boot."},
+    Sentence{"de", "Fischers Fritz fischt frische Fische."},
+    Sentence{"de", "Wann kommst du bitte wieder heim?"},
+    Sentence{"de", "Das Pferd frisst keinen Gurkensalat."},
+    Sentence{"fr-fr", "Bonjour madame, vous parlez bien."},
+    Sentence{"fr-fr", "Un bon vin blanc pour ma famille."},
+    Sentence{"fr-fr", "Il a beaucoup plu ce matin."},
+    Sentence{"fr-fr", "Je ne veux pas partir."},
+    Sentence{"es", "Buenos días, mi buen amigo Pablo."},
+    Sentence{"es", "Me gusta mucho el vino blanco."},
+    Sentence{"es", "La mamá peina a su bebé."},
+    Sentence{"es", "Por favor, vamos a comer."},
+};
+
+// On a face that smiles, as that parts the lips most.
+Spec build_said(const Sentence& sentence, const std::string& express = "smile",
+                const std::string& more = "") {
+  const std::string text = fmt::format(
+      "mien: 1\nclip:\n  fps: 24\n  keys: [{{at: 0s, express: {}}}]\n  say:\n    - {{at: 0.3s, voice: {}, "
+      "text: \"{}\"{}}}\n",
+      express, sentence.voice, sentence.text, more);
+  Spec spec = load_spec("said.yaml", text, *shipped().stock.language);
+  add_speech(spec, *shipped().stock.language->speech);
+  return spec;
+}
+
+struct Probe {
+  const Figure& figure;
+  DeformBuffers buffers = {};
+  Drawing drawing = {};
+
+  void pose(const Pose& asked) { deform_figure(figure, asked, TurnKey{}, buffers, drawing); }
+  glm::vec3 at(const char* name) const {
+    return drawing.parts[0].positions[find_point(figure.head.cage, name)];
+  }
+  // Between the inner edges of the lips, in the middle of the mouth.
+  double gap_mm() const { return at("M0_0").y - at("M0_12").y; }
+  // From the lower lip's inner edge to the nearest of the upper teeth.
+  double to_teeth_mm() const {
+    double least = 1e9;
+    for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+      const Part& part = figure.model.parts[i];
+      if (part.name != "teeth_upper") continue;
+      for (const glm::vec3& rest : part.rest.positions) {
+        const glm::vec3 p(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
+        for (const char* name : {"M0_12", "M1_12", "M2_12"})
+          least = std::min<double>(least, glm::length(p - at(name)));
+      }
+    }
+    return least;
+  }
+};
+
+const Figure& adult() {
+  static const Figure figure = build_figure(shipped().heads, HeadSpec{});
+  return figure;
+}
+
+bool is_bilabial(const std::string& ipa) { return ipa == "p" || ipa == "b" || ipa == "m"; }
+bool is_labiodental(const std::string& ipa) { return ipa == "f" || ipa == "v"; }
+
+TEST(spoken_face, shuts_its_lips_and_bites_them) {
+  Probe probe{adult()};
+  probe.pose({});
+  const double rest_mm = probe.gap_mm();
+  for (const Sentence& sentence : kSentences) {
+    const Spec spec = build_said(sentence);
+    const Performance performance = build_performance(spec.clip);
+    for (const SpokenWord& sound : spec.clip.phonemes) {
+      if (!is_bilabial(sound.text) && !is_labiodental(sound.text)) continue;
+      probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
+      const std::string where = fmt::format("{} '{}' at {:.2f} s", sentence.text, sound.text, sound.from_s);
+      if (is_bilabial(sound.text))
+        EXPECT_LE(probe.gap_mm() - rest_mm, 0.3) << where;
+      else
+        EXPECT_LE(probe.to_teeth_mm(), 1.0) << where;
+    }
+  }
+}
+
+TEST(spoken_face, shows_a_frame_of_every_shut_mouth) {
+  Probe probe{adult()};
+  probe.pose({});
+  const double rest_mm = probe.gap_mm();
+  for (const Sentence& sentence : kSentences) {
+    const Spec spec = build_said(sentence);
+    const Performance performance = build_performance(spec.clip);
+    for (const SpokenWord& sound : spec.clip.phonemes) {
+      if (!is_bilabial(sound.text)) continue;
+      double least_mm = 1e9;
+      const int first = static_cast<int>(std::floor(sound.from_s * 24)),
+                last = static_cast<int>(std::ceil(sound.to_s * 24));
+      for (int frame = first; frame <= last; ++frame) {
+        probe.pose(sample_performance(performance, frame / 24.0).pose);
+        least_mm = std::min(least_mm, probe.gap_mm() - rest_mm);
+      }
+      EXPECT_LE(least_mm, 0.5) << sentence.text << " '" << sound.text << "' at " << sound.from_s << " s";
+    }
+  }
+}
+
+TEST(spoken_face, never_jumps) {
+  Probe probe{adult()};
+  double most_mm = 0;
+  for (const Sentence& sentence : kSentences) {
+    const Spec spec = build_said(sentence, "neutral", ", still: 1");
+    const Performance performance = build_performance(spec.clip);
+    std::vector<glm::vec3> before;
+    for (int frame = 0; frame < count_frames(spec.clip); ++frame) {
+      const Moment moment = sample_performance(performance, frame / 24.0);
+      for (std::size_t i = 0; i < kMoveCount; ++i) {
+        EXPECT_GE(moment.pose.values[i], kMoves[i].low);
+        EXPECT_LE(moment.pose.values[i], kMoves[i].high);
+      }
+      probe.pose(moment.pose);
+      const std::vector<glm::vec3>& now = probe.drawing.parts[0].positions;
+      for (std::size_t v = 0; v < before.size(); ++v)
+        most_mm = std::max<double>(most_mm, glm::length(now[v] - before[v]));
+      before = now;
+    }
+  }
+  EXPECT_LE(most_mm, 6) << "between two frames of 24 a second";
+  EXPECT_GE(most_mm, 2) << "but it speaks";
+}
+
+TEST(spoken_face, keeps_the_feeling) {
+  const Sentence sentence{"en-us", "See me. And see *you*."};
+  const Spec spec = build_said(sentence, "smile", ", still: 1");
+  const Performance performance = build_performance(spec.clip);
+  const Pose smile = sample_performance(performance, 0).pose;
+  for (int frame = 0; frame < count_frames(spec.clip); ++frame) {
+    const Pose pose = sample_performance(performance, frame / 24.0).pose;
+    for (std::size_t i = 0; i < kMoveCount; ++i) {
+      const MoveInfo& move = kMoves[i];
+      const std::string where = fmt::format("{} in frame {}", name_move(i), frame);
+      if (move.of == Area::brow || move.of == Area::lid) {
+        EXPECT_EQ(pose.values[i], smile.values[i]) << where;
+      }
+      if (move.of == Area::corner && move.move == "up") {
+        EXPECT_GE(pose.values[i], smile.values[i] / 3 - 1e-6) << where;
+      }
+    }
+  }
+  // In the pause between the sentences the mouth smiles again.
+  double pause_s = 0;
+  for (std::size_t i = 0; i + 1 < spec.clip.phonemes.size(); ++i)
+    if (spec.clip.phonemes[i + 1].from_s - spec.clip.phonemes[i].to_s > 0.3)
+      pause_s = spec.clip.phonemes[i].to_s + 0.23;
+  ASSERT_GT(pause_s, 0);
+  const Pose pause = sample_performance(performance, pause_s).pose;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    EXPECT_NEAR(pause.values[i], smile.values[i], 0.05) << name_move(i);
+}
+
+TEST(spoken_face, nods_asks_and_blinks_unless_it_is_still) {
+  const Sentence sentence{"en-us", "Is it *you*?"};
+  const Performance lively = build_performance(build_said(sentence).clip);
+  const Performance still = build_performance(build_said(sentence, "smile", ", still: 1").clip);
+  double nod_deg = 0, brow = 0;
+  const auto up = static_cast<std::size_t>(
+      std::ranges::find_if(kMoves,
+                           [](const MoveInfo& move) { return move.of == Area::brow && move.move == "up"; }) -
+      kMoves.begin());
+  for (double time_s = 0; time_s < lively.clip.length_s; time_s += 0.02) {
+    const Moment moved = sample_performance(lively, time_s), calm = sample_performance(still, time_s);
+    EXPECT_EQ(calm.turn.nod_deg, 0);
+    nod_deg = std::max(nod_deg, moved.turn.nod_deg);
+    brow = std::max(brow, moved.pose.values[up] - calm.pose.values[up]);
+  }
+  EXPECT_NEAR(nod_deg, 3.5, 0.5);
+  EXPECT_GE(brow, 0.3);
+}
+
+TEST(spoken_face, says_the_same_twice) {
+  const auto describe = [](const Spec& spec) {
+    std::string all;
+    for (const CueSpec& cue : spec.clip.cues) {
+      all += fmt::format("{} {} ", cue.from_s, cue.end_s);
+      if (cue.table) all += fmt::format("{}", fmt::join(cue.table->values, " "));
+    }
+    return all;
+  };
+  EXPECT_EQ(describe(build_said(kSentences[1])), describe(build_said(kSentences[1])));
+}
+
+}  // namespace
+}  // namespace mien
