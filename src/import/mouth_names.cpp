@@ -24,8 +24,8 @@ constexpr std::array<std::string_view, 15> kArpabetVowels{"AA", "AE", "AH", "AO"
 constexpr std::array<std::string_view, 24> kArpabetConsonants{"B",  "CH", "D",  "DH", "F",  "G", "HH", "JH",
                                                               "K",  "L",  "M",  "N",  "NG", "P", "R",  "S",
                                                               "SH", "T",  "TH", "V",  "W",  "Y", "Z",  "ZH"};
-// MFA's own, the Penn aligner's, MAUS's and Festival's.
-constexpr std::array<std::string_view, 7> kSilences{"", "sil", "sp", "spn", "pau", "<eps>", "<p:>"};
+// MFA's own, the Penn aligner's, MAUS's and Festival's; of what was not understood nobody knows the mouth.
+constexpr std::array<std::string_view, 8> kSilences{"", "sil", "sp", "spn", "pau", "<eps>", "<p:>", "<unk>"};
 
 constexpr std::size_t kLongestIpa = 16;  // characters: a diphthong with marks has some eight
 
@@ -120,6 +120,25 @@ bool is_silence(std::string_view name) {
   std::string small(name);
   for (char& c : small) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
   return is_among(kSilences, small);
+}
+
+std::string_view strip_punctuation(std::string_view word) {
+  static constexpr std::string_view kSigns[] = {"“", "”", "„", "«", "»", "…",     "—",
+                                                "–", "♪", "♫", "¿", "¡", "\u00A0"};
+  const auto is_sign = [](char c) {
+    return std::ispunct(static_cast<unsigned char>(c)) && c != '\'' && static_cast<unsigned char>(c) < 0x80;
+  };
+  for (bool is_changed = true; is_changed && !word.empty();) {
+    const std::size_t before = word.size();
+    if (is_sign(word.front())) word.remove_prefix(1);
+    if (!word.empty() && is_sign(word.back())) word.remove_suffix(1);
+    for (const std::string_view sign : kSigns) {
+      if (word.starts_with(sign)) word.remove_prefix(sign.size());
+      if (word.ends_with(sign)) word.remove_suffix(sign.size());
+    }
+    is_changed = word.size() != before;
+  }
+  return word;
 }
 
 }  // namespace mien

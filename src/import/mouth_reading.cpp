@@ -157,19 +157,22 @@ void check_seconds(const MouthText& text, std::size_t at, double seconds) {
 }
 
 long long parse_frame(const MouthText& text, MouthWord word, long long least) {
+  constexpr auto kMostFrames = static_cast<long long>(kMaxMouthTime_s * kMaxMouthRate);
   const auto frame = parse_index(word.word);
-  if (!frame || *frame < least)
+  if (!frame || *frame < least || *frame > kMostFrames)
     fail_at(text, word.at,
-            fmt::format("'{}' is no frame; expected a whole number from {}", show_words(word.word), least));
+            fmt::format("'{}' is no frame; expected a whole number from {} to {}", show_words(word.word),
+                        least, kMostFrames));
   return *frame;
 }
 
-long long parse_count(const MouthText& text, MouthWord word, const std::string& what, long long most) {
+long long parse_count(const MouthText& text, MouthWord word, const std::string& what, long long least,
+                      long long most) {
   const auto count = parse_index(word.word);
-  if (!count || *count < 0 || *count > most)
-    fail_at(
-        text, word.at,
-        fmt::format("'{}' is no number of {}; expected one from 0 to {}", show_words(word.word), what, most));
+  if (!count || *count < least || *count > most)
+    fail_at(text, word.at,
+            fmt::format("'{}' is no number of {}; expected one from {} to {}", show_words(word.word), what,
+                        least, most));
   return *count;
 }
 
@@ -177,8 +180,8 @@ double compute_frame_time(const MouthText& text, std::size_t at, long long frame
   const double seconds = static_cast<double>(frames) / fps;
   if (!(seconds <= kMaxMouthTime_s))
     fail_at(text, at,
-            fmt::format("at {:.7g} frames a second this comes at {:.7g} s; expected {} at most", fps, seconds,
-                        kMaxMouthTime_s));
+            fmt::format("at {:.7g} frames a second this comes at {:.7g} s; expected {} s at most", fps,
+                        seconds, kMaxMouthTime_s));
   return seconds;
 }
 

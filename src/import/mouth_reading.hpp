@@ -17,6 +17,9 @@ struct MouthText {
   std::vector<std::size_t> line_starts;  // offset of each line in `text`
 };
 
+// Frames a second; faster ones are no picture's.
+inline constexpr double kMaxMouthRate = 1000;
+
 // A piece of a text, and the offset at which it begins.
 struct MouthWord {
   std::string_view word;
@@ -51,7 +54,8 @@ void split_line(MouthWord line, std::vector<MouthWord>& words);
 // A number of seconds, of frames, or of something else from `least` to `most`.
 double parse_seconds(const MouthText& text, MouthWord word);
 long long parse_frame(const MouthText& text, MouthWord word, long long least);
-long long parse_count(const MouthText& text, MouthWord word, const std::string& what, long long most);
+long long parse_count(const MouthText& text, MouthWord word, const std::string& what, long long least,
+                      long long most);
 
 // Frames as seconds; `at` is told if they are too many.
 double compute_frame_time(const MouthText& text, std::size_t at, long long frames, double fps);
@@ -77,6 +81,9 @@ MouthNames find_mouth_names(const MouthText& text, const std::vector<MouthWord>&
                             std::initializer_list<MouthNames> kinds);
 // Whether a phoneme's name means that nothing is said.
 bool is_silence(std::string_view name);
+
+// A word without punctuation around it; empty if nothing else is there.
+std::string_view strip_punctuation(std::string_view word);
 
 // One reader a format.
 MouthTrack read_rhubarb_tsv(const MouthText& text);

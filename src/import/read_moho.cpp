@@ -18,14 +18,12 @@ struct SwitchKey {
   std::size_t at = 0;
 };
 
-constexpr double kMostSwitchRate = 1000;  // frames a second
-
 double parse_switch_rate(const MouthText& text, MouthWord word) {
   const auto rate = parse_coordinate(word.word);
-  if (!rate || *rate < 1 || *rate > kMostSwitchRate)
+  if (!rate || *rate < 1 || *rate > kMaxMouthRate)
     fail_at(text, word.at,
             fmt::format("'{}' is no number of frames a second; expected one from 1 to {}",
-                        show_words(word.word), kMostSwitchRate));
+                        show_words(word.word), kMaxMouthRate));
   return *rate;
 }
 
@@ -76,7 +74,7 @@ MouthTrack read_moho(const MouthText& text, double fps) {
     const bool is_last = i + 1 == keys.size();
     const long long to = is_last ? key.frame + 1 : keys[i + 1].frame;
     const double from_s = compute_frame_time(text, key.at, key.frame, fps);
-    track.end_s = compute_frame_time(text, key.at, to, fps);
+    track.end_s = compute_frame_time(text, is_last ? key.at : keys[i + 1].at, to, fps);
     append_cue(text, track.cues, key.at, from_s, track.end_s, std::string(key.name.word));
   }
   return track;

@@ -11,7 +11,6 @@ namespace mien {
 
 namespace {
 
-constexpr long long kMostFrameRate = 1000;  // frames a second
 constexpr long long kMostVoices = 100;
 constexpr auto kMostParts = static_cast<long long>(kMaxMouthCues);
 
@@ -40,7 +39,7 @@ void read_part_line(PapagayoReader& file, const std::string& expected) {
 
 long long read_count_line(PapagayoReader& file, const std::string& what, long long most) {
   read_part_line(file, "the number of " + what);
-  return parse_count(file.text, trim_word(file.line), what, most);
+  return parse_count(file.text, trim_word(file.line), what, 0, most);
 }
 
 // The first and the last frame of a word; its phonemes are between them.
@@ -97,10 +96,12 @@ void read_word(PapagayoReader& file) {
             "hello 10 20 4");
   const std::vector<MouthWord> words = file.words;
   const FrameSpan span = parse_span(file, words[1], words[2]);
-  const long long count = parse_count(file.text, words[3], "phonemes", kMostParts);
+  const long long count = parse_count(file.text, words[3], "phonemes", 0, kMostParts);
   if (compute_frame_time(file.text, words[1].at, span.last + 1, file.fps) < file.shown_s)
     fail_at(file.text, words[1].at, "this word is before the one before it; expected rising frames");
-  append_frames(file, file.track.words, words[0].at, span.first, span.last + 1, words[0]);
+  const std::string_view said = strip_punctuation(words[0].word);
+  if (!said.empty())
+    append_frames(file, file.track.words, words[0].at, span.first, span.last + 1, {said, words[0].at});
   FramePhoneme before{span.first, {}, 0};
   for (long long i = 0; i < count; ++i) {
     const FramePhoneme phoneme = read_phoneme(file, span, before.frame);
@@ -145,8 +146,8 @@ MouthTrack read_papagayo(const MouthText& text) {
   read_free_line(file, "the path of the sound");
   read_part_line(file, "the number of frames a second");
   const MouthWord rate = trim_word(file.line);
-  file.fps = static_cast<double>(parse_count(text, rate, "frames a second", kMostFrameRate));
-  if (file.fps == 0) fail_at(text, rate.at, "0 frames a second; expected 1 or more");
+  file.fps = static_cast<double>(
+      parse_count(text, rate, "frames a second", 1, static_cast<long long>(kMaxMouthRate)));
   read_part_line(file, "the number of frames");
   const MouthWord duration = trim_word(file.line);
   const double end_s = compute_frame_time(text, duration.at, parse_frame(text, duration, 0), file.fps);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "core/utf8.hpp"
 #include "import/mouth_reading.hpp"
 
 namespace mien {
@@ -222,13 +223,21 @@ bool JsonTrack::end_array() {
   return true;
 }
 
-bool JsonTrack::parse_error(std::size_t, const std::string& token, const nlohmann::json::exception&) {
-  const std::size_t read = find_read(*this);
-  const std::size_t last = text.text.find_last_not_of(" \t\n");
+bool JsonTrack::parse_error(std::size_t, const std::string&, const nlohmann::json::exception& why) {
+  constexpr int kTooLarge = 406;  // the library's number of it
+  const std::size_t last = text.text.find_last_not_of(" \t\n"), read = find_read(*this);
+  if (why.id == kTooLarge)
+    fail_at(text, find_json_word(*this), "a number that is too large; expected seconds");
   if (read > last) fail_at_end(text, "the file ends within its JSON; expected the rest");
-  const std::size_t begin = read - std::min(read, std::max<std::size_t>(token.size(), 1));
-  fail_at(text, begin,
-          fmt::format("'{}' cannot stand here; expected JSON as Rhubarb writes it", show_words(token)));
+  // A string has been read up to its end, a number one letter further, all else up to the wrong letter.
+  std::size_t at = read == 0 ? 0 : read - 1;
+  while (at > 0 && (text.text[at] == ' ' || text.text[at] == '\n' || text.text[at] == '\t')) --at;
+  while (at > 0 && !is_first_of_character(text.text[at])) --at;
+  if (text.text[at] == '"') at = std::min(at, find_json_string(*this));
+  const std::string_view rest = std::string_view(text.text).substr(at);
+  fail_at(text, at,
+          fmt::format("'{}' cannot stand here; expected JSON as Rhubarb writes it",
+                      rest.substr(0, find_character(rest, 0).length)));
 }
 
 }  // namespace

@@ -63,8 +63,9 @@ MouthWord read_xml_value(XmlReader& xml) {
     fail_at(xml.text, xml.at, "a value without quotes; expected \"..\"");
   const std::size_t begin = xml.at;
   ++xml.at;
-  const std::size_t end = xml.text.text.find(rest.front(), xml.at);
-  if (end == std::string::npos) fail_at(xml.text, begin, "nothing closes this quote; expected one more");
+  const std::size_t end = xml.text.text.find_first_of({rest.front(), '<'}, xml.at);
+  if (end == std::string::npos || xml.text.text[end] == '<')
+    fail_at(xml.text, begin, "nothing closes this quote; expected one more");
   xml.at = end + 1;
   return {rest.substr(1, end - begin - 1), begin + 1};
 }
@@ -126,7 +127,7 @@ struct XmlTrack {
   std::vector<MouthWord> open;  // names of the elements that are open
   double from_s = 0, to_s = 0;  // of the cue that is open
   MouthWord shape;
-  bool has_cues = false;
+  bool has_root = false, has_cues = false;
 };
 
 bool is_within(const XmlTrack& xml, std::initializer_list<std::string_view> names) {
@@ -134,11 +135,14 @@ bool is_within(const XmlTrack& xml, std::initializer_list<std::string_view> name
 }
 
 void open_element(const MouthText& text, XmlTrack& xml, const XmlPart& tag) {
-  if (xml.open.empty() && tag.word.word != "rhubarbResult")
+  if (xml.open.empty() && (xml.has_root || tag.word.word != "rhubarbResult"))
     fail_at(text, tag.word.at,
-            fmt::format("an element '{}'; expected rhubarbResult", show_words(tag.word.word)));
+            fmt::format("an element '{}'; expected {}", show_words(tag.word.word),
+                        xml.has_root ? "the end of the file" : "rhubarbResult"));
+  xml.has_root = true;
   if (xml.open.size() >= kDeepestXml)
-    fail_at(text, tag.word.at, fmt::format("more than {} elements within each other", kDeepestXml));
+    fail_at(text, tag.word.at,
+            fmt::format("more than {} elements within each other; expected fewer", kDeepestXml));
   xml.open.push_back(tag.word);
   if (is_within(xml, {"rhubarbResult", "mouthCues"})) xml.has_cues = true;
   if (!is_within(xml, {"rhubarbResult", "mouthCues", "mouthCue"})) return;
@@ -156,18 +160,23 @@ void close_element(const MouthText& text, XmlTrack& xml) {
 }
 
 void close_element_by_tag(const MouthText& text, XmlTrack& xml, MouthWord name) {
-  if (xml.open.empty() || xml.open.back().word != name.word)
+  const std::string open = xml.open.empty() ? "" : show_words(xml.open.back().word);
+  if (xml.open.empty())
     fail_at(text, name.at,
-            fmt::format(
-                "'{}' is closed here and {}; expected {}", show_words(name.word),
-                xml.open.empty() ? "nothing is open" : "something else is open",
-                xml.open.empty() ? "the end of the file" : "</" + show_words(xml.open.back().word) + ">"));
+            fmt::format("'{}' is closed here, and nothing is open; expected the end of the file",
+                        show_words(name.word)));
+  if (xml.open.back().word != name.word)
+    fail_at(text, name.at,
+            fmt::format("'{}' is closed here, and '{}' is open; expected </{}>", show_words(name.word), open,
+                        open));
   close_element(text, xml);
 }
 
 void take_xml_text(const MouthText& text, XmlTrack& xml, MouthWord word) {
   if (xml.open.empty())
-    fail_at(text, word.at, fmt::format("'{}'; expected <rhubarbResult>", show_words(word.word)));
+    fail_at(text, word.at,
+            fmt::format("'{}'; expected {}", show_words(word.word),
+                        xml.has_root ? "the end of the file" : "<rhubarbResult>"));
   if (is_within(xml, {"rhubarbResult", "mouthCues", "mouthCue"})) xml.shape = word;
   if (is_within(xml, {"rhubarbResult", "metadata", "duration"})) xml.track.end_s = parse_seconds(text, word);
 }

@@ -91,10 +91,15 @@ struct Tier {
   std::vector<MouthWord> names;
 };
 
-void append_interval(const MouthText& text, Tier& tier, const GridToken& name, double from_s, double to_s) {
-  const MouthWord bare = trim_word({name.text, name.word.at});
-  if (is_silence(bare.word)) return;
-  append_cue(text, tier.cues, name.word.at, from_s, to_s, std::string(bare.word));
+void append_interval(const MouthText& text, Tier& tier, TierRole role, const GridToken& name, double from_s,
+                     double to_s) {
+  if (name.text.find('\n') != std::string::npos)
+    fail_at(text, name.word.at, "this text goes on in the next line; expected a quote at its end");
+  std::string_view bare = trim_word({name.text, 0}).word;
+  if (is_silence(bare)) return;
+  if (role == TierRole::words) bare = strip_punctuation(bare);
+  if (bare.empty()) return;
+  append_cue(text, tier.cues, name.word.at, from_s, to_s, std::string(bare));
   // Within the file, without its quotes; a doubled quote is of no phoneme.
   tier.names.push_back(trim_word({name.word.word.substr(1, name.word.word.size() - 2), name.word.at + 1}));
 }
@@ -104,7 +109,7 @@ void read_intervals(GridReader& grid, Tier& tier, bool is_points, TierRole role)
   read_grid_time(grid, "the tier's end");
   const GridToken size = expect_grid(grid, GridToken::Kind::number, "the number of intervals");
   const long long count =
-      parse_count(grid.text, size.word, "intervals", static_cast<long long>(kMaxMouthCues));
+      parse_count(grid.text, size.word, "intervals", 0, static_cast<long long>(kMaxMouthCues));
   double end_s = 0;
   for (long long i = 0; i < count; ++i) {
     const std::string which = fmt::format(" of interval {} of {}", i + 1, count);
@@ -113,7 +118,8 @@ void read_intervals(GridReader& grid, Tier& tier, bool is_points, TierRole role)
     const double to_s = is_points ? from_s : read_grid_time(grid, "the end" + which);
     const GridToken name = expect_grid(grid, GridToken::Kind::text, "the text" + which);
     if (role == TierRole::none) continue;
-    append_interval(grid.text, tier, name, find_start(grid.text, from.word.at, end_s, from_s, to_s), to_s);
+    append_interval(grid.text, tier, role, name, find_start(grid.text, from.word.at, end_s, from_s, to_s),
+                    to_s);
     end_s = to_s;
   }
 }
@@ -161,10 +167,13 @@ MouthTrack read_textgrid(const MouthText& text) {
   if (flag.word.word != "<exists>")
     fail_at(text, flag.word.at, fmt::format("{}; expected <exists>", show_words(flag.word.word)));
   const GridToken size = expect_grid(grid, GridToken::Kind::number, "the number of tiers");
-  const long long count = parse_count(text, size.word, "tiers", kMostTiers);
+  const long long count = parse_count(text, size.word, "tiers", 0, kMostTiers);
   Tier phones, words;
   std::string passed;
   for (long long i = 0; i < count; ++i) read_tier(grid, phones, words, passed);
+  if (const GridToken more = read_grid_token(grid); more.kind != GridToken::Kind::end)
+    fail_at(text, more.word.at,
+            fmt::format("{} behind the last tier; expected the end of the file", show_words(more.word.word)));
   if (!phones.is_there && !words.is_there)
     fail_at(text, size.word.at,
             fmt::format("no tier is called phones or words, but {}; expected one of them",

@@ -31,8 +31,7 @@ std::optional<double> parse_caption_time(std::string_view word) {
     if (is_last) break;
     word.remove_prefix(colon + 1);
   }
-  if (parts < 2 || seconds > kMaxMouthTime_s) return std::nullopt;
-  return seconds;
+  return parts < 2 ? std::nullopt : std::optional(seconds);
 }
 
 double read_caption_time(const MouthText& text, MouthWord word) {
@@ -41,6 +40,7 @@ double read_caption_time(const MouthText& text, MouthWord word) {
     fail_at(text, word.at,
             fmt::format("'{}' is no time; expected one such as 00:01.500 or 01:02:03.500",
                         show_words(word.word)));
+  check_seconds(text, word.at, *seconds);
   return *seconds;
 }
 
@@ -66,29 +66,10 @@ void read_caption_times(const MouthText& text, MouthWord line, Caption& caption)
                         caption.from_s, caption.to_s));
 }
 
-// Without punctuation around it; empty if nothing else is there.
-std::string_view strip_punctuation(std::string_view word) {
-  static constexpr std::string_view kSigns[] = {"“", "”", "„", "«", "»", "…", "—", "–", "♪", "♫", "¿", "¡"};
-  const auto is_sign = [](char c) {
-    return std::ispunct(static_cast<unsigned char>(c)) && c != '\'' && static_cast<unsigned char>(c) < 0x80;
-  };
-  for (bool is_changed = true; is_changed && !word.empty();) {
-    const std::size_t before = word.size();
-    if (is_sign(word.front())) word.remove_prefix(1);
-    if (!word.empty() && is_sign(word.back())) word.remove_suffix(1);
-    for (const std::string_view sign : kSigns) {
-      if (word.starts_with(sign)) word.remove_prefix(sign.size());
-      if (word.ends_with(sign)) word.remove_suffix(sign.size());
-    }
-    is_changed = word.size() != before;
-  }
-  return word;
-}
-
 // "&amp;" and its like as the letters that they mean.
 std::string replace_entities(std::string_view text) {
   static constexpr std::pair<std::string_view, std::string_view> kEntities[] = {
-      {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&nbsp;", " "}, {"&lrm;", ""}, {"&rlm;", ""}};
+      {"&amp;", "&"}, {"&lt;", "<"}, {"&gt;", ">"}, {"&nbsp;", "\u00A0"}, {"&lrm;", ""}, {"&rlm;", ""}};
   std::string plain;
   while (!text.empty()) {
     const auto entity =
@@ -185,11 +166,19 @@ bool is_other_block(std::string_view line) {
       });
 }
 
-// The lines up to the next empty one; one of blanks belongs to its cue.
+// The lines up to the next empty one, or up to the times of another cue; a line of blanks belongs to its cue.
 std::vector<MouthWord> read_block(const MouthText& text, std::size_t& next) {
   std::vector<MouthWord> block;
   MouthWord line;
-  while (read_text_line(text, next, line) && !line.word.empty()) block.push_back(line);
+  bool has_times = false;
+  for (std::size_t begin = next; read_text_line(text, next, line) && !line.word.empty(); begin = next) {
+    if (has_times && has_arrow(line)) {
+      next = begin;
+      break;
+    }
+    has_times |= has_arrow(line);
+    block.push_back(line);
+  }
   return block;
 }
 
@@ -213,8 +202,8 @@ void drop_rolled_up(Caption& caption, std::string& shown) {
   if (caption.lines.empty()) return;
   const std::string last = find_plain_line(caption.lines.back().word);
   const bool has_times = std::ranges::any_of(caption.lines, [](MouthWord line) {
-    for (std::size_t at = line.word.find('<'); at + 1 < line.word.size(); at = line.word.find('<', at + 1))
-      if (std::isdigit(static_cast<unsigned char>(line.word[at + 1]))) return true;
+    for (std::size_t at = 1; at < line.word.size(); ++at)
+      if (line.word[at - 1] == '<' && std::isdigit(static_cast<unsigned char>(line.word[at]))) return true;
     return false;
   });
   const bool is_again = find_plain_line(caption.lines.front().word) == shown;
@@ -225,7 +214,8 @@ void drop_rolled_up(Caption& caption, std::string& shown) {
 
 void read_caption(const MouthText& text, const std::vector<MouthWord>& block, std::string& shown,
                   MouthTrack& track) {
-  const std::size_t times = has_arrow(block.front()) || block.size() == 1 ? 0 : 1;  // a cue's name stands above
+  const std::size_t times =
+      has_arrow(block.front()) || block.size() == 1 ? 0 : 1;  // a cue's name stands above
   if (!has_arrow(block[times]))
     fail_at(text, block.front().at,
             fmt::format("'{}' is no cue; expected a line such as 00:01.000 --> 00:02.500",
@@ -245,12 +235,15 @@ MouthTrack read_webvtt(const MouthText& text) {
   const std::string_view first = head.front().word;
   if (!first.starts_with("WEBVTT") || (first.size() > 6 && first[6] != ' ' && first[6] != '\t'))
     fail_at(text, head.front().at, fmt::format("'{}'; expected WEBVTT", show_words(first)));
+  if (const auto cue = std::ranges::find_if(head, has_arrow); cue != head.end())
+    fail_at(text, cue->at, "a cue follows the head at once; expected an empty line above it");
   MouthTrack track;
   track.names = MouthNames::words;
   std::string shown;  // the last line of the cue before
   while (next < text.text.size()) {
     const std::vector<MouthWord> block = read_block(text, next);
-    const bool is_blank = std::ranges::all_of(block, [](MouthWord line) { return trim_word(line).word.empty(); });
+    const bool is_blank =
+        std::ranges::all_of(block, [](MouthWord line) { return trim_word(line).word.empty(); });
     if (!is_blank && !is_other_block(block.front().word)) read_caption(text, block, shown, track);
   }
   return track;
