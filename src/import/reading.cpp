@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 
 namespace mien {
 
@@ -60,6 +61,23 @@ void fail_file(const std::string& file, const std::string& message) { fail_line(
 
 void fail_line(const std::string& file, int line, const std::string& message) {
   throw InputError(std::vector<Diagnostic>{{{file, line, 0}, message, "", false}});
+}
+
+std::string read_plain_file(const std::filesystem::path& path, const std::string& file,
+                            const std::string& expected, std::uintmax_t most) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) fail_file(file, "there is no such file; expected " + expected);
+  if (fs::is_directory(status)) fail_file(file, "is a folder; expected " + expected);
+  if (!fs::is_regular_file(status)) fail_file(file, "is no plain file; expected " + expected);
+  const std::uintmax_t size = fs::file_size(path, error);
+  if (!error && size > most) fail_file(file, fmt::format("has {} bytes; expected {} at most", size, most));
+  try {
+    return read_file(path);
+  } catch (const RunError&) {
+    fail_file(file, "cannot be read; expected a file that you may read");
+  }
 }
 
 glm::dvec3 parse_position(const std::string& file, int line, std::string_view x, std::string_view y,

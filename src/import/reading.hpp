@@ -1,6 +1,8 @@
 // What the readers share: lines, words, numbers, and how a mistake in a file is told.
 #pragma once
 
+#include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +38,11 @@ std::string count_bytes(std::size_t count);
 
 [[noreturn]] void fail_file(const std::string& file, const std::string& message);
 [[noreturn]] void fail_line(const std::string& file, int line, const std::string& message);
+
+// The whole file; fails unless it is a plain one of `most` bytes at most that may be read. Messages call it
+// `file`, and what it should be `expected`: "a mesh".
+std::string read_plain_file(const std::filesystem::path& path, const std::string& file,
+                            const std::string& expected, std::uintmax_t most);
 
 // Three words as a position; `line` is told in messages.
 glm::dvec3 parse_position(const std::string& file, int line, std::string_view x, std::string_view y,
