@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "import/mouth_track.hpp"
 #include "render/video_kind.hpp"
 #include "voice/recording.hpp"
 #include "voice/speaker.hpp"
@@ -16,6 +17,13 @@ namespace {
 
 [[noreturn]] void throw_mistake(const Place& place, std::string message) {
   throw InputError(std::vector<Diagnostic>{{place, std::move(message), {}, false}});
+}
+
+void check_recording(const FileReference& sound) {
+  if (!is_sound(sound.path))
+    throw_mistake(sound.place,
+                  fmt::format("'{}' has no sound that ffmpeg can read; expected a file such as voice.wav",
+                              sound.path.filename().string()));
 }
 
 SpokenText speak(const SaySpec& line, const std::string& text) {
@@ -85,10 +93,7 @@ SpokenLine understand_text(const SaySpec& line, const SpeechData& data) {
     result.sounds = {{line.at_s, {}, spoken.wav}};
     return result;
   }
-  if (!is_sound(line.sound->path))
-    throw_mistake(line.sound->place,
-                  fmt::format("'{}' has no sound that ffmpeg can read; expected a file such as voice.wav",
-                              line.sound->path.filename().string()));
+  check_recording(*line.sound);
   const std::vector<VoicedSpan> heard = find_voiced(line.sound->path),
                                 said_spans = find_voiced(spoken.sounds);
   if (heard.empty())
@@ -100,10 +105,68 @@ SpokenLine understand_text(const SaySpec& line, const SpeechData& data) {
   return result;
 }
 
+// A name of a track: its mouths, and its stress where it tells it ("AH0": none).
+VisemeIndices find_cue_visemes(const SpeechData& data, MouthNames names, std::string name, int& stress) {
+  if (names == MouthNames::ipa) return find_ipa_visemes(data, name);
+  if (names == MouthNames::arpabet && !name.empty() && name.back() >= '0' && name.back() <= '2') {
+    stress = name.back() - '0';
+    name.pop_back();
+  }
+  const auto& known = names == MouthNames::rhubarb         ? data.rhubarb
+                      : names == MouthNames::preston_blair ? data.preston_blair
+                                                           : data.arpabet;
+  const auto found = known.find(name);
+  return found != known.end() ? found->second : VisemeIndices{};
+}
+
+// A mouth that rests for long is a pause, in which the face shows what it feels.
+bool is_pause(const SpeechData& data, const VisemeIndices& visemes, const MouthCue& cue) {
+  constexpr double kLong_s = 0.25;
+  return visemes.size() == 1 && data.visemes[visemes[0]].name == "rest" && cue.to_s - cue.from_s >= kLong_s;
+}
+
+// A word whose time alone is known is spoken, and its sounds spread over that time.
+void append_word(const SaySpec& line, const SpeechData& data, const MouthCue& cue, SpokenLine& into) {
+  const SpokenText spoken = speak(line, cue.name);
+  const std::vector<VoicedSpan> said = find_voiced(spoken.sounds);
+  if (said.empty()) return;
+  const VoicedSpan all{said.front().from_s, said.back().to_s};
+  const auto place_s = [&](double time_s) {
+    return line.at_s + warp_time_s(time_s, {all}, {{cue.from_s, cue.to_s}});
+  };
+  for (const SpeechSound& sound : spoken.sounds) {
+    if (sound.ipa.empty()) continue;
+    const double from_s = place_s(sound.from_s), to_s = place_s(sound.to_s);
+    append_segments(find_ipa_visemes(data, sound.ipa), from_s, to_s, sound.stress, into.segments);
+    into.phonemes.push_back({from_s, to_s, sound.ipa});
+  }
+}
+
+SpokenLine understand_mouths(const SaySpec& line, const SpeechData& data, int fps) {
+  if (line.sound) check_recording(*line.sound);
+  const MouthTrack track = load_mouth_track(line.mouths->path, fps);
+  SpokenLine result;
+  for (const MouthCue& cue : track.cues) {
+    if (track.names == MouthNames::words) {
+      append_word(line, data, cue, result);
+      continue;
+    }
+    int stress = 2;  // of a drawn mouth, and where nothing is known: as it is
+    const VisemeIndices visemes = find_cue_visemes(data, track.names, cue.name, stress);
+    if (is_pause(data, visemes, cue)) continue;
+    append_segments(visemes, line.at_s + cue.from_s, line.at_s + cue.to_s, stress, result.segments);
+    result.phonemes.push_back({line.at_s + cue.from_s, line.at_s + cue.to_s, cue.name});
+  }
+  for (const MouthCue& word : track.names == MouthNames::words ? track.cues : track.words)
+    result.words.push_back({line.at_s + word.from_s, line.at_s + word.to_s, word.name});
+  if (line.sound) result.sounds = {{line.at_s, line.sound->path}};
+  return result;
+}
+
 }  // namespace
 
-SpokenLine understand_line(const SaySpec& line, const SpeechData& data, int /*fps*/) {
-  SpokenLine result = understand_text(line, data);
+SpokenLine understand_line(const SaySpec& line, const SpeechData& data, int fps) {
+  SpokenLine result = line.mouths ? understand_mouths(line, data, fps) : understand_text(line, data);
   result.from_s = result.segments.empty() ? line.at_s : result.segments.front().from_s;
   result.to_s = result.segments.empty() ? line.at_s : result.segments.back().to_s;
   return result;

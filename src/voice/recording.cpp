@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr int kRate = 16000;
-constexpr double kWindow_s = 0.01, kPause_s = 0.2;
+constexpr double kWindow_s = 0.01, kSilence_s = 0.2;
 constexpr double kLoud = 0.05;      // of the loudest moments
 constexpr double kLoudest = 0.95;   // of all windows are quieter than those
 constexpr double kQuietest = 1e-4;  // of full scale: below it is no voice at all
@@ -51,7 +51,7 @@ std::vector<double> read_loudness(const fs::path& sound) {
 
 // Spans that are nearer to each other than a pause are one.
 void append_span(double from_s, double to_s, std::vector<VoicedSpan>& spans) {
-  if (!spans.empty() && from_s - spans.back().to_s < kPause_s)
+  if (!spans.empty() && from_s - spans.back().to_s < kSilence_s)
     spans.back().to_s = std::max(spans.back().to_s, to_s);
   else
     spans.push_back({from_s, to_s});
