@@ -222,10 +222,11 @@ struct SpokenSound {
   double from_s = 0;                            // of it
 };
 
-// A word of a line, for charts.
+// A word or a sound of a line, for charts.
 struct SpokenWord {
   double from_s = 0, to_s = 0;
   std::string text;
+  Place place = {};  // of its line, in the file
 };
 
 struct ClipSpec {

@@ -12,6 +12,7 @@
 #include "timeline/easing.hpp"
 #include "timeline/jitter.hpp"
 #include "timeline/lead.hpp"
+#include "timeline/speech_advice.hpp"
 
 namespace mien {
 namespace {
@@ -272,6 +273,7 @@ std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehea
       judge_end(clip, cue, advice);
     }
   std::ranges::move(list_jitter(clip), std::back_inserter(advice));
+  std::ranges::move(advise_speech(clip, rehearsal.drawn_s), std::back_inserter(advice));
   return advice;
 }
 

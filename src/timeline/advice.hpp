@@ -30,7 +30,7 @@ inline constexpr double kFastest_mm = 12;
 //   areas that a key releases and that do not move on the way to the next one
 // then at the cues that no drawing shows in full, and at those without an end that hold areas over keys which
 // ask for something else, as they are in the clip, and at all that swings faster than its drawings can carry
-// (jitter.hpp)
+// (jitter.hpp); at last what is wrong with lines that are said (speech_advice.hpp)
 std::vector<Diagnostic> advise_clip(const ClipSpec& clip, const Rehearsal& rehearsal, const MoveReach& reach);
 
 }  // namespace mien

@@ -2,6 +2,7 @@
 #include "timeline/chart.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -9,6 +10,7 @@
 #include <string_view>
 
 #include "core/text.hpp"
+#include "core/utf8.hpp"
 
 namespace mien {
 namespace {
@@ -132,6 +134,24 @@ std::string build_key_lines(const std::vector<PoseKey>& keys, const Columns& col
   return trim_line(head + names) + trim_line(std::string(kNameWidth + 1, ' ') + marks);
 }
 
+// What is said, each word where it begins; one that has no room before the next is left out.
+std::string build_word_line(const std::vector<SpokenWord>& words, const Columns& columns) {
+  std::vector<std::string> cells(static_cast<std::size_t>(columns.count), " ");
+  std::size_t free = 0;
+  for (const SpokenWord& word : words) {
+    const auto begin = static_cast<std::size_t>(columns.find(word.from_s));
+    const std::size_t size = count_characters(word.text);
+    if (begin < free || begin + size > cells.size()) continue;
+    for (std::size_t i = 0, at = 0; i < size; ++i) {
+      const std::size_t length = std::max<std::size_t>(find_character(word.text, at).length, 1);
+      cells[begin + i] = word.text.substr(at, length);
+      at += length;
+    }
+    free = begin + size + 1;
+  }
+  return trim_line(fmt::format("{:<{}} {}", "words", kNameWidth, fmt::join(cells, "")));
+}
+
 }  // namespace
 
 std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double apart) {
@@ -160,6 +180,7 @@ std::string build_chart(const ClipSpec& clip, const std::vector<Shown>& frames, 
   const int width = std::max(style.width, kLeastWidth) - kNameWidth - 1;
   const Columns columns{width, static_cast<int>(frames.size()), clip.fps};
   std::string text = build_ruler(columns) + build_key_lines(clip.keys, columns, style.is_ascii);
+  if (!clip.words.empty()) text += build_word_line(clip.words, columns);
   for (const ChartRow& row : list_chart_rows(frames, kSameSide)) {
     text += fmt::format("{:<{}} ", row.name, kNameWidth);
     for (int column = 0; column < columns.count; ++column) {

@@ -144,8 +144,10 @@ void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
   }
   add_life(line, spoken, clip);
   for (const SpokenSound& sound : spoken.sounds) clip.spoken.push_back(sound);
-  for (const LineWord& word : spoken.words) clip.words.push_back({word.from_s, word.to_s, word.text});
-  for (const SpokenWord& phoneme : spoken.phonemes) clip.phonemes.push_back(phoneme);
+  for (const LineWord& word : spoken.words)
+    clip.words.push_back({word.from_s, word.to_s, word.text, line.place});
+  for (const SpokenWord& phoneme : spoken.phonemes)
+    clip.phonemes.push_back({phoneme.from_s, phoneme.to_s, phoneme.text, line.place});
   if (!clip.has_length) clip.length_s = std::max(clip.length_s, round_s(spoken.to_s + kGo_s));
 }
 
