@@ -38,11 +38,8 @@ void mix_sounds(const std::vector<SpokenSound>& heard, const fs::path& folder, c
   std::vector<std::string> command{"ffmpeg", "-v", "error", "-y"};
   std::string filter, names;
   for (std::size_t i = 0; i < heard.size(); ++i) {
-    fs::path file = fs::absolute(heard[i].file);
-    if (heard[i].wav) {
-      file = folder / fmt::format("line{}.wav", i);
-      write_file(file, *heard[i].wav);
-    }
+    const fs::path file = heard[i].wav ? folder / fmt::format("line{}.wav", i) : fs::absolute(heard[i].file);
+    if (heard[i].wav) write_file(file, *heard[i].wav);
     command.insert(command.end(), {"-i", file.string()});
     filter += fmt::format(
         "[{}:a]aresample={},aformat=sample_fmts=fltp:channel_layouts=stereo,adelay={}S:all=1[s{}];", i,
