@@ -16,11 +16,13 @@ constexpr std::size_t kDeepestJson = 64;  // lists and objects within each other
 
 // Tells how far the parser has read, so that what it finds has a place.
 struct CountedLetter {
+  // NOLINTBEGIN(readability-identifier-naming): the names are the standard library's
   using iterator_category = std::input_iterator_tag;
   using value_type = char;
   using difference_type = std::ptrdiff_t;
   using pointer = const char*;
   using reference = const char&;
+  // NOLINTEND(readability-identifier-naming)
 
   const char* letter = nullptr;
   const char** furthest = nullptr;
