@@ -130,8 +130,8 @@ std::string_view strip_punctuation(std::string_view word) {
   };
   for (bool is_changed = true; is_changed && !word.empty();) {
     const std::size_t before = word.size();
-    if (is_sign(word.front())) word.remove_prefix(1);
-    if (!word.empty() && is_sign(word.back())) word.remove_suffix(1);
+    while (!word.empty() && is_sign(word.front())) word.remove_prefix(1);
+    while (!word.empty() && is_sign(word.back())) word.remove_suffix(1);
     for (const std::string_view sign : kSigns) {
       if (word.starts_with(sign)) word.remove_prefix(sign.size());
       if (word.ends_with(sign)) word.remove_suffix(sign.size());

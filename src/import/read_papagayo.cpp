@@ -12,6 +12,7 @@ namespace mien {
 namespace {
 
 constexpr long long kMostVoices = 100;
+constexpr std::string_view kRestName = "rest";  // in every set of phonemes; only one of ours has it
 constexpr auto kMostParts = static_cast<long long>(kMaxMouthCues);
 
 struct PapagayoReader {
@@ -106,7 +107,7 @@ void read_word(PapagayoReader& file) {
   for (long long i = 0; i < count; ++i) {
     const FramePhoneme phoneme = read_phoneme(file, span, before.frame);
     if (i > 0) append_frames(file, file.track.cues, before.at, before.frame, phoneme.frame, before.name);
-    file.names.push_back(phoneme.name);
+    if (phoneme.name.word != kRestName) file.names.push_back(phoneme.name);
     before = phoneme;
   }
   if (count > 0) append_frames(file, file.track.cues, before.at, before.frame, span.last + 1, before.name);
@@ -159,7 +160,9 @@ MouthTrack read_papagayo(const MouthText& text) {
   MouthTrack& track = file.track;
   track.names = find_mouth_names(text, file.names,
                                  {MouthNames::preston_blair, MouthNames::rhubarb, MouthNames::arpabet});
-  track.end_s = track.cues.empty() ? end_s : std::max(end_s, track.cues.back().to_s);
+  if (track.names != MouthNames::preston_blair)
+    std::erase_if(track.cues, [](const MouthCue& cue) { return cue.name == kRestName; });
+  track.end_s = std::max(end_s, file.shown_s);
   return std::move(track);
 }
 

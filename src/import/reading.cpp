@@ -1,6 +1,7 @@
 #include "import/reading.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -13,7 +14,8 @@ bool read_line(LineReader& reader) {
   if (reader.rest.empty()) return false;
   const std::size_t end = reader.rest.find('\n');
   reader.line = reader.rest.substr(0, end);
-  reader.rest = end == std::string_view::npos ? std::string_view() : reader.rest.substr(end + 1);
+  // What is left has its place in the file even when it is empty: binary data begin there.
+  reader.rest.remove_prefix(std::min(end, reader.rest.size() - 1) + 1);
   if (reader.line.ends_with('\r')) reader.line.remove_suffix(1);
   ++reader.number;
   return true;

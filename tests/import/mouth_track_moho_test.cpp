@@ -116,6 +116,9 @@ TEST(papagayo, words_that_share_a_frame_do_not_overlap) {
 TEST(papagayo, other_sets_of_phonemes_are_known) {
   const std::string head = "lipsync version 1\n\n10\n20\n1\n\n\n1\n\n0\n9\n1\n";
   EXPECT_EQ(load_mouth_bytes("cmu.pgo", head + "a 0 9 2\n0 AH0\n5 NG\n").names, MouthNames::arpabet);
+  EXPECT_EQ(describe_mouth_cues(load_mouth_bytes("cmu.pgo", head + "a 0 9 2\n0 AH0\n5 rest\n").cues),
+            "0 0.5 AH0 :14\n")
+      << "no cue is a rest";
   EXPECT_EQ(load_mouth_bytes("letters.pgo", head + "a 0 9 2\n0 A\n5 X\n").names, MouthNames::rhubarb);
   EXPECT_EQ(load_mouth_bytes("both.pgo", head + "a 0 9 1\n0 E\n").names, MouthNames::preston_blair);
 }

@@ -117,21 +117,15 @@ TEST(mouth_track, tells_what_is_no_text) {
 }
 
 TEST(mouth_track, has_no_more_cues_than_a_day_of_speech) {
-  std::string tsv, dat = "MohoSwitch1\n", csv = "time,phoneme\n", json = "{\"mouthCues\": [";
+  std::string tsv, dat = "MohoSwitch1\n";
   for (int i = 0; i <= 100'001; ++i) {
-    tsv += fmt::format("{:.1f}\tX\n", 0.1 * i);
-    dat += fmt::format("{} rest\n", i + 1);
-    csv += fmt::format("{:.1f},a\n", 0.1 * i);
-    json += fmt::format("{{\"start\": {}, \"end\": {}, \"value\": \"X\"}},\n", 0.5 * i, 0.5 * i + 0.5);
+    tsv += std::to_string(i / 10) + "." + std::to_string(i % 10) + "\tX\n";
+    dat += std::to_string(i + 1) + " rest\n";
   }
   EXPECT_EQ(find_mouth_fault("many.tsv", tsv),
             "many.tsv:100001:9: error: more than 100000 cues; expected fewer");
   EXPECT_EQ(find_mouth_fault("many.dat", dat),
             "many.dat:100002:1: error: more than 100000 cues; expected fewer");
-  EXPECT_EQ(find_mouth_fault("many.csv", csv),
-            "many.csv:100002:1: error: more than 100000 cues; expected fewer");
-  EXPECT_EQ(find_mouth_fault("many.json", json),
-            "many.json:100001:1: error: more than 100000 cues; expected fewer");
   EXPECT_EQ(load_mouth_bytes("most.tsv", tsv.substr(0, tsv.find("10000.1\t"))).cues.size(), 100'000u);
 }
 
@@ -187,7 +181,7 @@ TEST(mouth_track, damage_is_read_or_told_and_never_more) {
   std::mt19937 random(find_fuzz_seed(11));
   std::vector<std::string> whole;
   for (const char* name : kSamples) whole.push_back(read_mouth_sample(name));
-  const int rounds = count_fuzz_rounds(1000);
+  const int rounds = count_fuzz_rounds(600);
   int told = 0;
   for (int round = 0; round < rounds; ++round) {
     const std::size_t sample = random() % kSamples.size();

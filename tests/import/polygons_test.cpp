@@ -258,6 +258,8 @@ TEST(ply, tells_what_is_wrong_and_where) {
   EXPECT_EQ(
       find_fault("a.ply", build_binary_ply(INFINITY)),
       "a.ply: error: before byte 248: the x of vertex 3 is inf; expected a number from -1000000 to 1000000");
+  EXPECT_EQ(find_fault("a.ply", whole.substr(0, whole.find("end_header") + 10)),
+            "a.ply: error: ends at byte 204, within vertex 1 of 4; expected all of them");
   EXPECT_EQ(find_fault("a.ply", head + "0 0 0 1\n1 0 0 1\n1 1 x 1\n"),
             "a.ply:14: error: 'x' is no number; expected one");
   EXPECT_EQ(find_fault("a.ply", head + "0 0 0 1\n1 0 0 1\n1 1 0 1\n0 1 0 1\n4 0 1 2 4\n"),
