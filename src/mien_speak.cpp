@@ -90,6 +90,20 @@ void find_stress(const std::string& transcription, std::vector<Phoneme>& phoneme
   }
 }
 
+// The voice of a language, "en-gb", which eSpeak NG's own names leave out for some; "+f3" behind it is a
+// variant.
+std::string find_voice(const std::string& asked) {
+  const std::size_t plus = asked.find('+');
+  const std::string language = asked.substr(0, plus);
+  const std::string variant = plus == std::string::npos ? "" : asked.substr(plus);
+  for (const espeak_VOICE** voice = espeak_ListVoices(nullptr); voice != nullptr && *voice != nullptr;
+       ++voice)
+    // Languages are a list: a byte of priority, a name that ends with 0, and so on to one without priority.
+    for (const char* each = (*voice)->languages; *each != 0; each += std::strlen(each + 1) + 2)
+      if (language == each + 1) return (*voice)->identifier + variant;
+  return asked;
+}
+
 Speech speak(const std::string& text, const std::string& voice, double pace) {
   Speech speech;
   speech.rate = espeak_Initialize(
@@ -97,7 +111,8 @@ Speech speak(const std::string& text, const std::string& voice, double pace) {
       espeakINITIALIZE_PHONEME_EVENTS | espeakINITIALIZE_PHONEME_IPA | espeakINITIALIZE_DONT_EXIT);
   if (speech.rate <= 0) throw std::runtime_error("eSpeak NG cannot be set up; is espeak-ng-data installed?");
   espeak_SetSynthCallback(take_sound);
-  if (espeak_SetVoiceByName(voice.c_str()) != EE_OK)
+  if (espeak_SetVoiceByName(find_voice(voice).c_str()) != EE_OK &&
+      espeak_SetVoiceByName(voice.c_str()) != EE_OK)
     throw std::invalid_argument("unknown voice '" + voice + "'");
   espeak_SetParameter(espeakRATE, static_cast<int>(kWordsAMinute * pace + 0.5), 0);
   if (espeak_Synth(text.c_str(), text.size() + 1, 0, POS_CHARACTER, 0, espeakCHARS_UTF8, nullptr, &speech) !=

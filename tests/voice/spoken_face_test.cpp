@@ -69,20 +69,19 @@ struct Probe {
   }
   // Between the inner edges of the lips, in the middle of the mouth.
   double gap_mm() const { return at("M0_0").y - at("M0_12").y; }
-  // From the lower lip's inner edge to the nearest of the upper teeth.
-  double to_teeth_mm() const {
-    double least = 1e9;
+  // How far the lower lip's edge stands above the edge of the upper teeth: before them, that is seen of an f.
+  double over_teeth_mm() const {
+    double edge = 1e9;
     for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
-      const Part& part = figure.model.parts[i];
-      if (part.name != "teeth_upper") continue;
-      for (const glm::vec3& rest : part.rest.positions) {
-        const glm::vec3 p(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
-        for (const char* name : {"M0_12", "M1_12", "M2_12"})
-          least = std::min<double>(least, glm::length(p - at(name)));
-      }
+      if (figure.model.parts[i].name != "teeth_upper") continue;
+      for (const glm::vec3& rest : figure.model.parts[i].rest.positions)
+        if (std::abs(rest.x) < 8)
+          edge = std::min<double>(edge, (drawing.parts[i].world_from_rest * glm::vec4(rest, 1)).y);
     }
-    return least;
+    return at("M1_12").y - edge;
   }
+  // What is seen between the lips.
+  double opening_mm() const { return at("M1_0").y - at("M1_12").y; }
 };
 
 const Figure& adult() {
@@ -104,10 +103,12 @@ TEST(spoken_face, shuts_its_lips_and_bites_them) {
       if (!is_bilabial(sound.text) && !is_labiodental(sound.text)) continue;
       probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
       const std::string where = fmt::format("{} '{}' at {:.2f} s", sentence.text, sound.text, sound.from_s);
-      if (is_bilabial(sound.text))
+      if (is_bilabial(sound.text)) {
         EXPECT_LE(probe.gap_mm() - rest_mm, 0.3) << where;
-      else
-        EXPECT_LE(probe.to_teeth_mm(), 1.0) << where;
+      } else {
+        EXPECT_GE(probe.over_teeth_mm(), 0.5) << where;
+        EXPECT_GE(probe.opening_mm(), 1.5) << where << ": the teeth are to be seen";
+      }
     }
   }
 }
