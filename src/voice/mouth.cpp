@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/smooth.hpp"
-
 namespace mien {
 
 namespace {
@@ -13,9 +11,9 @@ constexpr double kRow_s = 0.01;
 constexpr double kCore = 0.25;     // of a segment's length, at each end: there it gives way to its neighbours
 constexpr double kFade_s = 0.045;  // after which a mouth insists on a third of itself
 constexpr double kNear_s = 0.25;   // further away it has no say
-constexpr double kTouch_s = 0.05;  // the way to what touches, and off it
-constexpr double kTouchCore = 0.15;  // of a segment's length, at each end
-constexpr double kJaw = 2.6;         // limits a second
+constexpr double kTouch_s = 0.3;   // after which lips have come anywhere
+constexpr double kTouchCore = 0.15;                                // of a segment's length, at each end
+constexpr double kJaw = 1.8, kLips = 2.7, kPress = 5, kCorners = 8;  // limits a second
 constexpr double kStressed = 1.15, kUnstressed = 0.85;
 
 bool is_of(std::size_t move, Area area) { return kMoves[move].of == area; }
@@ -90,18 +88,35 @@ void hold_jaw(const Column& column, const std::vector<double>& at_s) {
     column[row - 1] = std::min(column[row - 1], column[row] + kJaw * (at_s[row] - at_s[row - 1]));
 }
 
+// What touches is where it has to be; before and after, lips are no further from it than they can come in
+// that time. Of two that are nearer to each other than that, the nearer one has its way.
 void apply_touches(const Column& column, const std::vector<double>& at_s, std::size_t move,
                    const std::vector<Touch>& touches) {
-  for (const Touch& touch : touches) {
-    const double wanted = touch.viseme->pose.values[move];
-    const auto begin = std::ranges::lower_bound(at_s, touch.from_s - kTouch_s);
-    for (std::size_t row = static_cast<std::size_t>(begin - at_s.begin()); row < column.rows; ++row) {
-      const double away_s = compute_distance(at_s[row], touch.from_s, touch.to_s);
-      if (at_s[row] > touch.to_s + kTouch_s) break;
-      const double share = smooth_share(1 - away_s / kTouch_s);
-      column[row] = std::lerp(column[row], wanted, share);
-    }
+  const double rate = kMoves[move].low < 0 ? kLips : kPress;
+  std::vector<std::pair<double, double>> near;  // how far in time, and what is wanted there
+  for (std::size_t row = 0; row < column.rows; ++row) {
+    near.clear();
+    for (const Touch& touch : touches)
+      if (const double away_s = compute_distance(at_s[row], touch.from_s, touch.to_s); away_s < kTouch_s)
+        near.emplace_back(away_s, touch.viseme->pose.values[move]);
+    std::ranges::stable_sort(near, [](const auto& a, const auto& b) { return a.first > b.first; });
+    for (const auto& [away_s, wanted] : near)
+      column[row] = std::clamp(column[row], wanted - rate * away_s, wanted + rate * away_s);
   }
+}
+
+// Between the nearest ways above and below that go no quicker.
+void soften(const Column& column, const std::vector<double>& at_s, double rate) {
+  std::vector<double> low(column.rows), high(column.rows);
+  for (std::size_t row = 0; row < column.rows; ++row) low[row] = high[row] = column[row];
+  const auto hold = [&](std::size_t row, std::size_t other) {
+    const double way = rate * std::abs(at_s[row] - at_s[other]);
+    low[row] = std::min(low[row], low[other] + way);
+    high[row] = std::max(high[row], high[other] - way);
+  };
+  for (std::size_t row = 1; row < column.rows; ++row) hold(row, row - 1);
+  for (std::size_t row = column.rows - 1; row > 0; --row) hold(row - 1, row);
+  for (std::size_t row = 0; row < column.rows; ++row) column[row] = (low[row] + high[row]) / 2;
 }
 
 }  // namespace
@@ -129,7 +144,10 @@ TimeTable build_mouth_table(const SpeechData& data, const std::vector<MouthSegme
   const std::vector<Touch> touches = list_touches(data, segments, settings.frame_s);
   for (std::size_t i = 0; i < moves.size(); ++i) {
     const Column column{table.values, i, moves.size(), table.at_s.size()};
-    if (!is_of(moves[i], Area::corner)) apply_touches(column, table.at_s, moves[i], touches);
+    if (is_of(moves[i], Area::corner))
+      soften(column, table.at_s, kCorners);
+    else
+      apply_touches(column, table.at_s, moves[i], touches);
     if (is_of(moves[i], Area::chin)) hold_jaw(column, table.at_s);
     for (std::size_t row = 0; row < column.rows; ++row) {
       if (is_of(moves[i], Area::corner)) column[row] *= settings.corners;

@@ -22,7 +22,7 @@ std::vector<std::size_t> list_lip_moves();  // and the chin's
 std::vector<std::size_t> list_corner_moves();
 
 // From the first segment's beginning to the last one's end, a hundred rows a second; times as the segments
-// have them. The jaw opens and shuts by no more than 2.6 of its limits a second: quick speech opens less.
+// have them. The jaw opens and shuts by no more than 1.8 of its limits a second: quick speech opens less.
 TimeTable build_mouth_table(const SpeechData& data, const std::vector<MouthSegment>& segments,
                             const std::vector<std::size_t>& moves, const MouthSettings& settings);
 

@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 constexpr double kPause_s = 0.25;  // between two phrases
-constexpr double kCome_s = 0.12;   // a mouth is on its way before it is heard
+constexpr double kCome_s = 0.18;   // a mouth is on its way before it is heard
 constexpr double kGo_s = 0.22;
 constexpr double kBlinkAfter_s = 0.06;    // into a pause
 constexpr double kBlinks = 0.5;           // of all pauses
