@@ -12,7 +12,7 @@ constexpr double kCore = 0.25;     // of a segment's length, at each end: there 
 constexpr double kFade_s = 0.045;  // after which a mouth insists on a third of itself
 constexpr double kNear_s = 0.25;   // further away it has no say
 constexpr double kTouch_s = 0.3;   // after which lips have come anywhere
-constexpr double kTouchCore = 0.15;                                // of a segment's length, at each end
+constexpr double kTouchCore = 0.15;                                  // of a segment's length, at each end
 constexpr double kJaw = 1.8, kLips = 2.7, kPress = 5, kCorners = 8;  // limits a second
 constexpr double kStressed = 1.15, kUnstressed = 0.85;
 

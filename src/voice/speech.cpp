@@ -15,6 +15,7 @@ namespace {
 constexpr double kPause_s = 0.25;  // between two phrases
 constexpr double kCome_s = 0.18;   // a mouth is on its way before it is heard
 constexpr double kGo_s = 0.22;
+constexpr double kFadeShare = 0.45;       // of a pause
 constexpr double kBlinkAfter_s = 0.06;    // into a pause
 constexpr double kBlinks = 0.5;           // of all pauses
 constexpr std::uint64_t kPauseUse = 401;  // of seeds
@@ -33,15 +34,29 @@ std::vector<std::vector<MouthSegment>> list_phrases(const std::vector<MouthSegme
   return phrases;
 }
 
+// How long a phrase takes to come and to go: of a pause between two, each has less than half.
+struct PhraseFades {
+  double come_s = kCome_s, go_s = kGo_s;
+};
+
+PhraseFades find_fades(const std::vector<std::vector<MouthSegment>>& phrases, std::size_t phrase) {
+  PhraseFades fades;
+  const double from_s = phrases[phrase].front().from_s, to_s = phrases[phrase].back().to_s;
+  if (phrase > 0) fades.come_s = std::min(kCome_s, kFadeShare * (from_s - phrases[phrase - 1].back().to_s));
+  if (phrase + 1 < phrases.size())
+    fades.go_s = std::min(kGo_s, kFadeShare * (phrases[phrase + 1].front().from_s - to_s));
+  return fades;
+}
+
 // One phrase on some of the moves.
 CueSpec build_phrase_cue(const SaySpec& line, const SpeechData& data, const std::vector<MouthSegment>& phrase,
-                         const std::vector<std::size_t>& moves, const MouthSettings& settings,
-                         double amount) {
+                         const std::vector<std::size_t>& moves, const MouthSettings& settings, double amount,
+                         const PhraseFades& fades) {
   CueSpec cue;
   cue.full_s = cue.start_s = round_s(phrase.front().from_s);
-  cue.from_s = round_s(cue.full_s - kCome_s);
+  cue.from_s = round_s(cue.full_s - fades.come_s);
   cue.ebb_s = round_s(phrase.back().to_s);
-  cue.end_s = round_s(cue.ebb_s + kGo_s);
+  cue.end_s = round_s(cue.ebb_s + fades.go_s);
   cue.layer = Layer::speech;
   cue.has_lead = false;
   cue.amount = amount;
@@ -136,11 +151,17 @@ void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
   MouthSettings settings;
   settings.strength = line.strength;
   settings.frame_s = 1.0 / clip.fps;
-  for (const auto& phrase : list_phrases(spoken.segments)) {
-    clip.cues.push_back(build_phrase_cue(line, data, phrase, list_lip_moves(), settings, 1));
+  const auto phrases = list_phrases(spoken.segments);
+  for (std::size_t i = 0; i < phrases.size(); ++i) {
+    const auto add = [&](const std::vector<std::size_t>& moves, double amount) {
+      clip.cues.push_back(
+          build_phrase_cue(line, data, phrases[i], moves, settings, amount, find_fades(phrases, i)));
+    };
+    settings.corners = 1;
+    add(list_lip_moves(), 1);
     if (kept == 1) continue;
     settings.corners = 1 / (1 - kept);  // all of the word's own, beside what is left of the feeling's
-    clip.cues.push_back(build_phrase_cue(line, data, phrase, list_corner_moves(), settings, 1 - kept));
+    add(list_corner_moves(), 1 - kept);
   }
   add_life(line, spoken, clip);
   for (const SpokenSound& sound : spoken.sounds) clip.spoken.push_back(sound);

@@ -180,7 +180,7 @@ TEST(spoken_face, keeps_the_feeling) {
   double pause_s = 0;
   for (std::size_t i = 0; i + 1 < spec.clip.phonemes.size(); ++i)
     if (spec.clip.phonemes[i + 1].from_s - spec.clip.phonemes[i].to_s > 0.3)
-      pause_s = spec.clip.phonemes[i].to_s + 0.23;
+      pause_s = (spec.clip.phonemes[i].to_s + spec.clip.phonemes[i + 1].from_s) / 2;
   ASSERT_GT(pause_s, 0);
   const Pose pause = sample_performance(performance, pause_s).pose;
   for (std::size_t i = 0; i < kMoveCount; ++i)
