@@ -72,7 +72,7 @@ TEST(speech, tells_voices_and_programs_that_are_not_there) {
   EXPECT_EQ(voice.status, 2);
   EXPECT_THAT(
       voice.err,
-      HasSubstr("said.yaml:6:29: error: unknown voice 'klingonese'; expected one of: mien-speak --voices\n"));
+      HasSubstr("said.yaml:6:28: error: unknown voice 'klingonese'; expected one of: mien-speak --voices\n"));
   EXPECT_FALSE(fs::exists(folder / "out"));
   write_file(folder / "said.yaml", build_said("{text: Hello}"));
   fs::copy_file(program_path(), folder / "alone");
@@ -90,7 +90,7 @@ TEST(speech, shows_words_beside_the_chart_and_lines_that_meet) {
   const ProgramRun run = run_shell(folder, "mien check said.yaml");
   EXPECT_EQ(run.status, 0);
   EXPECT_THAT(run.out, HasSubstr("\nwords        We"));
-  EXPECT_THAT(run.err, HasSubstr("said.yaml:7:7: warning: this line begins at 0.2"));
+  EXPECT_THAT(run.out, HasSubstr("said.yaml:7:7: warning: this line begins at 0.2"));
 }
 
 }  // namespace
