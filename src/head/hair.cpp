@@ -149,16 +149,21 @@ std::vector<HeadPart> grow_hair(const NeutralHead& head, const HairScene& scene,
 }
 
 std::vector<float> paint_ground(const NeutralHead& head, const HairScene& scene) {
-  constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
   const std::vector<HairGround> grounds = list_hair_grounds(head);
-  const double soft = scene.cut.soft_mm / kWay_mm;
+  // Hair is finer at the temples.
+  constexpr double kFirst_deg = 34, kWhole_deg = 52, kFinest = 0.9;
+  const auto find_soft_mm = [&](double azimuth_deg) {
+    return scene.cut.soft_mm * (1 + kFinest * smooth_step(kFirst_deg, kWhole_deg, std::abs(azimuth_deg)) *
+                                        (1 - smooth_step(80, 100, std::abs(azimuth_deg))));
+  };
   std::vector<float> covers;
   for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
     float cover = 0;
     if (grounds[v] == HairGround::scalp) {
       const HairPlace place = compute_hair_place(scene.chart, glm::dvec3(head.skin.positions[v]));
-      const double border = sample_border(scene.hairline, place.azimuth_deg);
-      cover = static_cast<float>(scene.cut.scalp * smooth_step(-0.7 * soft, soft, border - place.way));
+      const double soft_mm = find_soft_mm(place.azimuth_deg);
+      cover = static_cast<float>(scene.cut.scalp *
+                                 smooth_step(-0.5 * soft_mm, soft_mm, compute_inside_mm(scene, place)));
       // What lies far under the chart's ground is an inside: an ear's back, a mouth.
       const double ground = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
       const double far =

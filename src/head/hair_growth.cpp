@@ -226,6 +226,30 @@ HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
   return scene;
 }
 
+double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
+  constexpr double kWay_mm = 130;    // of the adult, from the whorl to the height of the centre
+  constexpr double kTurn_deg = 2;    // either side: what the hairline's slope is read over
+  constexpr double kRound_mm = 1.5;  // a degree of azimuth, where the hairline is steep
+  const double slope = (sample_border(scene.hairline, std::abs(place.azimuth_deg) + kTurn_deg) -
+                        sample_border(scene.hairline, std::abs(std::abs(place.azimuth_deg) - kTurn_deg))) *
+                       kWay_mm / (2 * kTurn_deg * kRound_mm);
+  return (sample_border(scene.hairline, place.azimuth_deg) - place.way) * kWay_mm /
+         std::sqrt(1 + slope * slope);
+}
+
+double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
+  constexpr double kFront_deg = 36, kSide_deg = 56;  // a fringe ends between them
+  constexpr double kLies = 0.35;                     // of the thickness at a fringe's tips
+  const double border = sample_border(scene.hairline, place.azimuth_deg);
+  const double thick_mm =
+      sample_spread(scene.cut.thick_mm, place.azimuth_deg, std::min(1.0, place.way / border));
+  if (scene.ends.empty()) return thick_mm;
+  const double fringe =
+      sample_border(scene.hangs, 0) * (1 - smooth_step(kFront_deg, kSide_deg, std::abs(place.azimuth_deg)));
+  const double low = smooth_step(0.7 * border, sample_border(scene.ends, 0), place.way);
+  return thick_mm * (1 - (1 - kLies) * fringe * low);
+}
+
 double compute_room(const HairChart& chart, const HairPlace& place) {
   constexpr double kTurn_deg = 1, kWay = 0.01;
   const auto at = [&](double turn, double way) {
@@ -253,6 +277,28 @@ std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double ba
     const double border = sample_border(scene.hairline, place.azimuth_deg);
     if (place.way > border || place.way < band * border) continue;
     if (scatter(kSeries + 1, static_cast<std::uint32_t>(i), 0) > compute_room(scene.chart, place)) continue;
+    roots.push_back(place);
+  }
+  return roots;
+}
+
+std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
+  constexpr double kStep = 0.6180339887498949;   // of the golden section: even at any count
+  constexpr double kLast_deg = 84;               // before the ear
+  constexpr double kLeast_mm = 1, kMost_mm = 9;  // inside the hairline
+  constexpr double kHangs = 0.5;
+  double first_deg = 0;
+  while (first_deg < kLast_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+  std::vector<HairPlace> roots;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    const double turn = std::fmod((i / 2 + 1) * kStep, 1.0);
+    const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(first_deg, kLast_deg, turn);
+    HairPlace place{azimuth, sample_border(scene.hairline, azimuth)};
+    const double inside_mm = std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 2, index, 0));
+    for (int step = 0; step < 8; ++step) {
+      place.way -= 0.5 * (inside_mm - compute_inside_mm(scene, place)) / 130;
+    }
     roots.push_back(place);
   }
   return roots;
@@ -336,8 +382,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     const HairPlace &a = path.places[i], &b = path.places[j];
     const double t = at - std::floor(at);
     const auto height_at = [&](const HairPlace& place) {
-      const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
-      return size * child * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+      return size * child * compute_thickness_mm(scene, place);
     };
     // Out of the skin at the root, then in its layer; the tips of short hair stay up, those of gathered hair
     // and of long hair lie down.
