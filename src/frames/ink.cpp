@@ -51,6 +51,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
         "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
         "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
     add(point, margins);
+  // In an ear hulls leave crumbs of its many small folds: strokes draw it.
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const char* ring : {"er7_", "er8_", "er9_", "er10_", "er11_"})
+      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
   for (const char* point :
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
@@ -115,11 +119,12 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name == "teeth_upper" || part.name == "gum_upper") {  // teeth are one white band
+  if (part.name == "teeth_upper") {
     flat(colours.bone);
     darken_backs(colours, part);
   }
-  if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
+  if (part.name == "gum_upper" || part.name == "teeth_lower" || part.name == "gum_lower" ||
+      part.name == "lip_veil")
     flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
   if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
@@ -129,6 +134,25 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
   part.shade.clear();
   part.grain.clear();
   part.wear = 0;
+}
+
+// Between lips that part a little a drawing has a dark line, and no sliver of teeth.
+void find_teeth(const Figure& figure, Ink& ink) {
+  const auto teeth = std::ranges::find(ink.model.parts, "teeth_upper", &Part::name);
+  if (teeth == ink.model.parts.end()) throw RunError("internal: a drawn head without teeth");
+  ink.teeth = static_cast<std::size_t>(teeth - ink.model.parts.begin());
+  const Box box = compute_bounds(teeth->rest.positions);
+  ink.teeth_high_mm = box.high.y - box.low.y;
+  ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
+}
+
+// Teeth, which are rigid, rise behind the upper lip by what is hidden of them.
+void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, PartShape& teeth) {
+  constexpr float kHidden_mm = 3.0f, kShown_mm = 5.5f;  // between an adult's lips
+  const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
+  const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
+  glm::mat4& world = teeth.world_from_rest;
+  world[3] += hidden * ink.teeth_high_mm * world[1];
 }
 
 void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
@@ -236,6 +260,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
+  find_teeth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
@@ -263,6 +288,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
+
+  hide_teeth(ink, skin.positions, drawing.parts[ink.teeth]);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
