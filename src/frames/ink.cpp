@@ -149,10 +149,11 @@ void find_teeth(const Figure& figure, Ink& ink) {
 // Teeth, which are rigid, rise behind the upper lip by what is hidden of them.
 void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, PartShape& teeth) {
   constexpr float kHidden_mm = 3.0f, kShown_mm = 5.5f;  // between an adult's lips
+  constexpr float kUp = 0.35f, kBack = 0.35f;  // of their height: more, and they come out beside the nose
   const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
   const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
   glm::mat4& world = teeth.world_from_rest;
-  world[3] += hidden * ink.teeth_high_mm * world[1];
+  world[3] += hidden * ink.teeth_high_mm * (kUp * world[1] - kBack * world[2]);
 }
 
 void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {

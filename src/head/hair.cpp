@@ -87,6 +87,15 @@ HairCut draw_cut(HairCut cut) {
   for (std::vector<double>* lengths :
        {&cut.locks.length_mm.front, &cut.locks.length_mm.side, &cut.locks.length_mm.back})
     for (double& length : *lengths) length *= ink.longer;
+  // A skull in profile is flatter above than a drawing may be: where hair falls, it makes the crown round.
+  constexpr double kRounder =
+      0.5;  // of the thickness at the whorl; none is added where hair grows at its border
+  for (std::vector<double>* thick : {&cut.thick_mm.front, &cut.thick_mm.side, &cut.thick_mm.back})
+    for (std::size_t i = 0; cut.covers_ears && i < thick->size(); ++i) {
+      const double way = static_cast<double>(i) / static_cast<double>(thick->size() - 1);
+      (*thick)[i] *= 1 + kRounder * (1 - way) * (1 - way);
+    }
+  cut.comb.scalp_mm = 0;  // in an outline its groove is a notch
   cut.down.count = 0;
   cut.locks.widest = kWidest;
   cut.locks.rings *= kFiner;

@@ -98,10 +98,11 @@ void append_shell(HeadPart& part, const HairScene& scene) {
         kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 0.5 * left, kColumns / 2);
     // A fringe's tips are locks alone: the mass would stand over the brows as a roof.
     constexpr double kFringe_mm = 9, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
-    const double inset_mm =
-        std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
-                  smooth_step(kHigh, kLow, below)) +
-        kFringe_mm * smooth_step(kHigh, 2 * kHigh, below) * (1 - smooth_step(kFringe, kLong, below));
+    const double inset_mm = std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
+                                      smooth_step(kHigh, kLow, below)) +
+                            (cut.locks.from_part > 0 ? kFringe_mm : 0) *
+                                smooth_step(kHigh, 2 * kHigh, below) *
+                                (1 - smooth_step(kFringe, kLong, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
