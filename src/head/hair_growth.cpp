@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t kSeries = 43;  // of scatter()
 enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip, kStart };
-constexpr int kDegrees = 181;  // of a border: 0..180
+constexpr int kDegrees = 181;    // of a border: 0..180
+constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
 
 // A smooth curve through the knots of the left half, degree by degree.
 HairBorder compute_border(const NeutralHead& head, const std::vector<HairKnot>& knots,
@@ -127,6 +128,17 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
                  normal);
 }
 
+// How much longer the way down a meridian to the hairline is than the nearest way: 1 where it is level.
+double compute_steepness(const HairScene& scene, double azimuth_deg) {
+  constexpr double kTurn_deg = 2;    // either side: what the hairline's slope is read over
+  constexpr double kRound_mm = 1.5;  // a degree of azimuth, where the hairline is steep
+  const double azimuth = std::abs(azimuth_deg);
+  const double fall_mm = kWay_mm * (sample_border(scene.hairline, azimuth + kTurn_deg) -
+                                    sample_border(scene.hairline, std::abs(azimuth - kTurn_deg)));
+  const double slope = fall_mm / (2 * kTurn_deg * kRound_mm);
+  return std::sqrt(1 + slope * slope);
+}
+
 constexpr double kWeight_mm = 80;  // a lock has its own weight after so much
 
 // The lock's way over the ground in small equal steps.
@@ -227,14 +239,8 @@ HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
 }
 
 double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
-  constexpr double kWay_mm = 130;    // of the adult, from the whorl to the height of the centre
-  constexpr double kTurn_deg = 2;    // either side: what the hairline's slope is read over
-  constexpr double kRound_mm = 1.5;  // a degree of azimuth, where the hairline is steep
-  const double slope = (sample_border(scene.hairline, std::abs(place.azimuth_deg) + kTurn_deg) -
-                        sample_border(scene.hairline, std::abs(std::abs(place.azimuth_deg) - kTurn_deg))) *
-                       kWay_mm / (2 * kTurn_deg * kRound_mm);
   return (sample_border(scene.hairline, place.azimuth_deg) - place.way) * kWay_mm /
-         std::sqrt(1 + slope * slope);
+         compute_steepness(scene, place.azimuth_deg);
 }
 
 double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
@@ -286,7 +292,8 @@ std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
   constexpr double kStep = 0.6180339887498949;   // of the golden section: even at any count
   constexpr double kLast_deg = 84;               // before the ear
   constexpr double kLeast_mm = 1, kMost_mm = 9;  // inside the hairline
-  constexpr double kHangs = 0.5;
+  constexpr double kHangs = 0.5;                 // less of it, and hair is combed out of the face
+  constexpr double kSteepest = 4;                // more, and roots lie far above the temple
   double first_deg = 0;
   while (first_deg < kLast_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
   std::vector<HairPlace> roots;
@@ -294,12 +301,9 @@ std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
     const auto index = static_cast<std::uint32_t>(i);
     const double turn = std::fmod((i / 2 + 1) * kStep, 1.0);
     const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(first_deg, kLast_deg, turn);
-    HairPlace place{azimuth, sample_border(scene.hairline, azimuth)};
     const double inside_mm = std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 2, index, 0));
-    for (int step = 0; step < 8; ++step) {
-      place.way -= 0.5 * (inside_mm - compute_inside_mm(scene, place)) / 130;
-    }
-    roots.push_back(place);
+    const double up_mm = inside_mm * std::min(kSteepest, compute_steepness(scene, azimuth));
+    roots.push_back({azimuth, sample_border(scene.hairline, azimuth) - up_mm / kWay_mm});
   }
   return roots;
 }
