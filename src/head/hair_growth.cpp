@@ -128,6 +128,12 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
                  normal);
 }
 
+// How much of what falls at an azimuth is a fringe, which lies on the forehead.
+double compute_fringe(const HairScene& scene, double azimuth_deg) {
+  constexpr double kFront_deg = 36, kSide_deg = 56;  // it ends between them
+  return sample_border(scene.hangs, 0) * (1 - smooth_step(kFront_deg, kSide_deg, std::abs(azimuth_deg)));
+}
+
 // How much longer the way down a meridian to the hairline is than the nearest way: 1 where it is level.
 double compute_steepness(const HairScene& scene, double azimuth_deg) {
   constexpr double kTurn_deg = 2;    // either side: what the hairline's slope is read over
@@ -208,7 +214,9 @@ double compute_ground_mm(const HairScene& scene, const HairPlace& place) {
   if (!cut.covers_ears) return skin;
   const double cover = sample_hair_chart(scene.chart, scene.chart.cover_mm, place);
   const double down = std::max(0.0, place.way - 1);
-  return std::lerp(skin, cover, sample_border(scene.hangs, place.azimuth_deg)) * (1 - cut.tuck * down * down);
+  const double hangs =
+      sample_border(scene.hangs, place.azimuth_deg) - compute_fringe(scene, place.azimuth_deg);
+  return std::lerp(skin, cover, std::max(0.0, hangs)) * (1 - cut.tuck * down * down);
 }
 
 glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place) {
@@ -244,14 +252,12 @@ double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
 }
 
 double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
-  constexpr double kFront_deg = 36, kSide_deg = 56;  // a fringe ends between them
-  constexpr double kLies = 0.35;                     // of the thickness at a fringe's tips
+  constexpr double kLies = 0.35;  // of the thickness at a fringe's tips
   const double border = sample_border(scene.hairline, place.azimuth_deg);
   const double thick_mm =
       sample_spread(scene.cut.thick_mm, place.azimuth_deg, std::min(1.0, place.way / border));
   if (scene.ends.empty()) return thick_mm;
-  const double fringe =
-      sample_border(scene.hangs, 0) * (1 - smooth_step(kFront_deg, kSide_deg, std::abs(place.azimuth_deg)));
+  const double fringe = compute_fringe(scene, place.azimuth_deg);
   const double low = smooth_step(0.7 * border, sample_border(scene.ends, 0), place.way);
   return thick_mm * (1 - (1 - kLies) * fringe * low);
 }
