@@ -1,8 +1,12 @@
 #include "frames/ink.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "core/error.hpp"
 #include "core/smooth.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
@@ -136,24 +140,37 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
   part.wear = 0;
 }
 
-// Between lips that part a little a drawing has a dark line, and no sliver of teeth.
-void find_teeth(const Figure& figure, Ink& ink) {
-  const auto teeth = std::ranges::find(ink.model.parts, "teeth_upper", &Part::name);
-  if (teeth == ink.model.parts.end()) throw RunError("internal: a drawn head without teeth");
-  ink.teeth = static_cast<std::size_t>(teeth - ink.model.parts.begin());
-  const Box box = compute_bounds(teeth->rest.positions);
+std::size_t find_part(const Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.parts, name, &Part::name);
+  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
+  return static_cast<std::size_t>(found - model.parts.begin());
+}
+
+void find_mouth(const Figure& figure, Ink& ink) {
+  ink.teeth = find_part(ink.model, "teeth_upper");
+  ink.tongue = find_part(ink.model, "tongue");
+  const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
   ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
 }
 
-// Teeth, which are rigid, rise behind the upper lip by what is hidden of them.
-void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, PartShape& teeth) {
+void shift(const glm::vec3& way, PartShape& shape) {
+  for (glm::vec3& p : shape.positions) p += way;
+  if (shape.positions.empty()) shape.world_from_rest[3] += glm::vec4(way, 0);
+}
+
+// Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
+void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
   constexpr float kHidden_mm = 3.0f, kShown_mm = 5.5f;  // between an adult's lips
-  constexpr float kUp = 0.35f, kBack = 0.35f;  // of their height: more, and they come out beside the nose
+  constexpr float kUp = 0.35f,
+                  kBack = 0.35f;  // of the teeth's height: more, and they come out beside the nose
   const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
-  const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
-  glm::mat4& world = teeth.world_from_rest;
-  world[3] += hidden * ink.teeth_high_mm * (kUp * world[1] - kBack * world[2]);
+  const float hidden = ink.teeth_high_mm * (1 - smooth_step(kHidden_mm, kShown_mm, gap_mm));
+  if (hidden == 0) return;
+  PartShape& teeth = drawing.parts[ink.teeth];
+  const glm::vec3 up(teeth.world_from_rest[1]), forward(teeth.world_from_rest[2]);
+  shift(hidden * (kUp * up - kBack * forward), teeth);
+  shift(hidden * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
 }
 
 void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
@@ -261,7 +278,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
-  find_teeth(figure, ink);
+  find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
@@ -290,7 +307,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
-  hide_teeth(ink, skin.positions, drawing.parts[ink.teeth]);
+  hide_teeth(ink, skin.positions, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());

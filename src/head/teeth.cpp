@@ -307,7 +307,7 @@ HeadPart build_teeth(const DentalArch& arch, const TeethRow& row) {
 
 HeadPart build_teeth_band(const DentalArch& arch, const TeethRow& row) {
   constexpr int kCuts = 24;          // of the left half: 2 mm apart
-  constexpr double kRise_mm = 2.4;   // of its edge toward the row's end: less, and it is a bar
+  constexpr double kRise_mm = 4;     // of its edge toward the row's end: less, and it is a bar
   constexpr double kThick_mm = 1.5;  // more, and its underside shows as a step
   constexpr double kTop = 1.3;       // of the way from a tooth's edge to the gum
   constexpr std::array kHeights{1.0, 0.6, 0.3, 0.0};  // of the way from its edge to its top
