@@ -313,7 +313,8 @@ HeadPart build_teeth_band(const DentalArch& arch, const TeethRow& row) {
   constexpr std::array kHeights{1.0, 0.6, 0.3, 0.0};  // of the way from its edge to its top
   const ArchLine line = trace_arch(arch, row);
   const std::vector<Tooth> teeth = lay_teeth(arch, row, line);
-  const double grown = teeth[2].grown;  // the eye tooth: an infant's first two would be a white bar
+  // An infant's first two would be a white bar, and these two are never shed at one time.
+  const double grown = std::max(teeth[2].grown, teeth[3].grown);
   const double neck = teeth[0].neck_mm, top = std::lerp(teeth[0].edge_mm, neck, kTop);
   std::vector<Ring> left, rings;
   for (int i = 0; i <= kCuts; ++i) {

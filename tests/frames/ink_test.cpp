@@ -444,23 +444,26 @@ TEST(ink, freckles_are_a_few_dots_that_stay_on_the_skin) {
 }
 
 TEST(ink, upper_teeth_are_one_closed_band_and_an_infant_has_none) {
-  const auto measure_high = [](const char* age) {
+  const auto measure_high = [](const Mix& age) {
     HeadSpec spec = make_spec("real");  // whose teeth no lens bends
-    spec.age = {{age, 1.0}};
+    spec.age = age;
     const Figure figure = build_figure(shipped().heads, spec, FigureUse::ink);
     const Mesh& teeth = figure.model.parts[find_part(figure.model, "teeth_upper")].rest;
-    EXPECT_EQ(count_open_edges(teeth.triangles), 0u) << age;
+    EXPECT_EQ(count_open_edges(teeth.triangles), 0u) << age.begin()->first;
     const Box box = compute_bounds(teeth.positions);
-    EXPECT_EQ(box.low.x, -box.high.x) << age;
+    EXPECT_EQ(box.low.x, -box.high.x) << age.begin()->first;
     // Over the front its edge is level.
     float low = box.high.y;
     for (const glm::vec3& p : teeth.positions)
       if (std::abs(p.x) < 0.3f * box.high.x) low = std::min(low, p.y);
-    EXPECT_NEAR(low, box.low.y, 0.1f) << age;
+    EXPECT_NEAR(low, box.low.y, 0.1f) << age.begin()->first;
     return box.high.y - box.low.y;
   };
-  EXPECT_LT(measure_high("infant"), 0.4f * measure_high("child"));
-  EXPECT_GT(measure_high("adult"), 5);
+  const float child = measure_high({{"child", 1}});
+  EXPECT_LT(measure_high({{"infant", 1}}), 0.4f * child);
+  EXPECT_GT(measure_high({{"adult", 1}}), 5);
+  for (const double older : {0.3, 0.5, 0.65, 0.75, 0.8, 0.9})  // while milk teeth are shed
+    EXPECT_GT(measure_high({{"child", 1 - older}, {"teenager", older}}), 0.8f * child) << older;
 }
 
 TEST(ink, lips_that_part_a_little_show_no_teeth) {
