@@ -13,6 +13,7 @@ namespace {
 
 // Around a whole head, as shares of its height: air above; below, enough of the neck to carry it.
 constexpr double kAbove = 0.12, kBelow = 0.22;
+constexpr double kLeastAbove = 0.02;  // over hair
 
 // Loomis' numbers, in units of which a head is 3.5 high.
 constexpr double kUnitsHigh = 3.5, kUnitsWide = 3, kUnitsDeep = 3.5;
@@ -116,6 +117,12 @@ HeadMeasures measure_head(const Figure& figure) {
   for (const glm::vec3& p : figure.head.skin.positions)
     if (p.y >= measures.chin_mm()) above.push_back(p);
   measures.head = compute_bounds(above);
+  double top_mm = measures.guides.back().second;
+  for (const Part& part : figure.model.parts)
+    if (part.name.starts_with("hair"))
+      top_mm = std::max<double>(top_mm, compute_bounds(part.rest.positions).high.y);
+  top_mm += compute_most_stretch(figure.redraw) * (top_mm - figure.redraw.floor_mm);
+  measures.above_mm = top_mm - measures.guides.back().second;
   return measures;
 }
 
@@ -127,7 +134,9 @@ CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, con
   const SheetFraming& framing = cell.framing;
   const std::vector<glm::dvec3> around = find_places(scale, framing.around);
   if (around.empty()) {
-    view.frame_height_mm = scale.height_mm() * (1 + kAbove + kBelow);
+    const double height_mm = scale.height_mm();
+    const double above_mm = std::max(kAbove * height_mm, scale.above_mm + kLeastAbove * height_mm);
+    view.frame_height_mm = height_mm * (1 + kBelow) + above_mm;
     view.frame_width_mm = scale.height_mm() * framing.wide;
     view.look_at = (own.head.low + own.head.high) / 2.0f;
     view.look_at.y =
