@@ -134,13 +134,13 @@ CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, con
   const SheetFraming& framing = cell.framing;
   const std::vector<glm::dvec3> around = find_places(scale, framing.around);
   if (around.empty()) {
-    const double height_mm = scale.height_mm();
-    const double above_mm = std::max(kAbove * height_mm, scale.above_mm + kLeastAbove * height_mm);
-    view.frame_height_mm = height_mm * (1 + kBelow) + above_mm;
+    view.frame_height_mm = scale.height_mm() * (1 + kAbove + kBelow);
     view.frame_width_mm = scale.height_mm() * framing.wide;
     view.look_at = (own.head.low + own.head.high) / 2.0f;
+    const double low_mm = own.chin_mm() - kBelow * scale.height_mm();
+    const double top_mm = own.guides.back().second + own.above_mm + kLeastAbove * scale.height_mm();
     view.look_at.y =
-        static_cast<float>(own.chin_mm() - kBelow * scale.height_mm() + view.frame_height_mm / 2);
+        static_cast<float>(std::max(low_mm + view.frame_height_mm / 2, top_mm - view.frame_height_mm / 2));
     return view;
   }
   glm::dvec3 sum{0};
