@@ -252,11 +252,13 @@ double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
 }
 
 double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
-  constexpr double kLies = 0.35;  // of the thickness at a fringe's tips
+  constexpr double kLies =
+      0.65;  // of the thickness at a fringe's tips; less, and raised brows push skin through
+  const bool is_drawn = scene.cut.locks.widest > 0;  // brows that rise would come out of what does not move
   const double border = sample_border(scene.hairline, place.azimuth_deg);
   const double thick_mm =
       sample_spread(scene.cut.thick_mm, place.azimuth_deg, std::min(1.0, place.way / border));
-  if (scene.ends.empty()) return thick_mm;
+  if (scene.ends.empty() || is_drawn) return thick_mm;
   const double fringe = compute_fringe(scene, place.azimuth_deg);
   const double low = smooth_step(0.7 * border, sample_border(scene.ends, 0), place.way);
   return thick_mm * (1 - (1 - kLies) * fringe * low);
