@@ -131,6 +131,7 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
 // How much of what falls at an azimuth is a fringe, which lies on the forehead.
 double compute_fringe(const HairScene& scene, double azimuth_deg) {
   constexpr double kFront_deg = 36, kSide_deg = 56;  // it ends between them
+  if (!scene.cut.covers_ears) return 0;              // short hair and curls stand up there
   return sample_border(scene.hangs, 0) * (1 - smooth_step(kFront_deg, kSide_deg, std::abs(azimuth_deg)));
 }
 
