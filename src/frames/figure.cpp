@@ -9,6 +9,7 @@
 #include "core/pool.hpp"
 #include "face/fold_ground.hpp"
 #include "head/beard.hpp"
+#include "head/dental_arch.hpp"
 #include "head/hair.hpp"
 #include "head/ink_eyes.hpp"
 #include "head/skin_look.hpp"
@@ -253,7 +254,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
       [&] {
         if (!is_ink) made[3] = build_hairs(figure.head, spec.look);
       },
-      [&] { made[2] = build_mouth(figure.head, spec.look); },
+      [&] { made[2] = is_ink ? build_drawn_mouth(figure.head) : build_mouth(figure.head, spec.look); },
       [&] {
         made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
       }};

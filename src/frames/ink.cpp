@@ -1,8 +1,12 @@
 #include "frames/ink.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
+#include "core/error.hpp"
 #include "core/smooth.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
@@ -51,6 +55,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
         "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
         "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
     add(point, margins);
+  // In an ear hulls leave crumbs of its many small folds: strokes draw it.
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const char* ring : {"er7_", "er8_", "er9_", "er10_", "er11_"})
+      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
   for (const char* point :
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
@@ -115,11 +123,12 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name == "teeth_upper" || part.name == "gum_upper") {  // teeth are one white band
+  if (part.name == "teeth_upper") {
     flat(colours.bone);
     darken_backs(colours, part);
   }
-  if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
+  if (part.name == "gum_upper" || part.name == "teeth_lower" || part.name == "gum_lower" ||
+      part.name == "lip_veil")
     flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
   if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
@@ -129,6 +138,39 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
   part.shade.clear();
   part.grain.clear();
   part.wear = 0;
+}
+
+std::size_t find_part(const Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.parts, name, &Part::name);
+  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
+  return static_cast<std::size_t>(found - model.parts.begin());
+}
+
+void find_mouth(const Figure& figure, Ink& ink) {
+  ink.teeth = find_part(ink.model, "teeth_upper");
+  ink.tongue = find_part(ink.model, "tongue");
+  const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
+  ink.teeth_high_mm = box.high.y - box.low.y;
+  ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
+}
+
+void shift(const glm::vec3& way, PartShape& shape) {
+  for (glm::vec3& p : shape.positions) p += way;
+  if (shape.positions.empty()) shape.world_from_rest[3] += glm::vec4(way, 0);
+}
+
+// Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
+void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
+  constexpr float kHidden_mm = 3.0f, kShown_mm = 5.5f;  // between an adult's lips
+  constexpr float kUp = 0.35f,
+                  kBack = 0.35f;  // of the teeth's height: more, and they come out beside the nose
+  const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
+  const float hidden = ink.teeth_high_mm * (1 - smooth_step(kHidden_mm, kShown_mm, gap_mm));
+  if (hidden == 0) return;
+  PartShape& teeth = drawing.parts[ink.teeth];
+  const glm::vec3 up(teeth.world_from_rest[1]), forward(teeth.world_from_rest[2]);
+  shift(hidden * (kUp * up - kBack * forward), teeth);
+  shift(hidden * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
 }
 
 void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
@@ -236,6 +278,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
+  find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
@@ -263,6 +306,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
+
+  hide_teeth(ink, skin.positions, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());

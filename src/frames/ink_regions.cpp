@@ -15,7 +15,18 @@ namespace mien {
 namespace {
 
 // What is nearer to the front of this list stands before the others where they overlap.
-enum Region : std::uint16_t { kInside, kHole, kRed, kBearded, kHaired, kFlush, kPlain, kRegionCount };
+// A blush pales toward its edge in steps, the reddest first: two or three of them and each is a disc.
+constexpr int kFlushSteps = 6;
+enum Region : std::uint16_t {
+  kInside,
+  kHole,
+  kRed,
+  kBearded,
+  kHaired,
+  kFlush,
+  kPlain = kFlush + kFlushSteps,
+  kRegionCount
+};
 
 // The skin's triangles while they are cut along the borders of its regions.
 struct Cutting {
@@ -72,7 +83,7 @@ std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> value
 }
 
 std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kWide_mm = 11.5f, kHigh_mm = 7.5f, kDeep_mm = 22;  // half of the patch, on an eye of 16 mm
+  constexpr float kWide_mm = 13.5f, kHigh_mm = 9.0f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
   constexpr glm::vec3 kAside_mm(0, 1, 0);
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
@@ -108,8 +119,11 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
   shades[kBearded].srgb = glm::mix(find_ink_hair(compute_beard_colour(look)), skin, 0.45f);
   shades[kHaired] = {find_ink_hair(look.hair), 1};  // with the shade of hair
-  shades[kFlush].srgb =
+  const glm::vec3 flush =
       colours.blush.value_or(skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush));
+  for (int step = 0; step < kFlushSteps; ++step)
+    shades[kFlush + step].srgb =
+        glm::mix(flush, skin, static_cast<float>(step) / static_cast<float>(kFlushSteps));
   return shades;
 }
 
@@ -133,7 +147,14 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   cutting.fields[kBearded] = find_border(
       fine, spec.look.beard == "none" ? std::vector<float>{} : paint_beard(figure.head, spec.look.beard));
   cutting.fields[kHaired] = find_border(fine, paint_scalp(figure.head, spec.hair));
-  cutting.fields[kFlush] = paint_flush(figure, positions);
+  constexpr float kFlushWhole = 0.5f;  // of the way from its edge to its middle it is as red as it gets
+  const std::vector<float> flush = paint_flush(figure, positions);
+  for (int step = 0; step < kFlushSteps; ++step) {
+    std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
+    field = flush;
+    for (float& value : field)
+      value -= kFlushWhole * static_cast<float>(kFlushSteps - 1 - step) / static_cast<float>(kFlushSteps - 1);
+  }
 
   InkRegions regions;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)

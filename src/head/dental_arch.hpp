@@ -70,6 +70,13 @@ double compute_lean_mm(const DentalArch& arch, const TeethRow& row, double heigh
 HeadPart build_teeth(const DentalArch& arch, const TeethRow& row);
 HeadPart build_gum(const DentalArch& arch, const TeethRow& row);
 
+// What a drawing shows of the upper row: one band with a clean edge, as far down as its front teeth have
+// grown.
+HeadPart build_teeth_band(const DentalArch& arch, const TeethRow& row);
+
+// The parts of build_mouth (head.hpp), its upper teeth a band.
+std::vector<HeadPart> build_drawn_mouth(const NeutralHead& head);
+
 // What hangs behind shut lips of a mouth of this scale and keeps the teeth from shining through; it rides on
 // the skin.
 HeadPart build_lip_veil(const NeutralHead& head, double scale);

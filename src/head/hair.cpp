@@ -87,6 +87,15 @@ HairCut draw_cut(HairCut cut) {
   for (std::vector<double>* lengths :
        {&cut.locks.length_mm.front, &cut.locks.length_mm.side, &cut.locks.length_mm.back})
     for (double& length : *lengths) length *= ink.longer;
+  // A skull in profile is flatter above than a drawing may be: where hair falls, it makes the crown round.
+  constexpr double kRounder =
+      0.5;  // of the thickness at the whorl; none is added where hair grows at its border
+  for (std::vector<double>* thick : {&cut.thick_mm.front, &cut.thick_mm.side, &cut.thick_mm.back})
+    for (std::size_t i = 0; cut.covers_ears && i < thick->size(); ++i) {
+      const double way = static_cast<double>(i) / static_cast<double>(thick->size() - 1);
+      (*thick)[i] *= 1 + kRounder * (1 - way) * (1 - way);
+    }
+  cut.comb.scalp_mm = 0;  // in an outline its groove is a notch
   cut.down.count = 0;
   cut.locks.widest = kWidest;
   cut.locks.rings *= kFiner;
@@ -149,16 +158,21 @@ std::vector<HeadPart> grow_hair(const NeutralHead& head, const HairScene& scene,
 }
 
 std::vector<float> paint_ground(const NeutralHead& head, const HairScene& scene) {
-  constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
   const std::vector<HairGround> grounds = list_hair_grounds(head);
-  const double soft = scene.cut.soft_mm / kWay_mm;
+  // Hair is finer at the temples.
+  constexpr double kFirst_deg = 34, kWhole_deg = 52, kFinest = 0.9;
+  const auto find_soft_mm = [&](double azimuth_deg) {
+    return scene.cut.soft_mm * (1 + kFinest * smooth_step(kFirst_deg, kWhole_deg, std::abs(azimuth_deg)) *
+                                        (1 - smooth_step(80, 100, std::abs(azimuth_deg))));
+  };
   std::vector<float> covers;
   for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
     float cover = 0;
     if (grounds[v] == HairGround::scalp) {
       const HairPlace place = compute_hair_place(scene.chart, glm::dvec3(head.skin.positions[v]));
-      const double border = sample_border(scene.hairline, place.azimuth_deg);
-      cover = static_cast<float>(scene.cut.scalp * smooth_step(-0.7 * soft, soft, border - place.way));
+      const double soft_mm = find_soft_mm(place.azimuth_deg);
+      cover = static_cast<float>(scene.cut.scalp *
+                                 smooth_step(-0.5 * soft_mm, soft_mm, compute_inside_mm(scene, place)));
       // What lies far under the chart's ground is an inside: an ear's back, a mouth.
       const double ground = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
       const double far =

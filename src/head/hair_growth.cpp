@@ -15,7 +15,8 @@ namespace {
 
 constexpr std::uint32_t kSeries = 43;  // of scatter()
 enum Channel : std::uint32_t { kLength, kLayer, kTurn, kPhase, kLift, kTip, kStart };
-constexpr int kDegrees = 181;  // of a border: 0..180
+constexpr int kDegrees = 181;    // of a border: 0..180
+constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
 
 // A smooth curve through the knots of the left half, degree by degree.
 HairBorder compute_border(const NeutralHead& head, const std::vector<HairKnot>& knots,
@@ -127,6 +128,24 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
                  normal);
 }
 
+// How much of what falls at an azimuth is a fringe, which lies on the forehead.
+double compute_fringe(const HairScene& scene, double azimuth_deg) {
+  constexpr double kFront_deg = 36, kSide_deg = 56;  // it ends between them
+  if (!scene.cut.covers_ears) return 0;              // short hair and curls stand up there
+  return sample_border(scene.hangs, 0) * (1 - smooth_step(kFront_deg, kSide_deg, std::abs(azimuth_deg)));
+}
+
+// How much longer the way down a meridian to the hairline is than the nearest way: 1 where it is level.
+double compute_steepness(const HairScene& scene, double azimuth_deg) {
+  constexpr double kTurn_deg = 2;    // either side: what the hairline's slope is read over
+  constexpr double kRound_mm = 1.5;  // a degree of azimuth, where the hairline is steep
+  const double azimuth = std::abs(azimuth_deg);
+  const double fall_mm = kWay_mm * (sample_border(scene.hairline, azimuth + kTurn_deg) -
+                                    sample_border(scene.hairline, std::abs(azimuth - kTurn_deg)));
+  const double slope = fall_mm / (2 * kTurn_deg * kRound_mm);
+  return std::sqrt(1 + slope * slope);
+}
+
 constexpr double kWeight_mm = 80;  // a lock has its own weight after so much
 
 // The lock's way over the ground in small equal steps.
@@ -196,7 +215,9 @@ double compute_ground_mm(const HairScene& scene, const HairPlace& place) {
   if (!cut.covers_ears) return skin;
   const double cover = sample_hair_chart(scene.chart, scene.chart.cover_mm, place);
   const double down = std::max(0.0, place.way - 1);
-  return std::lerp(skin, cover, sample_border(scene.hangs, place.azimuth_deg)) * (1 - cut.tuck * down * down);
+  const double hangs =
+      sample_border(scene.hangs, place.azimuth_deg) - compute_fringe(scene, place.azimuth_deg);
+  return std::lerp(skin, cover, std::max(0.0, hangs)) * (1 - cut.tuck * down * down);
 }
 
 glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place) {
@@ -224,6 +245,24 @@ HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
   scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, compute_eye_to_chin_mm(head));
   if (cut.comb.is_gathered) compute_knot(scene, scene.knot, scene.knot_out);
   return scene;
+}
+
+double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
+  return (sample_border(scene.hairline, place.azimuth_deg) - place.way) * kWay_mm /
+         compute_steepness(scene, place.azimuth_deg);
+}
+
+double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
+  constexpr double kLies =
+      0.65;  // of the thickness at a fringe's tips; less, and raised brows push skin through
+  const bool is_drawn = scene.cut.locks.widest > 0;  // brows that rise would come out of what does not move
+  const double border = sample_border(scene.hairline, place.azimuth_deg);
+  const double thick_mm =
+      sample_spread(scene.cut.thick_mm, place.azimuth_deg, std::min(1.0, place.way / border));
+  if (scene.ends.empty() || is_drawn) return thick_mm;
+  const double fringe = compute_fringe(scene, place.azimuth_deg);
+  const double low = smooth_step(0.7 * border, sample_border(scene.ends, 0), place.way);
+  return thick_mm * (1 - (1 - kLies) * fringe * low);
 }
 
 double compute_room(const HairChart& chart, const HairPlace& place) {
@@ -254,6 +293,26 @@ std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double ba
     if (place.way > border || place.way < band * border) continue;
     if (scatter(kSeries + 1, static_cast<std::uint32_t>(i), 0) > compute_room(scene.chart, place)) continue;
     roots.push_back(place);
+  }
+  return roots;
+}
+
+std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
+  constexpr double kStep = 0.6180339887498949;   // of the golden section: even at any count
+  constexpr double kLast_deg = 84;               // before the ear
+  constexpr double kLeast_mm = 1, kMost_mm = 9;  // inside the hairline
+  constexpr double kHangs = 0.5;                 // less of it, and hair is combed out of the face
+  constexpr double kSteepest = 4;                // more, and roots lie far above the temple
+  double first_deg = 0;
+  while (first_deg < kLast_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+  std::vector<HairPlace> roots;
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    const double turn = std::fmod((i / 2 + 1) * kStep, 1.0);
+    const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(first_deg, kLast_deg, turn);
+    const double inside_mm = std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 2, index, 0));
+    const double up_mm = inside_mm * std::min(kSteepest, compute_steepness(scene, azimuth));
+    roots.push_back({azimuth, sample_border(scene.hairline, azimuth) - up_mm / kWay_mm});
   }
   return roots;
 }
@@ -336,8 +395,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     const HairPlace &a = path.places[i], &b = path.places[j];
     const double t = at - std::floor(at);
     const auto height_at = [&](const HairPlace& place) {
-      const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
-      return size * child * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+      return size * child * compute_thickness_mm(scene, place);
     };
     // Out of the skin at the root, then in its layer; the tips of short hair stay up, those of gathered hair
     // and of long hair lie down.

@@ -35,6 +35,13 @@ double compute_ground_mm(const HairScene& scene, const HairPlace& place);
 // Unit: away from the ground.
 glm::dvec3 compute_ground_normal(const HairScene& scene, const HairPlace& place);
 
+// How far inside the hairline a place is, mm of the adult along the ground; less than 0 outside. Exact near
+// the hairline.
+double compute_inside_mm(const HairScene& scene, const HairPlace& place);
+
+// How thick hair is at a place, mm of the adult. A fringe lies down on the forehead toward its tips.
+double compute_thickness_mm(const HairScene& scene, const HairPlace& place);
+
 // How much of the head lies about a place, against where it is most: ways run together toward the whorl, and
 // are shorter behind it.
 double compute_room(const HairChart& chart, const HairPlace& place);
@@ -42,6 +49,9 @@ double compute_room(const HairChart& chart, const HairPlace& place);
 // Roots spread evenly over the hairy skin, `count` of them; of the left half only if `is_left`. `band`: none
 // nearer to the whorl than this share of the way to the hairline.
 std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left);
+
+// Roots along the hairline about the face where hair falls from it, `count` of them on both sides.
+std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count);
 
 // How many waves a place is behind the whorl: neighbours wave together.
 double compute_wave(const HairScene& scene, const HairPlace& place);

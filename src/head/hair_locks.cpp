@@ -19,7 +19,8 @@ enum Channel : std::uint32_t { kTone, kRoll, kWidth, kAngle, kDepth, kReach, kLe
 
 // How wide a lock is on its way: it comes out of the skin, is full, and runs out in a point.
 double compute_lock_width(double way, const LockForm& form) {
-  return (0.25 + 0.75 * smooth_step(0, form.widens, way)) * (1 - std::pow(way, form.runs_out));
+  return (form.begins + (1 - form.begins) * smooth_step(0, form.widens, way)) *
+         (1 - std::pow(way, form.runs_out));
 }
 
 std::uint16_t compute_tone(double shade) {
@@ -126,15 +127,29 @@ bool is_touching(const HairScene& scene, const HairStrand& strand, double width_
 void append_locks(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
-  const auto roots = spread_roots(scene, cut.locks.count, cut.locks.root_band, cut.is_mirrored);
+  // Some frame the face, where the mass would show as a bare strip; more and the crown has gaps.
+  constexpr double kAtFace = 0.18;
+  constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
+  constexpr double kFaceAway = 0.35;   // more, and all of it is swept behind the ears
+  constexpr LockForm kAboutFace{0.3, 4, 0.02};
+  const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
+  std::vector<HairPlace> roots =
+      spread_roots(scene, cut.locks.count - at_face, cut.locks.root_band, cut.is_mirrored);
+  const std::size_t first_at_face = roots.size();
+  for (const HairPlace& root : spread_border_roots(scene, at_face)) roots.push_back(root);
+  HairScene about_face = scene;
+  about_face.cut.locks.rise_mm = kFaceRise_mm;
+  about_face.cut.comb.away *= kFaceAway;
   constexpr LockForm kTogether{0.04, 4};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
     const std::uint32_t family = middle != nullptr ? middle->index : index;
-    const bool is_long = scatter(kSeries, index, kBegin) < cut.locks.from_part;
+    const bool is_about_face = index >= first_at_face;
+    const bool is_long = !is_about_face && scatter(kSeries, index, kBegin) < cut.locks.from_part;
     HairStrand strand =
-        grow_strand(scene, is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
+        grow_strand(is_about_face ? about_face : scene,
+                    is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
     if (strand.points.empty()) continue;
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
@@ -142,7 +157,9 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width,
                 compute_lock_shade(strand.layer, index, family), index,
-                middle != nullptr ? kTogether : LockForm{});
+                is_about_face       ? kAboutFace
+                : middle != nullptr ? kTogether
+                                    : LockForm{});
     if (cut.locks.widest > 0) bind_by_vertex(part, scene);  // cuts in ink alone have it
   }
 }
@@ -234,7 +251,6 @@ void append_bun(HeadPart& part, const HairScene& scene) {
 void append_down(HeadPart& part, const HairScene& scene) {
   const HairDown& down = scene.cut.down;
   const double size = scene.chart.size;
-  constexpr double kWay_mm = 130;  // of the adult, from the whorl to the height of the centre
   constexpr double kBeyond = 0.5;  // of the band, outside the border
   constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;  // see spread_roots
   const bool is_left = scene.cut.is_mirrored;
@@ -244,8 +260,7 @@ void append_down(HeadPart& part, const HairScene& scene) {
   for (std::uint32_t i = 1; grown < wanted && i < 150u * static_cast<std::uint32_t>(down.count); ++i) {
     const double turn = std::fmod(i * kFirst, 1.0), along = std::fmod(i * kSecond, 1.0);
     HairPlace place{is_left ? 180 * turn : 360 * turn - 180, 1.7 * along};
-    const double border = sample_border(scene.hairline, place.azimuth_deg);
-    const double inside_mm = (border - place.way) * kWay_mm;
+    const double inside_mm = compute_inside_mm(scene, place);
     if (inside_mm > down.band_mm || inside_mm < -kBeyond * down.band_mm) continue;
     const double room = compute_room(scene.chart, place);
     const double soft_mm = std::min(down.band_mm, 2 * scene.cut.soft_mm);

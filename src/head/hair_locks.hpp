@@ -7,9 +7,10 @@ namespace mien {
 
 inline constexpr int kHairTones = 8;  // of one head of hair, dark to light
 
-// Of a lock's way: where it has come to its width; and how late it runs out in its tip, as a power.
+// Of a lock's way: where it has come to its width; how late it runs out in its tip, as a power; and how much
+// of its width it begins with.
 struct LockForm {
-  double widens = 0.16, runs_out = 2.2;
+  double widens = 0.16, runs_out = 2.2, begins = 0.25;
 };
 
 // One lock as a ribbon that ends in a point, its normals fanned across as if it were round; its vertices get

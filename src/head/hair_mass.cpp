@@ -96,14 +96,21 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const int left = std::max(column, kColumns - 1 - column);
     const double ragged_mm =
         kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 0.5 * left, kColumns / 2);
+    // A fringe's tips are locks alone: the mass would stand over the brows as a roof.
+    constexpr double kFringe_mm = 9, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
     const double inset_mm = std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
-                                      smooth_step(kHigh, kLow, below));
+                                      smooth_step(kHigh, kLow, below)) +
+                            (cut.locks.from_part > 0 ? kFringe_mm : 0) *
+                                smooth_step(kHigh, 2 * kHigh, below) *
+                                (1 - smooth_step(kFringe, kLong, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
-    constexpr double kCombed_deg = 16;
-    const double beside_deg = (cut.locks.from_part > 0 ? kCombed_deg : kBeside_deg) *
-                              (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
+    constexpr double kCombed_deg = 28,
+                     kCombedFringe_deg = 16;  // less, and it stands beside the face as a board
+    const double combed_deg = std::lerp(kCombed_deg, kCombedFringe_deg, sample_border(scene.hangs, 0));
+    const double beside_deg =
+        (cut.locks.from_part > 0 ? combed_deg : kBeside_deg) * (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
     for (const double beside : {-1.0, -0.5, 0.0, 0.5, 1.0}) {
       double near = std::abs(compute_azimuth(column) + beside * beside_deg);
       if (near > 180) near = 360 - near;
@@ -248,9 +255,7 @@ void append_knot(HeadPart& part, const HairScene& scene) {
 
 double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
   const HairCut& cut = scene.cut;
-  const double way = std::min(1.0, place.way / sample_border(scene.hairline, place.azimuth_deg));
-  double height =
-      cut.mass * compute_part_depth(scene, place) * sample_spread(cut.thick_mm, place.azimuth_deg, way);
+  double height = cut.mass * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
   if (cut.locks.wave_mm > 0)
     height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
               (1 + std::cos(2 * kPi * compute_wave(scene, place)));

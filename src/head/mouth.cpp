@@ -83,9 +83,8 @@ void make_room_for_lips(const NeutralHead& head, DentalArch& arch, const TeethRo
   }
 }
 
-}  // namespace
-
-std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
+std::vector<HeadPart> build_parts(const NeutralHead& head,
+                                  HeadPart (*build_upper)(const DentalArch&, const TeethRow&)) {
   const MouthNumbers& numbers = head.data->parts.mouth;
   DentalArch arch = fit_arch(head, numbers);
   const TeethRow upper{numbers.upper, 1}, lower{numbers.lower, -1};
@@ -93,12 +92,22 @@ std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
 
   std::vector<HeadPart> parts;
   for (const TeethRow& row : {upper, lower}) {
-    parts.push_back(build_teeth(arch, row));
+    parts.push_back(row.sign > 0 ? build_upper(arch, row) : build_teeth(arch, row));
     parts.push_back(build_gum(arch, row));
   }
   parts.push_back(build_tongue(arch));
   parts.push_back(build_lip_veil(head, arch.scale));
   return parts;
+}
+
+}  // namespace
+
+std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
+  return build_parts(head, build_teeth);
+}
+
+std::vector<HeadPart> build_drawn_mouth(const NeutralHead& head) {
+  return build_parts(head, build_teeth_band);
 }
 
 }  // namespace mien

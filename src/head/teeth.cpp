@@ -305,6 +305,43 @@ HeadPart build_teeth(const DentalArch& arch, const TeethRow& row) {
   return part;
 }
 
+HeadPart build_teeth_band(const DentalArch& arch, const TeethRow& row) {
+  constexpr int kCuts = 24;          // of the left half: 2 mm apart
+  constexpr double kRise_mm = 4;     // of its edge toward the row's end: less, and it is a bar
+  constexpr double kThick_mm = 1.5;  // more, and its underside shows as a step
+  constexpr double kTop = 1.3;       // of the way from a tooth's edge to the gum
+  constexpr std::array kHeights{1.0, 0.6, 0.3, 0.0};  // of the way from its edge to its top
+  const ArchLine line = trace_arch(arch, row);
+  const std::vector<Tooth> teeth = lay_teeth(arch, row, line);
+  // An infant's first two would be a white bar, and these two are never shed at one time.
+  const double grown = std::max(teeth[2].grown, teeth[3].grown);
+  const double neck = teeth[0].neck_mm, top = std::lerp(teeth[0].edge_mm, neck, kTop);
+  std::vector<Ring> left, rings;
+  for (int i = 0; i <= kCuts; ++i) {
+    const double share = static_cast<double>(i) / kCuts;
+    const ArchPlace place = compute_arch_place(line, share * line.length_mm.back());
+    const double edge = std::lerp(neck, teeth[0].edge_mm + arch.scale * kRise_mm * share * share, grown);
+    left.emplace_back();
+    const auto add = [&](double height, double behind_mm) {
+      const glm::vec2 flat =
+          place.at - place.out * static_cast<float>(compute_lean_mm(arch, row, height, share) + behind_mm);
+      left.back().emplace_back(i == 0 ? 0 : flat.x, arch.lips_y_mm + row.sign * height,
+                               arch.front_z_mm + flat.y);
+    };
+    for (const double way : kHeights) add(std::lerp(edge, top, way), 0);
+    add(edge, arch.scale * kThick_mm);
+    add(top, arch.scale * kThick_mm);
+  }
+  for (std::size_t i = kCuts; i > 0; --i) rings.push_back(mirror_ring(left[i]));
+  rings.insert(rings.end(), left.begin(), left.end());
+  HeadPart part;
+  append_loft(part.part.rest, compute_middle(rings.front()), rings, compute_middle(rings.back()));
+  part.part.name = "teeth_upper";
+  part.part.material = "teeth";
+  finish_row(row, part);
+  return part;
+}
+
 HeadPart build_gum(const DentalArch& arch, const TeethRow& row) {
   HeadPart part;
   std::vector<Ring> left, rings;

@@ -13,6 +13,7 @@ namespace {
 
 // Around a whole head, as shares of its height: air above; below, enough of the neck to carry it.
 constexpr double kAbove = 0.12, kBelow = 0.22;
+constexpr double kLeastAbove = 0.02;  // over hair
 
 // Loomis' numbers, in units of which a head is 3.5 high.
 constexpr double kUnitsHigh = 3.5, kUnitsWide = 3, kUnitsDeep = 3.5;
@@ -116,6 +117,13 @@ HeadMeasures measure_head(const Figure& figure) {
   for (const glm::vec3& p : figure.head.skin.positions)
     if (p.y >= measures.chin_mm()) above.push_back(p);
   measures.head = compute_bounds(above);
+  double top_mm = measures.guides.back().second;
+  for (const Part& part : figure.model.parts)
+    if (part.name.starts_with("hair"))
+      top_mm = std::max<double>(top_mm, compute_bounds(part.rest.positions).high.y);
+  const double stretch = compute_most_stretch(figure.redraw);
+  if (stretch > 0)
+    measures.above_mm = top_mm + stretch * (top_mm - figure.redraw.floor_mm) - measures.guides.back().second;
   return measures;
 }
 
@@ -126,12 +134,14 @@ CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, con
   view.height_deg = cell.height_deg;
   const SheetFraming& framing = cell.framing;
   const std::vector<glm::dvec3> around = find_places(scale, framing.around);
+  const double top_mm = own.guides.back().second + own.above_mm + kLeastAbove * scale.height_mm();
   if (around.empty()) {
     view.frame_height_mm = scale.height_mm() * (1 + kAbove + kBelow);
     view.frame_width_mm = scale.height_mm() * framing.wide;
     view.look_at = (own.head.low + own.head.high) / 2.0f;
+    const double low_mm = own.chin_mm() - kBelow * scale.height_mm();
     view.look_at.y =
-        static_cast<float>(own.chin_mm() - kBelow * scale.height_mm() + view.frame_height_mm / 2);
+        static_cast<float>(std::max(low_mm + view.frame_height_mm / 2, top_mm - view.frame_height_mm / 2));
     return view;
   }
   glm::dvec3 sum{0};
@@ -143,6 +153,8 @@ CameraView compute_cell_view(const SheetCell& cell, const HeadMeasures& own, con
   view.look_at = glm::vec3(sum / static_cast<double>(around.size()));
   view.frame_height_mm = framing.spread * longest_mm + framing.margin * scale.height_mm();
   view.frame_width_mm = view.frame_height_mm;
+  if (framing.has_crown && own.above_mm > 0)
+    view.frame_height_mm = std::max(view.frame_height_mm, 2 * (top_mm - view.look_at.y));
   return view;
 }
 

@@ -25,6 +25,7 @@ struct HeadMeasures {
   std::vector<std::pair<std::string, double>> guides;  // heights from chin to crown, both included
   Box head;                                            // of the skin above the chin
   std::vector<Limit> limits;                           // of its areas
+  double above_mm = 0;  // how much higher a drawn head gets, with its hair; 0 of a real one
 
   double chin_mm() const { return guides.front().second; }
   double height_mm() const { return guides.back().second - guides.front().second; }

@@ -20,6 +20,7 @@ SheetCell build_face_cell(const std::string& caption, std::size_t head, const Po
   SheetCell cell{caption, head, pose};
   cell.framing.around = {"tr", "gn"};
   cell.framing.spread = 1.45;
+  cell.framing.has_crown = true;
   cell.framing.scale_of = head;
   return cell;
 }

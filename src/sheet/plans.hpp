@@ -19,6 +19,7 @@ struct SheetFraming {
   // With landmarks: the frame's side is `spread` times the longest way between two of them, and `margin`
   // heights of the head more.
   double spread = 1, margin = 0;
+  bool has_crown = false;    // as high as a drawn head stretches, too, if that is more
   double wide = 1;           // without: the frame's width in heights of the head
   std::size_t scale_of = 0;  // the head that decides; one before the cell's own, or that itself
 };

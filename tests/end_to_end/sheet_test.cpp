@@ -68,6 +68,20 @@ TEST(sheet, draws_each_guide_line_at_its_height_in_every_view) {
   }
 }
 
+TEST(sheet, cells_hold_high_hair_and_a_head_that_stretches) {
+  HeadSpec spec;
+  const HeadMeasures bald = measure_head(build_figure(shipped().heads, spec));
+  EXPECT_EQ(bald.above_mm, 0);
+  spec.hair = "bob";
+  spec.design = {{"comic", 1.0}};
+  const HeadMeasures drawn = measure_head(build_figure(shipped().heads, spec, FigureUse::ink));
+  EXPECT_GT(drawn.above_mm, 25);
+  for (const HeadMeasures& scale : {bald, drawn}) {
+    const CameraView view = compute_cell_view({}, drawn, scale);
+    EXPECT_GT(view.look_at.y + view.frame_height_mm / 2, drawn.guides.back().second + drawn.above_mm);
+  }
+}
+
 // In the picture of the chin, beside the neck: the levels of the limits in red.
 TEST(sheet, draws_the_limits_on_the_face) {
   constexpr std::pair kCell{96, 72};

@@ -77,7 +77,7 @@ TEST(ink, regions_meet_on_crisp_borders) {
   ASSERT_EQ(skin.triangle_shade.size(), skin.rest.triangles.size());
   EXPECT_GT(ink.cuts.size(), 200U);
   std::set<std::uint16_t> used(skin.triangle_shade.begin(), skin.triangle_shade.end());
-  EXPECT_EQ(used.size(), 6U) << "all but a beard";
+  EXPECT_EQ(used.size(), 11U) << "all but a beard, a blush in six steps";
   // Cutting leaves the surface whole: each edge of two triangles runs once each way.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const Triangle& t : skin.rest.triangles)
@@ -441,6 +441,44 @@ TEST(ink, freckles_are_a_few_dots_that_stay_on_the_skin) {
       nearest = std::min(nearest, glm::distance(p, drawing.parts[index].positions[v]));
     EXPECT_LT(nearest, 2.5f) << v;
   }
+}
+
+TEST(ink, upper_teeth_are_one_closed_band_and_an_infant_has_none) {
+  const auto measure_high = [](const Mix& age) {
+    HeadSpec spec = make_spec("real");  // whose teeth no lens bends
+    spec.age = age;
+    const Figure figure = build_figure(shipped().heads, spec, FigureUse::ink);
+    const Mesh& teeth = figure.model.parts[find_part(figure.model, "teeth_upper")].rest;
+    EXPECT_EQ(count_open_edges(teeth.triangles), 0u) << age.begin()->first;
+    const Box box = compute_bounds(teeth.positions);
+    EXPECT_EQ(box.low.x, -box.high.x) << age.begin()->first;
+    // Over the front its edge is level.
+    float low = box.high.y;
+    for (const glm::vec3& p : teeth.positions)
+      if (std::abs(p.x) < 0.3f * box.high.x) low = std::min(low, p.y);
+    EXPECT_NEAR(low, box.low.y, 0.1f) << age.begin()->first;
+    return box.high.y - box.low.y;
+  };
+  const float child = measure_high({{"child", 1}});
+  EXPECT_LT(measure_high({{"infant", 1}}), 0.4f * child);
+  EXPECT_GT(measure_high({{"adult", 1}}), 5);
+  for (const double older : {0.3, 0.5, 0.65, 0.75, 0.8, 0.9})  // while milk teeth are shed
+    EXPECT_GT(measure_high({{"child", 1 - older}, {"teenager", older}}), 0.8f * child) << older;
+}
+
+TEST(ink, lips_that_part_a_little_show_no_teeth) {
+  const Subject& subject = comic();
+  const std::size_t teeth = find_part(subject.ink.model, "teeth_upper");
+  const auto measure_rise = [&](double jaw) {
+    const Pose pose = make_pose({{"chin.down", jaw}});
+    DeformBuffers buffers;
+    Drawing plain;
+    deform_figure(subject.figure, pose, TurnKey{}, buffers, plain);
+    const glm::mat4 drawn = draw(subject, pose, TurnKey{}, {}).parts[teeth].world_from_rest;
+    return drawn[3].y - plain.parts[teeth].world_from_rest[3].y;
+  };
+  EXPECT_GT(measure_rise(0), 2);
+  EXPECT_EQ(measure_rise(1), 0);
 }
 
 TEST(ink, is_in_the_colours_that_are_asked_for) {

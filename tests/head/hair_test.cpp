@@ -244,6 +244,55 @@ TEST(hair, that_is_combed_from_a_part_begins_beside_it_and_has_no_short_stubs) {
   }
 }
 
+TEST(hair, that_falls_beside_a_face_grows_along_its_hairline) {
+  for (const char* name : {"bob", "long", "wavy"})
+    for (const char* age : {"infant", "child", "adult"}) {
+      const HairScene scene = build_hair_scene(build(age), shipped().stock.head->hair.cuts.at(name));
+      const std::vector<HairPlace> roots = spread_border_roots(scene, 60);
+      ASSERT_EQ(roots.size(), 60u);
+      double across_deg = 0;
+      for (const HairPlace& root : roots) {
+        across_deg += root.azimuth_deg;
+        EXPECT_LT(std::abs(root.azimuth_deg), 90) << name;
+        EXPECT_GT(compute_inside_mm(scene, root), 0) << name << " " << root.azimuth_deg;
+        EXPECT_LT(compute_inside_mm(scene, root), 14) << name << " " << root.azimuth_deg;
+      }
+      EXPECT_NEAR(across_deg, 0, 1e-9) << name << ": as many on both sides";
+    }
+}
+
+// Along the ground, nothing lies further inside than it is away from the hairline, level or steep.
+TEST(hair, distances_from_the_hairline_are_as_long_as_the_ground) {
+  for (const char* age : {"child", "adult"}) {
+    const HairScene scene = build_hair_scene(build(age), shipped().stock.head->hair.cuts.at("long"));
+    for (double azimuth = 0; azimuth < 100; azimuth += 2) {
+      const double border = sample_border(scene.hairline, azimuth);
+      const auto at = [&](double turn_deg, double way) {
+        const HairPlace place{azimuth + turn_deg, border + way};
+        const glm::dvec3 point = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
+        return std::pair(compute_inside_mm(scene, place), point);
+      };
+      const auto [inside_mm, here] = at(0, 0);
+      EXPECT_EQ(inside_mm, 0);
+      for (const auto& [turn_deg, way] : {std::pair{2.0, 0.0}, {-2.0, 0.0}, {0.0, 0.03}, {0.0, -0.03}}) {
+        const auto [other_mm, there] = at(turn_deg, way);
+        EXPECT_LT(std::abs(other_mm), 2.2 * glm::distance(here, there) / scene.chart.size + 0.5)
+            << age << " " << azimuth << " " << turn_deg;
+      }
+    }
+  }
+}
+
+TEST(hair, of_a_fringe_lies_down_toward_its_tips) {
+  const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at("bob"));
+  for (const double azimuth : {0.0, 15.0, 30.0}) {
+    const double tips = sample_border(scene.ends, azimuth), root = sample_border(scene.hairline, azimuth);
+    EXPECT_LT(compute_thickness_mm(scene, {azimuth, tips}), 6.5) << azimuth;
+    EXPECT_GT(compute_thickness_mm(scene, {azimuth, 0.6 * root}), 10) << azimuth;
+  }
+  EXPECT_GT(compute_thickness_mm(scene, {90, sample_border(scene.ends, 90)}), 8) << "over the ears";
+}
+
 TEST(hair, roots_lie_within_the_hairline_as_many_before_as_behind) {
   for (const char* name : {"crop", "bun"}) {
     const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at(name));
