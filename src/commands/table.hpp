@@ -18,6 +18,7 @@
   X(mesh)                \
   X(bust)                \
   X(new)                 \
+  X(import)              \
   X(check)               \
   X(explain)             \
   X(list)                \

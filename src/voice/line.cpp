@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "core/error.hpp"
-#include "import/mouth_track.hpp"
 #include "render/video_kind.hpp"
+#include "voice/cue_mouths.hpp"
 #include "voice/recording.hpp"
 #include "voice/speaker.hpp"
 #include "voice/text.hpp"
@@ -105,26 +105,6 @@ SpokenLine understand_text(const SaySpec& line, const SpeechData& data) {
   return result;
 }
 
-// A name of a track: its mouths, and its stress where it tells it ("AH0": none).
-VisemeIndices find_cue_visemes(const SpeechData& data, MouthNames names, std::string name, int& stress) {
-  if (names == MouthNames::ipa) return find_ipa_visemes(data, name);
-  if (names == MouthNames::arpabet && !name.empty() && name.back() >= '0' && name.back() <= '2') {
-    stress = name.back() - '0';
-    name.pop_back();
-  }
-  const auto& known = names == MouthNames::rhubarb         ? data.rhubarb
-                      : names == MouthNames::preston_blair ? data.preston_blair
-                                                           : data.arpabet;
-  const auto found = known.find(name);
-  return found != known.end() ? found->second : VisemeIndices{};
-}
-
-// A mouth that rests for long is a pause, in which the face shows what it feels.
-bool is_pause(const SpeechData& data, const VisemeIndices& visemes, const MouthCue& cue) {
-  constexpr double kLong_s = 0.25;
-  return visemes.size() == 1 && data.visemes[visemes[0]].name == "rest" && cue.to_s - cue.from_s >= kLong_s;
-}
-
 // A word whose time alone is known is spoken, and its sounds spread over that time.
 void append_word(const SaySpec& line, const SpeechData& data, const MouthCue& cue, SpokenLine& into) {
   const SpokenText spoken = speak(line, cue.name);
@@ -146,16 +126,15 @@ SpokenLine understand_mouths(const SaySpec& line, const SpeechData& data, int fp
   if (line.sound) check_recording(*line.sound);
   const MouthTrack track = load_mouth_track(line.mouths->path, fps);
   SpokenLine result;
-  for (const MouthCue& cue : track.cues) {
-    if (track.names == MouthNames::words) {
+  for (const MouthCue& cue : track.cues)
+    if (track.names == MouthNames::words)
       append_word(line, data, cue, result);
-      continue;
-    }
-    int stress = 2;  // of a drawn mouth, and where nothing is known: as it is
-    const VisemeIndices visemes = find_cue_visemes(data, track.names, cue.name, stress);
-    if (is_pause(data, visemes, cue)) continue;
-    append_segments(visemes, line.at_s + cue.from_s, line.at_s + cue.to_s, stress, result.segments);
-    result.phonemes.push_back({line.at_s + cue.from_s, line.at_s + cue.to_s, cue.name});
+    else
+      result.phonemes.push_back({line.at_s + cue.from_s, line.at_s + cue.to_s, cue.name});
+  for (MouthSegment segment : list_track_segments(track, data)) {
+    segment.from_s += line.at_s;
+    segment.to_s += line.at_s;
+    result.segments.push_back(segment);
   }
   for (const MouthCue& word : track.names == MouthNames::words ? track.cues : track.words)
     result.words.push_back({line.at_s + word.from_s, line.at_s + word.to_s, word.name});

@@ -1,0 +1,34 @@
+#include "voice/cue_mouths.hpp"
+
+namespace mien {
+
+VisemeIndices find_cue_visemes(const SpeechData& data, MouthNames names, std::string name, int& stress) {
+  if (names == MouthNames::ipa) return find_ipa_visemes(data, name);
+  if (names == MouthNames::arpabet && !name.empty() && name.back() >= '0' && name.back() <= '2') {
+    stress = name.back() - '0';
+    name.pop_back();
+  }
+  const auto& known = names == MouthNames::rhubarb         ? data.rhubarb
+                      : names == MouthNames::preston_blair ? data.preston_blair
+                                                           : data.arpabet;
+  const auto found = known.find(name);
+  return found != known.end() ? found->second : VisemeIndices{};
+}
+
+bool is_pause(const SpeechData& data, const VisemeIndices& visemes, const MouthCue& cue) {
+  constexpr double kLong_s = 0.25;
+  return visemes.size() == 1 && data.visemes[visemes[0]].name == "rest" && cue.to_s - cue.from_s >= kLong_s;
+}
+
+std::vector<MouthSegment> list_track_segments(const MouthTrack& track, const SpeechData& data) {
+  std::vector<MouthSegment> segments;
+  if (track.names == MouthNames::words) return segments;
+  for (const MouthCue& cue : track.cues) {
+    int stress = 2;  // a drawn mouth is as it is
+    const VisemeIndices visemes = find_cue_visemes(data, track.names, cue.name, stress);
+    if (!is_pause(data, visemes, cue)) append_segments(visemes, cue.from_s, cue.to_s, stress, segments);
+  }
+  return segments;
+}
+
+}  // namespace mien
