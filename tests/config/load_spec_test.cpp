@@ -295,6 +295,8 @@ TEST(load_spec, knows_the_features_of_the_data) {
   const auto folder = make_test_folder();
   std::filesystem::create_directories(folder / "configs");
   std::filesystem::copy(kData / "configs/expressions", folder / "configs/expressions");
+  std::filesystem::create_directories(folder / "templates");
+  std::filesystem::copy(kData / "templates/speech", folder / "templates/speech");
   write_file(folder / "templates/head/features.yaml",
              "features:\n  nose_length: {mm: 3}\n  mouth_width: {mm: 5}\n");
   write_file(folder / "good.yaml", "mien: 1\nhead: {features: {nose_length: 0.3, mouth_width: -1}}\n");

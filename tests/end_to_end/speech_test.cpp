@@ -65,6 +65,26 @@ TEST(speech, follows_the_mouths_of_another_program) {
   EXPECT_THAT(wrong.err, HasSubstr("line.tsv:2:6: error: ")) << wrong.err;
 }
 
+TEST(speech, is_written_as_cues_that_say_the_same) {
+  const auto folder = make_folder("speech_import");
+  write_file(folder / "line.tsv", "0.00\tX\n0.10\tD\n0.40\tA\n0.50\tF\n0.70\tX\n1.20\tB\n1.40\tX\n");
+  ASSERT_EQ(run_shell(folder, "mien import line.tsv -o said.yaml").status, 0);
+  const std::string text = read_file(folder / "said.yaml");
+  EXPECT_THAT(text, HasSubstr("\n        - {at: 0.25s, express: AA}\n"));
+  EXPECT_THAT(text, HasSubstr("\n        - {at: 0.45s, express: PP}\n"));
+  const ProgramRun check = run_shell(folder, "mien check said.yaml");
+  EXPECT_EQ(check.status, 0) << check.err;
+  const ProgramRun face = run_shell(folder, "mien explain said.yaml --at 0.45s --area lips");
+  EXPECT_THAT(face.out, HasSubstr("0.55")) << face.out << ": pressed, as at a p";
+  const ProgramRun again = run_shell(folder, "mien import line.tsv -o said.yaml");
+  EXPECT_EQ(again.status, 2);
+  EXPECT_EQ(again.err, "error: said.yaml exists; expected the name of a new file\n");
+  write_file(folder / "words.vtt", "WEBVTT\n\n00:00:01.000 --> 00:00:02.000\nHello you\n");
+  const ProgramRun words = run_shell(folder, "mien import words.vtt");
+  EXPECT_EQ(words.status, 2);
+  EXPECT_THAT(words.err, HasSubstr("words.vtt has words and no mouths; expected phonemes or shapes"));
+}
+
 TEST(speech, tells_voices_and_programs_that_are_not_there) {
   const auto folder = make_folder("speech_wrong");
   write_file(folder / "said.yaml", build_said("{text: Hello, voice: klingonese}"));
