@@ -24,6 +24,9 @@ SheetPlan plan_heads(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_expressions(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_libraries(const SheetSubject& subject, const HeadData& data);
 
+// mouth_plan.cpp: each mouth of speech, from the front and the side.
+SheetPlan plan_mouths(const SheetSubject& subject, const HeadData& data);
+
 // area_plans.cpp: each move of each area with arrows; the limits of the areas.
 SheetPlan plan_areas(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_limits(const SheetSubject& subject, const HeadData& data);

@@ -29,6 +29,7 @@ constexpr std::array kKinds{SheetKind{"views", "Views", plan_views},
                             SheetKind{"designs", "Designs", plan_designs},
                             SheetKind{"heads", "On twenty-four heads", plan_heads},
                             SheetKind{"people", "Twelve people", plan_people},
+                            SheetKind{"mouths", "Mouths of speech", plan_mouths},
                             SheetKind{"areas", "Areas: the ways of the skin", plan_areas},
                             SheetKind{"limits", "Limits in red, rest in blue", plan_limits}};
 

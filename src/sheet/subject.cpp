@@ -63,6 +63,7 @@ SheetSubject load_sheet_subject(const Options& options, const Stock& stock) {
   const std::string word = options.file.string();
   SheetSubject subject;
   subject.sources = stock.library_sources;
+  subject.speech = stock.language->speech;
   subject.seed = options.seed.value_or(subject.seed);
   if (kind == kPeopleSheet && word.empty()) {
     subject.spec = build_plain_spec(word, options, stock);

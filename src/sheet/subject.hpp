@@ -14,6 +14,7 @@ struct SheetSubject {
   Expression expression;                       // of `sheet heads`
   std::map<std::string, std::string> sources;  // of the libraries: in one line, where each is from
   int seed = 1;                                // of the first head of `sheet people`
+  SpeechDataPointer speech = {};               // of `sheet mouths`
 };
 
 // `options.file` is the word: a FILE if there is one or if it ends as files do, else a name. A library may

@@ -27,6 +27,7 @@ SheetSubject build_subject(const Spec& spec = {}) {
   SheetSubject subject{
       spec, {"smile", "mien", {}, 1, {}}, load_library_sources(kData / "configs/expressions")};
   subject.expression.pose.values.back() = 0.5;
+  subject.speech = shipped_stock().language->speech;
   auto& all = subject.spec.expressions;
   const auto libraries = load_expression_libraries(kData / "configs/expressions");
   all.insert(all.end(), libraries.begin(), libraries.end());
@@ -37,7 +38,7 @@ using Captions = std::vector<std::string>;
 
 TEST(sheet_plans, have_blocks_of_one_length_and_heads_in_order) {
   for (const char* kind : {"views", "details", "ages", "skulls", "features", "expressions", "libraries",
-                           "people", "heads", "areas", "limits"}) {
+                           "people", "mouths", "heads", "areas", "limits"}) {
     const SheetPlan plan = build_sheet_plan(kind, build_subject(), *shipped_stock().head);
     ASSERT_FALSE(plan.blocks.empty()) << kind;
     EXPECT_FALSE(plan.subject.empty());
@@ -286,9 +287,10 @@ TEST(sheet_plans, are_of_kinds_that_are_known) {
   };
   EXPECT_EQ(find_mistake("views"), "none");
   EXPECT_EQ(find_mistake("vews"), "unknown kind 'vews'; did you mean 'views'?");
-  EXPECT_EQ(find_mistake("poster"),
-            "unknown kind 'poster'; expected views, details, ages, skulls, features, "
-            "expressions, libraries, designs, heads, people, areas, limits, strip, exposure or contact");
+  EXPECT_EQ(
+      find_mistake("poster"),
+      "unknown kind 'poster'; expected views, details, ages, skulls, features, "
+      "expressions, libraries, designs, heads, people, mouths, areas, limits, strip, exposure or contact");
   EXPECT_EQ(find_mistake("stripp"), "unknown kind 'stripp'; did you mean 'strip'?");
   EXPECT_EQ(find_mistake("exposre"), "unknown kind 'exposre'; did you mean 'exposure'?");
 }
