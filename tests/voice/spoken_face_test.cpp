@@ -9,6 +9,7 @@
 
 #include "config/load_spec.hpp"
 #include "frames/figure.hpp"
+#include "frames/pose_soundness.hpp"
 #include "head/cage.hpp"
 #include "places.hpp"
 #include "shipped.hpp"
@@ -156,6 +157,35 @@ TEST(spoken_face, never_jumps) {
   }
   EXPECT_LE(most_mm, 6) << "between two frames of 24 a second";
   EXPECT_GE(most_mm, 2) << "but it speaks";
+}
+
+// Every mouth, and the drawings of a smile and of a laugh that speak: teeth, lips, tongue and lids hold the
+// bounds of all poses.
+TEST(spoken_face, is_as_sound_as_all_faces) {
+  HeadSpec child;
+  child.age = {{"child", 1.0}};
+  const std::filesystem::path folder = source_folder();
+  const Spec scan = load_spec(folder / "configs/scan.yaml", *shipped().stock.language);
+  for (const auto& [name, head] :
+       {std::pair{"adult", HeadSpec{}}, std::pair{"child", child}, std::pair{"scan", scan.head}}) {
+    const Figure figure = build_figure(shipped().heads, head);
+    const PoseProbe probe = build_pose_probe(figure);
+    DeformBuffers buffers;
+    Drawing drawing;
+    const auto judge = [&](const Pose& pose, const std::string& where) {
+      const PoseFindings found = measure_pose(probe, pose, buffers, drawing);
+      for (std::size_t check = 0; check < kPoseCheckCount; ++check)
+        EXPECT_LE(found[check].value, kPoseChecks[check].bound)
+            << name << ", " << kPoseChecks[check].name << ", " << where;
+    };
+    for (const Viseme& viseme : shipped().stock.language->speech->visemes) judge(viseme.pose, viseme.name);
+    for (const char* express : {"smile", "laugh"}) {
+      const Performance performance = build_performance(build_said(kSentences[4], express).clip);
+      for (int frame = 0; frame < count_frames(performance.clip); frame += 2)
+        judge(sample_performance(performance, frame / 24.0).pose,
+              fmt::format("{} in frame {}", express, frame));
+    }
+  }
 }
 
 TEST(spoken_face, keeps_the_feeling) {
