@@ -308,7 +308,8 @@ std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
   std::vector<HairPlace> roots;
   for (int i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
-    const double turn = std::fmod((i / 2 + 1) * kStep, 1.0);
+    const int pair = i / 2;  // one root a side
+    const double turn = std::fmod((pair + 1) * kStep, 1.0);
     const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(first_deg, kLast_deg, turn);
     const double inside_mm = std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 2, index, 0));
     const double up_mm = inside_mm * std::min(kSteepest, compute_steepness(scene, azimuth));
