@@ -6,7 +6,7 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMouthsInARow = 4;
-constexpr double kSide_deg = 90;
+constexpr double kFromTheSide_deg = 90;
 
 // "as in pay - bay - may", of "lips shut, as in pay - bay - may".
 std::string find_sample(const Viseme& viseme) {
@@ -29,7 +29,7 @@ SheetPlan plan_mouths(const SheetSubject& subject, const HeadData&) {
     cell.framing.spread = 1.35;
     block.cells.push_back(cell);
     cell.caption = find_sample(viseme);
-    cell.angle_deg = kSide_deg;
+    cell.angle_deg = kFromTheSide_deg;
     block.cells.push_back(cell);
   }
   plan.blocks.push_back(std::move(block));
