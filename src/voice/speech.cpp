@@ -169,7 +169,9 @@ void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
     clip.words.push_back({word.from_s, word.to_s, word.text, line.place});
   for (const SpokenWord& phoneme : spoken.phonemes)
     clip.phonemes.push_back({phoneme.from_s, phoneme.to_s, phoneme.text, line.place});
-  if (!clip.has_length) clip.length_s = std::max(clip.length_s, round_s(spoken.to_s + kGo_s));
+  const double most_s = static_cast<double>(kMaxFrames) / clip.fps;
+  if (!clip.has_length)
+    clip.length_s = std::max(clip.length_s, std::min(round_s(spoken.to_s + kGo_s), most_s));
 }
 
 void add_lines(const SpeechData& data, ClipSpec& clip, std::vector<Diagnostic>& mistakes) {
