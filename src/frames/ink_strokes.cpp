@@ -128,6 +128,7 @@ std::vector<StrokePoint> trace_line(const Mesh& skin, const Cage& cage, const Fo
 constexpr double kBrowEye_mm = 16;  // the eye that brows and wings are told on: a drawn adult's, nearly
 
 double find_width(const std::vector<StrokeWidth>& widths, double at) {
+  if (widths.size() == 1) return widths.front().width;  // as wide all along
   std::size_t i = 1;
   while (i + 1 < widths.size() && widths[i].at < at) ++i;
   const StrokeWidth &a = widths[i - 1], &b = widths[i];
