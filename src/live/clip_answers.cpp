@@ -38,6 +38,12 @@ double find_end_s(double time_s, double length_s) {
   return std::min(time_s, length_s);
 }  // JSON has no infinity
 
+// A phrase that is said has a cue for lips and chin and one for the corners.
+bool is_same_phrase(const Json& a, const Json& b) {
+  return a["layer"] == "speech" && b["layer"] == "speech" && a["label"] == b["label"] &&
+         a["from_s"] == b["from_s"] && a["end_s"] == b["end_s"];
+}
+
 Json describe_cue(const LiveSession& session, const CueSpec& cue, double length_s, const std::string& actor) {
   Json value = describe_key(session, "cue", cue.from_s, cue.what.label, cue.what.place, actor);
   value["from_s"] = cue.from_s;
@@ -126,8 +132,13 @@ void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor
   const std::vector<TimedPlace> heads = list_places("head"), blinks = list_places("blinks");
   for (const PoseKey& key : spec.keys)
     tracks.keys.push_back(describe_key(session, "key", key.at_s, key.label, key.place, actor.name));
-  for (const CueSpec& cue : spec.cues)
-    tracks.cues.push_back(describe_cue(session, cue, clip.spec.clip.length_s, actor.name));
+  for (const CueSpec& cue : spec.cues) {
+    Json told = describe_cue(session, cue, clip.spec.clip.length_s, actor.name);
+    if (tracks.cues.empty() || !is_same_phrase(tracks.cues.back(), told))
+      tracks.cues.push_back(std::move(told));
+    else
+      for (const Json& area : told["areas"]) tracks.cues.back()["areas"].push_back(area);
+  }
   for (const TurnKey& key : spec.turn)
     tracks.turns.push_back(describe_key(
         session, "turn", key.at_s,
