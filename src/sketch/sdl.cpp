@@ -288,7 +288,10 @@ SdlValue parse_word<SdlValue>(SdlReader& reader, const std::string& word) {
       for (double& channel : colour.v) channel = bend_srgb(channel);
     return {{colour.v[0], colour.v[1], colour.v[2], 0, 0}, 5};
   }
-  if (const SdlValue* const value = find_name(reader, word)) return parse_component(reader, *value);
+  if (const SdlValue* const known = find_name(reader, word)) {
+    const SdlValue value = *known;  // a macro's own names end with its last word, which may be this one
+    return parse_component(reader, value);
+  }
   if (word.size() == 1 && word[0] >= 'x' && word[0] <= 'z') {
     SdlValue axis{{}, 3};
     axis.v[static_cast<std::size_t>(word[0] - 'x')] = 1;
