@@ -219,7 +219,6 @@ struct SpokenSound {
   double at_s = 0;
   std::filesystem::path file = {};              // this one,
   std::shared_ptr<const std::string> wav = {};  // or these bytes
-  double from_s = 0;                            // of it
 };
 
 // A word or a sound of a line, for charts.

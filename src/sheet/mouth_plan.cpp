@@ -20,9 +20,10 @@ SheetPlan plan_mouths(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {240, 200};
   plan.heads = {subject.spec.head};
-  SheetBlock block{"", "each from the front and the side; mien list mouths tells the sounds",
-                   {}, 2 * kMouthsInARow,
-                   0,  {}};
+  SheetBlock block;
+  block.heading = "Each mouth from the front and the side";  // a note alone would have no line of its own
+  block.note = "mien list mouths tells the sounds";
+  block.columns = 2 * kMouthsInARow;
   for (const Viseme& viseme : subject.speech->visemes) {
     SheetCell cell{viseme.name, 0, viseme.pose};
     cell.framing.around = {"sn", "gn"};

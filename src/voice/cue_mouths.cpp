@@ -2,6 +2,8 @@
 
 namespace mien {
 
+namespace {
+
 VisemeIndices find_cue_visemes(const SpeechData& data, MouthNames names, std::string name, int& stress) {
   if (names == MouthNames::ipa) return find_ipa_visemes(data, name);
   if (names == MouthNames::arpabet && !name.empty() && name.back() >= '0' && name.back() <= '2') {
@@ -20,14 +22,23 @@ bool is_pause(const SpeechData& data, const VisemeIndices& visemes, const MouthC
   return visemes.size() == 1 && data.visemes[visemes[0]].name == "rest" && cue.to_s - cue.from_s >= kLong_s;
 }
 
+}  // namespace
+
+std::vector<CueMouths> list_cue_mouths(const MouthTrack& track, const SpeechData& data) {
+  std::vector<CueMouths> mouths;
+  if (track.names == MouthNames::words) return mouths;
+  for (const MouthCue& cue : track.cues) {
+    CueMouths each{cue, {}};
+    each.visemes = find_cue_visemes(data, track.names, cue.name, each.stress);
+    if (!is_pause(data, each.visemes, cue)) mouths.push_back(std::move(each));
+  }
+  return mouths;
+}
+
 std::vector<MouthSegment> list_track_segments(const MouthTrack& track, const SpeechData& data) {
   std::vector<MouthSegment> segments;
-  if (track.names == MouthNames::words) return segments;
-  for (const MouthCue& cue : track.cues) {
-    int stress = 2;  // a drawn mouth is as it is
-    const VisemeIndices visemes = find_cue_visemes(data, track.names, cue.name, stress);
-    if (!is_pause(data, visemes, cue)) append_segments(visemes, cue.from_s, cue.to_s, stress, segments);
-  }
+  for (const CueMouths& each : list_cue_mouths(track, data))
+    append_segments(each.visemes, each.cue.from_s, each.cue.to_s, each.stress, segments);
   return segments;
 }
 

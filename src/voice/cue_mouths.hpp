@@ -8,13 +8,18 @@
 
 namespace mien {
 
-// Those of one cue, and its stress where its name tells it ("AH0": none; what is not told is left as it is).
-VisemeIndices find_cue_visemes(const SpeechData& data, MouthNames names, std::string name, int& stress);
+// A cue that is no pause: its mouths, and its stress where its name tells it ("AH0": none; what is not told
+// is left as it is).
+struct CueMouths {
+  MouthCue cue;
+  VisemeIndices visemes;
+  int stress = 2;
+};
 
-// Whether a cue is a mouth that rests for so long that it is a pause.
-bool is_pause(const SpeechData& data, const VisemeIndices& visemes, const MouthCue& cue);
+// A mouth that rests for a quarter of a second is a pause. Words alone have no mouths.
+std::vector<CueMouths> list_cue_mouths(const MouthTrack& track, const SpeechData& data);
 
-// Of all cues that name mouths, pauses left out; words alone have none.
+// The same as one way of the mouth.
 std::vector<MouthSegment> list_track_segments(const MouthTrack& track, const SpeechData& data);
 
 }  // namespace mien

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "config/findings.hpp"
 #include "core/text.hpp"
 #include "voice/cue_mouths.hpp"
 
@@ -48,7 +49,7 @@ std::string build_cues_text(const MouthTrack& track, const SpeechData& data, con
       "cue\n"
       "# that plays the script. Without changing anything, `say: [{{mouths: {}}}]` follows the file itself.\n"
       "mien: 1\ntitle: {}\nexpressions:\n",
-      source, name, source, name);
+      show_word(source), name, show_word(source), name);
   text += "  shut: {}\n";
   for (const std::size_t viseme : used)
     text += fmt::format("  {}: {}  # {}\n", data.visemes[viseme].name,
@@ -58,8 +59,12 @@ std::string build_cues_text(const MouthTrack& track, const SpeechData& data, con
       fmt::format("clip:\n  length: {}s\n  draw: ones\n  scripts:\n    {}:\n      length: {}s\n      keys:\n",
                   format_number(end_s, 3), name, format_number(end_s, 3));
   double said_s = 0;
+  std::string last;  // two keys of a millisecond are one
   const auto add_key = [&](double at_s, const std::string& express, const std::string& word) {
-    text += fmt::format("        - {{at: {}s, express: {}}}{}\n", format_number(at_s, 3), express, word);
+    const std::string at = format_number(at_s, 3);
+    if (at == last) return;
+    last = at;
+    text += fmt::format("        - {{at: {}s, express: {}}}{}\n", at, express, word);
   };
   for (const MouthSegment& segment : segments) {
     constexpr double kPause_s = 0.2;  // between two mouths: it is shut

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/error.hpp"
+#include "render/process.hpp"
 #include "render/video_kind.hpp"
 #include "voice/cue_mouths.hpp"
 #include "voice/recording.hpp"
@@ -20,6 +21,7 @@ namespace {
 }
 
 void check_recording(const FileReference& sound) {
+  require_programs({{"ffprobe", "ffmpeg"}, {"ffmpeg", "ffmpeg"}});
   if (!is_sound(sound.path))
     throw_mistake(sound.place,
                   fmt::format("'{}' has no sound that ffmpeg can read; expected a file such as voice.wav",
@@ -27,13 +29,17 @@ void check_recording(const FileReference& sound) {
 }
 
 SpokenText speak(const SaySpec& line, const std::string& text) {
+  if (!has_speaker())
+    throw_mistake(line.text_place,
+                  "there is no mien-speak to say it; it is built where libespeak-ng-dev is installed: ./run "
+                  "setup, then "
+                  "./run build");
   try {
     return speak_text(text, line.voice, line.pace);
   } catch (const RunError& error) {
     const std::string_view what = error.what();
-    if (what.starts_with("unknown voice"))
-      throw_mistake(line.voice_place, fmt::format("{}; expected one of: mien-speak --voices", what));
-    throw_mistake(line.text_place, fmt::format("the text is not spoken: {}", what));
+    if (!what.starts_with("unknown voice")) throw;
+    throw_mistake(line.voice_place, fmt::format("{}; expected one of: mien-speak --voices", what));
   }
 }
 
@@ -126,15 +132,12 @@ SpokenLine understand_mouths(const SaySpec& line, const SpeechData& data, int fp
   if (line.sound) check_recording(*line.sound);
   const MouthTrack track = load_mouth_track(line.mouths->path, fps);
   SpokenLine result;
-  for (const MouthCue& cue : track.cues)
-    if (track.names == MouthNames::words)
-      append_word(line, data, cue, result);
-    else
-      result.phonemes.push_back({line.at_s + cue.from_s, line.at_s + cue.to_s, cue.name});
-  for (MouthSegment segment : list_track_segments(track, data)) {
-    segment.from_s += line.at_s;
-    segment.to_s += line.at_s;
-    result.segments.push_back(segment);
+  if (track.names == MouthNames::words)
+    for (const MouthCue& cue : track.cues) append_word(line, data, cue, result);
+  for (const auto& [cue, visemes, stress] : list_cue_mouths(track, data)) {
+    const double from_s = line.at_s + cue.from_s, to_s = line.at_s + cue.to_s;
+    append_segments(visemes, from_s, to_s, stress, result.segments);
+    result.phonemes.push_back({from_s, to_s, cue.name});
   }
   for (const MouthCue& word : track.names == MouthNames::words ? track.cues : track.words)
     result.words.push_back({line.at_s + word.from_s, line.at_s + word.to_s, word.name});

@@ -22,8 +22,11 @@ struct SpokenText {
   std::shared_ptr<const std::string> wav;  // 16 bit, mono
 };
 
-// Speaks a text, or remembers what it spoke. Throws RunError with mien-speak's words ("unknown voice 'xx'"),
-// or where it is not installed.
+// Whether there is a mien-speak, beside this program or on the PATH.
+bool has_speaker();
+
+// Speaks a text, or remembers what it spoke; there must be a speaker. Throws RunError with mien-speak's words
+// ("unknown voice 'xx'"), and where its sound cannot be written.
 SpokenText speak_text(const std::string& text, const std::string& voice, double pace);
 
 }  // namespace mien

@@ -98,10 +98,25 @@ TEST(speech, tells_voices_and_programs_that_are_not_there) {
   fs::copy_file(program_path(), folder / "alone");
   const ProgramRun alone = run_shell(folder, "PATH=/usr/bin:/bin ./alone check said.yaml");
   EXPECT_EQ(alone.status, 2);
-  EXPECT_THAT(
-      alone.err,
-      HasSubstr("said.yaml:6:14: error: the text is not spoken: mien-speak is not here; it is built where "
-                "libespeak-ng-dev is installed: ./run setup, then ./run build\n"));
+  EXPECT_THAT(alone.err,
+              HasSubstr("said.yaml:6:14: error: there is no mien-speak to say it; it is built where "
+                        "libespeak-ng-dev is installed: ./run setup, then ./run build\n"));
+}
+
+TEST(speech, tells_tools_and_rooms_that_are_not_there_as_such) {
+  const auto folder = make_folder("speech_tools");
+  write_file(folder / "line.wav", "no sound");
+  write_file(folder / "said.yaml", build_said("{text: Hello, sound: line.wav}"));
+  const std::string program = program_path();
+  const ProgramRun none = run_shell(folder, "PATH=/nowhere '" + program + "' check said.yaml");
+  EXPECT_EQ(none.status, 1);
+  EXPECT_EQ(none.err, "error: ffprobe is not installed; install it with: apt-get install ffmpeg\n");
+  const ProgramRun wrong = run_shell(folder, "mien check said.yaml");
+  EXPECT_EQ(wrong.status, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("said.yaml:6:27: error: 'line.wav' has no sound that ffmpeg can read"));
+  const ProgramRun full = run_shell(folder, "TMPDIR=/dev/null/none mien check said.yaml");
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_EQ(full.err.find("said.yaml:"), std::string::npos) << full.err << ": the file is right";
 }
 
 TEST(speech, shows_words_beside_the_chart_and_lines_that_meet) {

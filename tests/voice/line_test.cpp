@@ -61,6 +61,7 @@ TEST(line, places_letters_and_words_of_other_programs) {
   for (const MouthSegment& segment : letters.segments) names.push_back(speech().visemes[segment.viseme].name);
   EXPECT_EQ(names, (std::vector<std::string>{"AA", "PP", "rest", "SS"}))
       << "a long rest is a pause, a short one a mouth";
+  EXPECT_EQ(letters.phonemes.size(), 4u) << "and so is what charts and warnings have of it";
   EXPECT_DOUBLE_EQ(letters.from_s, 2.5);
   EXPECT_DOUBLE_EQ(letters.to_s, 3.2);
 

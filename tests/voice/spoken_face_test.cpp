@@ -93,46 +93,45 @@ const Figure& adult() {
 bool is_bilabial(const std::string& ipa) { return ipa == "p" || ipa == "b" || ipa == "m"; }
 bool is_labiodental(const std::string& ipa) { return ipa == "f" || ipa == "v"; }
 
-TEST(spoken_face, shuts_its_lips_and_bites_them) {
-  Probe probe{adult()};
-  probe.pose({});
-  const double rest_mm = probe.gap_mm();
+// Does `work(performance, sound, where)` for each sound of all sentences that `is_wanted`.
+template <typename Wanted, typename Work>
+void for_each_sound(const Wanted& is_wanted, const Work& work) {
   for (const Sentence& sentence : kSentences) {
     const Spec spec = build_said(sentence);
     const Performance performance = build_performance(spec.clip);
-    for (const SpokenWord& sound : spec.clip.phonemes) {
-      if (!is_bilabial(sound.text) && !is_labiodental(sound.text)) continue;
-      probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
-      const std::string where = fmt::format("{} '{}' at {:.2f} s", sentence.text, sound.text, sound.from_s);
-      if (is_bilabial(sound.text)) {
-        EXPECT_LE(probe.gap_mm() - rest_mm, 0.3) << where;
-      } else {
-        EXPECT_GE(probe.over_teeth_mm(), 0.5) << where;
-        EXPECT_GE(probe.opening_mm(), 1.5) << where << ": the teeth are to be seen";
-      }
-    }
+    for (const SpokenWord& sound : spec.clip.phonemes)
+      if (is_wanted(sound.text))
+        work(performance, sound, fmt::format("{} '{}' at {:.2f} s", sentence.text, sound.text, sound.from_s));
   }
 }
 
-TEST(spoken_face, shows_a_frame_of_every_shut_mouth) {
+TEST(spoken_face, shuts_its_lips) {
   Probe probe{adult()};
   probe.pose({});
   const double rest_mm = probe.gap_mm();
-  for (const Sentence& sentence : kSentences) {
-    const Spec spec = build_said(sentence);
-    const Performance performance = build_performance(spec.clip);
-    for (const SpokenWord& sound : spec.clip.phonemes) {
-      if (!is_bilabial(sound.text)) continue;
-      double least_mm = 1e9;
-      const int first = static_cast<int>(std::floor(sound.from_s * 24)),
-                last = static_cast<int>(std::ceil(sound.to_s * 24));
-      for (int frame = first; frame <= last; ++frame) {
-        probe.pose(sample_performance(performance, frame / 24.0).pose);
-        least_mm = std::min(least_mm, probe.gap_mm() - rest_mm);
-      }
-      EXPECT_LE(least_mm, 0.5) << sentence.text << " '" << sound.text << "' at " << sound.from_s << " s";
-    }
-  }
+  for_each_sound(is_bilabial,
+                 [&](const Performance& performance, const SpokenWord& sound, const std::string& where) {
+                   probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
+                   EXPECT_LE(probe.gap_mm() - rest_mm, 0.3) << where;
+                   double least_mm = 1e9;
+                   const int first = static_cast<int>(std::floor(sound.from_s * 24)),
+                             last = static_cast<int>(std::ceil(sound.to_s * 24));
+                   for (int frame = first; frame <= last; ++frame) {
+                     probe.pose(sample_performance(performance, frame / 24.0).pose);
+                     least_mm = std::min(least_mm, probe.gap_mm() - rest_mm);
+                   }
+                   EXPECT_LE(least_mm, 0.5) << where << ": no frame shows it";
+                 });
+}
+
+TEST(spoken_face, shows_its_teeth_over_the_lower_lip) {
+  Probe probe{adult()};
+  for_each_sound(is_labiodental,
+                 [&](const Performance& performance, const SpokenWord& sound, const std::string& where) {
+                   probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
+                   EXPECT_GE(probe.over_teeth_mm(), 0.5) << where;
+                   EXPECT_GE(probe.opening_mm(), 1.5) << where << ": the teeth are to be seen";
+                 });
 }
 
 TEST(spoken_face, never_jumps) {
