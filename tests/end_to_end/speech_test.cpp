@@ -113,7 +113,7 @@ TEST(speech, tells_tools_and_rooms_that_are_not_there_as_such) {
   EXPECT_EQ(none.err, "error: ffprobe is not installed; install it with: apt-get install ffmpeg\n");
   const ProgramRun wrong = run_shell(folder, "mien check said.yaml");
   EXPECT_EQ(wrong.status, 2);
-  EXPECT_THAT(wrong.err, HasSubstr("said.yaml:6:27: error: 'line.wav' has no sound that ffmpeg can read"));
+  EXPECT_THAT(wrong.err, HasSubstr("said.yaml:6:28: error: 'line.wav' has no sound that ffmpeg can read"));
   const ProgramRun full = run_shell(folder, "TMPDIR=/dev/null/none mien check said.yaml");
   EXPECT_EQ(full.status, 1) << full.err;
   EXPECT_EQ(full.err.find("said.yaml:"), std::string::npos) << full.err << ": the file is right";
