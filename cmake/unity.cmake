@@ -6,7 +6,7 @@ set(MIEN_ALONE command_line/help config/formula config/load_clip_laws config/loa
                config/load_idle core/simplify head/beard head/eyes head/hair_chart head/hair_growth head/hair_locks
                head/hair_mass head/hair_relief head/lip_veil head/scan_ear head/skin_spots head/teeth head/wrap_finish import/read_ply live/coarse
                print/opening print/report print/thicken print/thickness scene/openscad_check scene/openscad_numbers
-               scene/povray_stage scene/strip scene/wavefront timeline/exposure)
+               scene/povray_stage scene/strip scene/tiny_gltf scene/wavefront timeline/exposure)
 
 # Eigen's solvers take longer to read and to make than all else: those who solve with them share one.
 set(MIEN_SOLVERS frames/ink_tone head/cloud head/eye_fit head/fields head/half_system head/least_squares head/solve)

@@ -269,6 +269,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "preview") options.has_preview = true;
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
+  if (name == "exact") options.is_exact = true;
   if (name == "keep-scenes") options.has_scenes = true;
   if (name == "boomerang") options.video.is_boomerang = true;
   if (name == "slate") options.video.has_slate = true;
@@ -277,7 +278,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "read-only") options.is_read_only = true;
   if (name == "no-wait") options.farm.has_wait = false;
   if (name == "dry-run") options.farm.is_dry_run = true;
-  for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "stl", "no-stl", "3mf", "preview",
+  for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "exact", "stl", "no-stl", "3mf", "preview",
                            "openscad", "open", "read-only", "keep-scenes", "boomerang", "slate"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";

@@ -17,6 +17,7 @@
   X(sheet)               \
   X(mesh)                \
   X(bust)                \
+  X(export)              \
   X(new)                 \
   X(import)              \
   X(check)               \

@@ -33,21 +33,6 @@ void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
   }
 }
 
-// What a rigid part does within the head.
-glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& pose) {
-  const auto gaze = [&](Side side) {
-    glm::dvec3 centre = figure.head.eye.centre;
-    if (side == Side::right) centre.x = -centre.x;
-    const glm::dmat4 turned =
-        glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
-    return glm::translate(turned, -centre);
-  };
-  if (mount == Mount::eye_left) return gaze(Side::left);
-  if (mount == Mount::eye_right) return gaze(Side::right);
-  if (mount == Mount::jaw) return compute_jaw(figure.face, pose);
-  return glm::dmat4(1);
-}
-
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
 HairRoots build_roots(const HeadPart& bound, const NeutralHead& head,
                       const std::vector<std::uint32_t>& half_of) {
@@ -135,6 +120,21 @@ void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const 
 
 }  // namespace
 
+glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& asked) {
+  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
+  const auto gaze = [&](Side side) {
+    glm::dvec3 centre = figure.head.eye.centre;
+    if (side == Side::right) centre.x = -centre.x;
+    const glm::dmat4 turned =
+        glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
+    return glm::translate(turned, -centre);
+  };
+  if (mount == Mount::eye_left) return gaze(Side::left);
+  if (mount == Mount::eye_right) return gaze(Side::right);
+  if (mount == Mount::jaw) return compute_jaw(figure.face, pose);
+  return glm::dmat4(1);
+}
+
 void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
                  DeformBuffers& buffers, PartShape& skin) {
   deform_slots(figure, surface, asked, turn, buffers);
@@ -157,10 +157,10 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
     const Part& part = figure.model.parts[i];
     PartShape& shape = drawing.parts[i];
     if (!part.is_rigid && bound.mount != Mount::strands) {
-      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, pose),
+      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, asked),
                   head_turn, shape);
     } else if (bound.mount != Mount::strands) {
-      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, pose));
+      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, asked));
     } else if (figure.has_still_hair && is_hair(part)) {
       move_with_skull(part.rest, world, shape);
     } else if (is_neutral) {

@@ -48,6 +48,9 @@ enum class FigureUse {
 // `spec` names.
 Figure build_figure(const HeadStock& stock, const HeadSpec& spec, FigureUse use = FigureUse::picture);
 
+// What a part of this mount does within the head, which does not turn: world from rest.
+glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& pose);
+
 // The figure in `pose` with its head turned, into `drawing` (resized). The neutral pose without a turn gives
 // the rest meshes bit for bit.
 void deform_figure(const Figure& figure, const Pose& pose, const TurnKey& turn, DeformBuffers& buffers,

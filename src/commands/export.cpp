@@ -1,0 +1,84 @@
+// `mien export`.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "clip/outputs.hpp"
+#include "clip/view.hpp"
+#include "commands/report.hpp"
+#include "commands/table.hpp"
+#include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "exchange/exports.hpp"
+#include "render/work_folder.hpp"
+
+namespace mien {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::pair<int, int> find_frames(const Options& options, const Clip& clip) {
+  if (!options.frames) return {1, clip.frame_count};
+  return {options.frames->first, std::min(options.frames->second, clip.frame_count)};
+}
+
+// All files of it, judged before anything is computed.
+fs::path take_output(const Options& options, const Clip& clip) {
+  const OutputFile output = find_output_file(options, fs::path("out") / clip.spec.name / (clip.spec.name + ".glb"));
+  check_ending(output, "export", list_export_endings());
+  std::vector<OutputFile> files{output};
+  if (is_sequence(find_ending(output.path))) {
+    files.clear();
+    const auto [first, last] = find_frames(options, clip);
+    for (int frame = first; frame <= last; ++frame)
+      files.push_back({output.option, name_frame_file(output.path, frame)});
+  }
+  check_output_files(files, clip.spec);
+  for (const OutputFile& file : files) remove_left_parts_of(file.path);
+  return output.path;
+}
+
+void run_export(const Options& options) {
+  const Resources resources = load_resources(find_data_folder());
+  const Clip clip = plan_clip(options, *resources.stock.language);
+  const Actor& actor = find_actor(clip, options);
+  if (!actor.performance.clip.head.empty())
+    throw InputError(fmt::format("{}: the head changes in time, and one that is exported stays as it is; expected a "
+                                 "clip without keys of 'head'",
+                                 clip.spec.file.string()));
+  const fs::path path = take_output(options, clip);
+  const Figure figure = build_figure(resources.heads, actor.head);
+  const auto [first, last] = find_frames(options, clip);
+  ExportWork work{options, clip, figure, actor.performance, first, last};
+  work.performance.idle.eyes = compute_eyes(figure, clip.spec.render);
+  report_starts(options, {actor.head}, resources.heads);
+  const ExportNotes notes = write_export(work, path);
+  report_result(options, "export", path);
+  if (options.is_quiet) return;
+  for (const std::string& note : notes) {
+    if (options.is_json)
+      fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "note"}, {"message", note}}));
+    else
+      fmt::print("        {}\n", note);
+  }
+}
+
+}  // namespace
+
+const CommandInfo command_export{
+    "export",
+    "Shapes",
+    "FILE",
+    "the face and what it plays, for other programs",
+    "Writes the face and its clip in the format that the name after -o ends in: .glb or .gltf (a rig with\n"
+    "a target for each move, joints, and the clip as its animation; how far it is from mien's own face is\n"
+    "told), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
+    "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
+    "actor frames exact",
+    "mien export configs/hello.yaml -o hello.glb\n"
+    "mien export configs/hello.yaml -o 'face_%04d.obj' --frames 1-24",
+    run_export};
+
+}  // namespace mien

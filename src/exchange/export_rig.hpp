@@ -1,0 +1,11 @@
+// A face with its rig, for programs that pose it themselves.
+#pragma once
+
+#include "exchange/exports.hpp"
+
+namespace mien {
+
+// glTF 2.0, binary or text by the path's ending; tells how far its vertices are from ours.
+ExportNotes export_gltf(const ExportWork& work, const std::filesystem::path& path);
+
+}  // namespace mien

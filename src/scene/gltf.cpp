@@ -1,0 +1,294 @@
+#include "scene/gltf.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <sstream>
+
+#include "core/error.hpp"
+#include "scene/gltf_buffer.hpp"
+#include "scene/surface_look.hpp"
+#include "scene/title.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr float kMetres = 0.001f;  // of a millimetre
+constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
+
+struct GltfWork {
+  const GltfScene& scene;
+  tinygltf::Model model;
+  std::map<std::string, int> materials;
+  int first_joint = 0;      // node of the rig's joint 0
+  std::vector<int> bodies;  // nodes of parts that have targets, and the part of each
+  std::vector<std::size_t> body_parts;
+  std::vector<std::vector<std::size_t>> body_targets;  // in Rig::targets, of each of them
+};
+
+// A part as glTF draws it: a vertex has one colour, so that where triangles have shades of their own it is
+// there once for each. `from` tells the part's vertex that each is.
+struct DrawnPart {
+  std::vector<std::uint32_t> from;
+  std::vector<Triangle> triangles;
+  std::vector<glm::u8vec4> colours;
+  std::vector<std::vector<std::uint32_t>> drawn_as;  // of each vertex of the part
+};
+
+DrawnPart draw_part(const Part& part, const SurfaceLook& look) {
+  DrawnPart drawn;
+  const std::size_t count = part.rest.positions.size();
+  drawn.drawn_as.resize(count);
+  std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> known;
+  const auto take = [&](std::uint32_t vertex, std::uint16_t shade) {
+    const auto [found, is_new] =
+        known.emplace(std::pair(vertex, shade), static_cast<std::uint32_t>(drawn.from.size()));
+    if (is_new) {
+      drawn.from.push_back(vertex);
+      drawn.drawn_as[vertex].push_back(found->second);
+      drawn.colours.emplace_back(glm::round(255.0f * compute_vertex_colour(part, look, vertex, shade)));
+    }
+    return found->second;
+  };
+  for (std::size_t t = 0; t < part.rest.triangles.size(); ++t) {
+    Triangle triangle = part.rest.triangles[t];
+    for (std::uint32_t& v : triangle)
+      v = take(v, !part.triangle_shade.empty() ? part.triangle_shade[t] : part.shade.empty() ? 0 : part.shade[v]);
+    drawn.triangles.push_back(triangle);
+  }
+  return drawn;
+}
+
+template <typename T>
+std::vector<T> pick(const std::vector<T>& of, const std::vector<std::uint32_t>& from) {
+  std::vector<T> picked;
+  picked.reserve(from.size());
+  for (const std::uint32_t v : from) picked.push_back(of[v]);
+  return picked;
+}
+
+tinygltf::Value make_names(const Rig& rig, const std::vector<RigTarget>& targets) {
+  tinygltf::Value::Array names;
+  for (const RigTarget& target : targets) names.emplace_back(rig.targets[target.name]);
+  return tinygltf::Value(tinygltf::Value::Object{{"targetNames", tinygltf::Value(names)}});
+}
+
+int take_material(GltfWork& work, const std::string& name, const SurfaceLook& look) {
+  const auto [found, is_new] = work.materials.emplace(name, static_cast<int>(work.model.materials.size()));
+  if (!is_new) return found->second;
+  tinygltf::Material material;
+  material.name = name;
+  material.pbrMetallicRoughness.metallicFactor = 0;
+  material.pbrMetallicRoughness.roughnessFactor = look.roughness;
+  material.doubleSided = look.is_two_sided;
+  if (look.alpha < 1) material.alphaMode = "BLEND";
+  work.model.materials.push_back(material);
+  return found->second;
+}
+
+// Of a drawn vertex the joints and their shares: 255 is all.
+void add_skin_weights(tinygltf::Model& model, const std::vector<JointShare>& shares, tinygltf::Primitive& primitive) {
+  std::vector<glm::u8vec4> joints, weights;
+  for (const JointShare& share : shares) {
+    const auto second = static_cast<std::uint8_t>(std::lround(255 * share.share));
+    // A joint without a share is told as 0.
+    joints.emplace_back(second < 255 ? share.first : 0, second > 0 ? share.second : 0, 0, 0);
+    weights.emplace_back(255 - second, second, 0, 0);
+  }
+  primitive.attributes["JOINTS_0"] = add_bytes(model, joints, false, kVertices);
+  primitive.attributes["WEIGHTS_0"] = add_bytes(model, weights, true, kVertices);
+}
+
+// The same offsets at the drawn vertices, rising.
+VertexOffsets draw_offsets(const DrawnPart& drawn, const std::vector<std::uint32_t>& vertices,
+                           const std::vector<glm::vec3>& offsets, float scale) {
+  std::vector<std::pair<std::uint32_t, glm::vec3>> all;
+  for (std::size_t i = 0; i < vertices.size(); ++i)
+    for (const std::uint32_t v : drawn.drawn_as[vertices[i]]) all.emplace_back(v, scale * offsets[i]);
+  std::ranges::sort(all, {}, &std::pair<std::uint32_t, glm::vec3>::first);
+  VertexOffsets told;
+  for (const auto& [v, offset] : all) {
+    told.vertices.push_back(v);
+    told.offsets.push_back(offset);
+  }
+  return told;
+}
+
+// The targets whose vertices are drawn at all.
+std::vector<std::size_t> add_targets(tinygltf::Model& model, const DrawnPart& drawn,
+                                     const std::vector<RigTarget>& targets, tinygltf::Primitive& primitive) {
+  const bool has_normals = std::ranges::any_of(targets, [](const RigTarget& t) { return !t.normals.empty(); });
+  std::vector<std::size_t> names;
+  for (const RigTarget& target : targets) {
+    VertexOffsets places = draw_offsets(drawn, target.places.vertices, target.places.offsets, kMetres);
+    if (places.vertices.empty()) places = {{0}, {glm::vec3(0)}};
+    std::map<std::string, int> attributes;
+    attributes["POSITION"] = add_sparse_vectors(model, drawn.from.size(), places, true);
+    if (has_normals) {
+      VertexOffsets normals{{0}, {glm::vec3(0)}};
+      if (!target.normals.empty())
+        normals = draw_offsets(drawn, target.places.vertices, target.normals, 1);
+      attributes["NORMAL"] = add_sparse_vectors(model, drawn.from.size(), normals, false);
+    }
+    primitive.targets.push_back(attributes);
+    names.push_back(target.name);
+  }
+  return names;
+}
+
+void add_part(GltfWork& work, std::size_t index) {
+  const Part& part = work.scene.model.parts[index];
+  const RigPart& rigged = work.scene.rig.parts[index];
+  const SurfaceLook look = find_surface_look(part.material);
+  const DrawnPart drawn = draw_part(part, look);
+  if (drawn.triangles.empty()) return;
+  tinygltf::Model& model = work.model;
+  std::vector<glm::vec3> places = pick(part.rest.positions, drawn.from);
+  // A rigid part lies about its joint.
+  const bool is_skinned = !rigged.shares.empty();
+  const glm::vec3 origin = is_skinned ? glm::vec3(0) : glm::vec3(work.scene.rig.joints[rigged.joint].at_mm);
+  for (glm::vec3& place : places) place = kMetres * (place - origin);
+  tinygltf::Primitive primitive;
+  primitive.mode = TINYGLTF_MODE_TRIANGLES;
+  primitive.material = take_material(work, part.material, look);
+  primitive.attributes["POSITION"] = add_vectors(model, places, true, kVertices);
+  if (!part.rest.normals.empty()) {
+    std::vector<glm::vec3> normals = pick(part.rest.normals, drawn.from);
+    for (glm::vec3& normal : normals) normal = glm::normalize(normal);
+    primitive.attributes["NORMAL"] = add_vectors(model, normals, false, kVertices);
+  }
+  primitive.attributes["COLOR_0"] = add_bytes(model, drawn.colours, true, kVertices);
+  primitive.indices = add_indices(model, drawn.triangles);
+  tinygltf::Node node;
+  node.name = part.name;
+  node.mesh = static_cast<int>(model.meshes.size());
+  std::vector<std::size_t> targets;
+  tinygltf::Mesh mesh;
+  mesh.name = part.name;
+  if (is_skinned) {
+    add_skin_weights(model, pick(rigged.shares, drawn.from), primitive);
+    node.skin = 0;
+  }
+  if (!rigged.targets.empty()) {
+    targets = add_targets(model, drawn, rigged.targets, primitive);
+    mesh.extras = make_names(work.scene.rig, rigged.targets);
+    mesh.weights.assign(targets.size(), 0.0);
+    for (std::size_t t = 0; t < targets.size(); ++t)
+      mesh.weights[t] = work.scene.take.poses.front().weights[targets[t]];
+  }
+  mesh.primitives.push_back(primitive);
+  model.meshes.push_back(mesh);
+  const int at = static_cast<int>(model.nodes.size());
+  model.nodes.push_back(node);
+  if (is_skinned)
+    model.scenes[0].nodes.push_back(at);
+  else
+    model.nodes[work.first_joint + rigged.joint].children.push_back(at);
+  if (targets.empty()) return;
+  work.bodies.push_back(at);
+  work.body_parts.push_back(index);
+  work.body_targets.push_back(targets);
+}
+
+glm::quat to_unit(const glm::dquat& turn) { return glm::quat(glm::normalize(turn)); }
+
+// The joints as they stand in the take's first pose, and the skin that binds vertices to them at rest.
+void add_joints(GltfWork& work) {
+  tinygltf::Model& model = work.model;
+  const Rig& rig = work.scene.rig;
+  const RigPose& pose = work.scene.take.poses.front();
+  tinygltf::Skin skin;
+  skin.name = "rig";
+  std::vector<glm::mat4> binds;
+  work.first_joint = static_cast<int>(model.nodes.size());
+  for (std::size_t j = 0; j < rig.joints.size(); ++j) {
+    tinygltf::Node node;
+    node.name = rig.joints[j].name;
+    const glm::dvec3 at = double(kMetres) * pose.joints[j].at_mm;
+    const glm::quat turn = to_unit(pose.joints[j].turn);
+    node.translation = {at.x, at.y, at.z};
+    node.rotation = {turn.x, turn.y, turn.z, turn.w};
+    const int self = work.first_joint + static_cast<int>(j);
+    model.nodes.push_back(node);
+    if (rig.joints[j].parent >= 0) model.nodes[work.first_joint + rig.joints[j].parent].children.push_back(self);
+    else model.scenes[0].nodes.push_back(self);
+    skin.joints.push_back(self);
+    glm::mat4 bind(1);
+    bind[3] = glm::vec4(-kMetres * glm::vec3(rig.joints[j].at_mm), 1);
+    binds.push_back(bind);
+  }
+  skin.skeleton = work.first_joint;
+  skin.inverseBindMatrices = add_matrices(model, binds);
+  model.skins.push_back(skin);
+}
+
+void add_channel(tinygltf::Animation& animation, int times, int values, int node, const char* path) {
+  tinygltf::AnimationSampler sampler;
+  sampler.input = times;
+  sampler.output = values;
+  sampler.interpolation = "LINEAR";
+  tinygltf::AnimationChannel channel;
+  channel.sampler = static_cast<int>(animation.samplers.size());
+  channel.target_node = node;
+  channel.target_path = path;
+  animation.samplers.push_back(sampler);
+  animation.channels.push_back(channel);
+}
+
+void add_joint_channels(GltfWork& work, int times, tinygltf::Animation& animation) {
+  const std::vector<RigPose>& poses = work.scene.take.poses;
+  for (std::size_t j = 0; j < work.scene.rig.joints.size(); ++j) {
+    std::vector<glm::quat> turns;
+    std::vector<glm::vec3> places;
+    for (const RigPose& pose : poses) {
+      glm::quat turn = to_unit(pose.joints[j].turn);
+      if (!turns.empty() && glm::dot(turns.back(), turn) < 0) turn = -turn;
+      turns.push_back(turn);
+      places.emplace_back(double(kMetres) * pose.joints[j].at_mm);
+    }
+    const int node = work.first_joint + static_cast<int>(j);
+    if (std::ranges::any_of(turns, [&](const glm::quat& turn) { return turn != turns.front(); }))
+      add_channel(animation, times, add_turns(work.model, turns), node, "rotation");
+    if (std::ranges::any_of(places, [&](const glm::vec3& place) { return place != places.front(); }))
+      add_channel(animation, times, add_vectors(work.model, places, false, 0), node, "translation");
+  }
+}
+
+void add_animation(GltfWork& work) {
+  const RigTake& take = work.scene.take;
+  if (take.poses.size() < 2) return;
+  tinygltf::Animation animation;
+  animation.name = "take";
+  const int times = add_scalars(work.model, {take.times_s.begin(), take.times_s.end()}, true);
+  add_joint_channels(work, times, animation);
+  for (std::size_t b = 0; b < work.bodies.size(); ++b) {
+    std::vector<float> weights;
+    for (const RigPose& pose : take.poses)
+      for (const std::size_t target : work.body_targets[b]) weights.push_back(pose.weights[target]);
+    add_channel(animation, times, add_scalars(work.model, weights, false), work.bodies[b], "weights");
+  }
+  work.model.animations.push_back(animation);
+}
+
+}  // namespace
+
+std::string build_gltf(const GltfScene& scene, bool is_binary) {
+  GltfWork work{scene, {}, {}, 0, {}, {}, {}};
+  tinygltf::Model& model = work.model;
+  model.asset.version = "2.0";
+  model.asset.generator = fmt::format("mien {}", MIEN_VERSION);
+  model.scenes.emplace_back();
+  model.scenes[0].name = clean_title(scene.title);
+  model.defaultScene = 0;
+  add_joints(work);
+  for (std::size_t i = 0; i < scene.model.parts.size(); ++i) add_part(work, i);
+  add_animation(work);
+  std::ostringstream bytes;
+  if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, bytes, !is_binary, is_binary))
+    throw RunError("internal: tinygltf does not write the scene");
+  return std::move(bytes).str();
+}
+
+}  // namespace mien
