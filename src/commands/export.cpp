@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "exchange/exports.hpp"
+#include "exchange/target_sets.hpp"
 #include "render/work_folder.hpp"
 
 namespace mien {
@@ -48,6 +49,7 @@ void run_export(const Options& options) {
     throw InputError(fmt::format("{}: the head changes in time, and one that is exported stays as it is; expected a "
                                  "clip without keys of 'head'",
                                  clip.spec.file.string()));
+  build_target_set(options.targets, clip.spec);  // a mistake is told before anything is built
   const fs::path path = take_output(options, clip);
   const Figure figure = build_figure(resources.heads, actor.head);
   const auto [first, last] = find_frames(options, clip);
@@ -74,9 +76,9 @@ const CommandInfo command_export{
     "the face and what it plays, for other programs",
     "Writes the face and its clip in the format that the name after -o ends in: .glb or .gltf (a rig with\n"
     "a target for each move, joints, and the clip as its animation; how far it is from mien's own face is\n"
-    "told), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
+    "told), .vrm (the same for avatars), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
     "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
-    "actor frames exact",
+    "actor targets exact",
     "mien export configs/hello.yaml -o hello.glb\n"
     "mien export configs/hello.yaml -o 'face_%04d.obj' --frames 1-24",
     run_export};

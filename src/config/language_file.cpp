@@ -147,6 +147,8 @@ void fill_file(Sections& all) {
   file.keys = {
       {"mien", {{FormKind::version}}, "The version of this language.", "", true},
       {"title", {as_line(kMaxTitleLength)}, "One line of text."},
+      {"author", {as_line(kMaxTitleLength)}, "Who made it, for files that say so."},
+      {"licence", {as_line(kMaxTitleLength)}, "On which terms others may use it, for files that say so: a name or an address."},
       {"head", {as_section(all.head)}, all.head.help},
       {"library",
        {as_data_word("library", "libraries")},

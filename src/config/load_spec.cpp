@@ -74,6 +74,8 @@ void settle_style(const HeadWords& words, Spec& spec) {
 void load_sections(const YamlValue& root, const YamlMapping& entries, const HeadWords& words,
                    ExpressionBook& book, Spec& spec) {
   if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
+  if (const YamlValue* author = find_value(entries, "author")) load_title(*author, spec.author);
+  if (const YamlValue* licence = find_value(entries, "licence")) load_title(*licence, spec.licence);
   if (const YamlValue* library = find_value(entries, "library"))
     load_name(*library, "library", book.libraries, spec.library);
   book.library = spec.library;

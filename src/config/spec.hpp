@@ -61,6 +61,7 @@ struct Spec {
   std::vector<std::filesystem::path> files;  // all that it is read from: itself, and what it names
   std::string name;                          // file name without folder and ending: out/<name>/
   std::string title;
+  std::string author, licence;  // for files that say so
   HeadSpec head;
   double exaggerate = 1;                // of every key and bust that says none of its own
   std::string library = "mien";         // where a plain expression name is looked up after the file's own

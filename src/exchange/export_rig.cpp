@@ -5,7 +5,9 @@
 #include "clip/rig_take.hpp"
 #include "core/text.hpp"
 #include "render/work_folder.hpp"
+#include "exchange/target_sets.hpp"
 #include "scene/gltf.hpp"
+#include "scene/vrm.hpp"
 
 namespace mien {
 
@@ -17,6 +19,7 @@ RiggedClip build_rig_of(const ExportWork& work) {
   request.from_s = work.compute_time_s(work.first);
   request.frames = work.frame_count();
   request.is_exact = work.options.is_exact;
+  if (!work.options.is_exact) request.poses = build_target_set(work.options.targets, work.clip.spec);
   return build_rigged_clip(work.figure, work.performance, request);
 }
 
@@ -37,6 +40,22 @@ ExportNotes export_gltf(const ExportWork& work, const std::filesystem::path& pat
   write_file(path, build_gltf({work.figure.model, clip.rig, clip.take, work.title()},
                               find_ending(path) == ".glb"));
   return note_rig(clip);
+}
+
+ExportNotes export_vrm(const ExportWork& work, const std::filesystem::path& path) {
+  const Figure& figure = work.figure;
+  const Spec& spec = work.clip.spec;
+  FigureRigRequest request;
+  request.poses = build_target_set("vrm", spec);
+  request.neck_steps = 2;
+  const FigureRig rig = build_figure_rig(figure, request);
+  VrmScene scene{figure.model, rig.rig, work.title(), spec.author, spec.licence};
+  scene.eye_up_deg = glm::degrees(figure.face.eye_up_rad);
+  scene.eye_down_deg = glm::degrees(figure.face.eye_down_rad);
+  scene.eye_side_deg = glm::degrees(figure.face.eye_side_rad);
+  scene.eyes_mm = figure.head.eye.centre * glm::dvec3(0, 1, 1) + glm::dvec3(0, 0, figure.head.eye.radius_mm);
+  write_file(path, build_vrm(scene));
+  return {fmt::format("{} expressions: {}", rig.rig.targets.size(), join_names(rig.rig.targets))};
 }
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "scene/gltf_buffer.hpp"
+#include "scene/gltf_model.hpp"
 #include "scene/surface_look.hpp"
 #include "scene/title.hpp"
 
@@ -20,12 +21,9 @@ constexpr int kVertices = TINYGLTF_TARGET_ARRAY_BUFFER;
 
 struct GltfWork {
   const GltfScene& scene;
-  tinygltf::Model model;
   std::map<std::string, int> materials;
-  int first_joint = 0;      // node of the rig's joint 0
-  std::vector<int> bodies;  // nodes of parts that have targets, and the part of each
-  std::vector<std::size_t> body_parts;
-  std::vector<std::vector<std::size_t>> body_targets;  // in Rig::targets, of each of them
+  GltfModel& built;
+  tinygltf::Model& model;
 };
 
 // A part as glTF draws it: a vertex has one colour, so that where triangles have shades of their own it is
@@ -116,11 +114,10 @@ VertexOffsets draw_offsets(const DrawnPart& drawn, const std::vector<std::uint32
   return told;
 }
 
-// The targets whose vertices are drawn at all.
-std::vector<std::size_t> add_targets(tinygltf::Model& model, const DrawnPart& drawn,
-                                     const std::vector<RigTarget>& targets, tinygltf::Primitive& primitive) {
+// All of them, in their order, also one whose vertices no triangle has.
+void add_targets(tinygltf::Model& model, const DrawnPart& drawn, const std::vector<RigTarget>& targets,
+                 tinygltf::Primitive& primitive) {
   const bool has_normals = std::ranges::any_of(targets, [](const RigTarget& t) { return !t.normals.empty(); });
-  std::vector<std::size_t> names;
   for (const RigTarget& target : targets) {
     VertexOffsets places = draw_offsets(drawn, target.places.vertices, target.places.offsets, kMetres);
     if (places.vertices.empty()) places = {{0}, {glm::vec3(0)}};
@@ -133,9 +130,7 @@ std::vector<std::size_t> add_targets(tinygltf::Model& model, const DrawnPart& dr
       attributes["NORMAL"] = add_sparse_vectors(model, drawn.from.size(), normals, false);
     }
     primitive.targets.push_back(attributes);
-    names.push_back(target.name);
   }
-  return names;
 }
 
 void add_part(GltfWork& work, std::size_t index) {
@@ -164,7 +159,6 @@ void add_part(GltfWork& work, std::size_t index) {
   tinygltf::Node node;
   node.name = part.name;
   node.mesh = static_cast<int>(model.meshes.size());
-  std::vector<std::size_t> targets;
   tinygltf::Mesh mesh;
   mesh.name = part.name;
   if (is_skinned) {
@@ -172,11 +166,10 @@ void add_part(GltfWork& work, std::size_t index) {
     node.skin = 0;
   }
   if (!rigged.targets.empty()) {
-    targets = add_targets(model, drawn, rigged.targets, primitive);
+    add_targets(model, drawn, rigged.targets, primitive);
     mesh.extras = make_names(work.scene.rig, rigged.targets);
-    mesh.weights.assign(targets.size(), 0.0);
-    for (std::size_t t = 0; t < targets.size(); ++t)
-      mesh.weights[t] = work.scene.take.poses.front().weights[targets[t]];
+    for (const RigTarget& target : rigged.targets)
+      mesh.weights.push_back(work.scene.take.poses.front().weights[target.name]);
   }
   mesh.primitives.push_back(primitive);
   model.meshes.push_back(mesh);
@@ -185,11 +178,8 @@ void add_part(GltfWork& work, std::size_t index) {
   if (is_skinned)
     model.scenes[0].nodes.push_back(at);
   else
-    model.nodes[work.first_joint + rigged.joint].children.push_back(at);
-  if (targets.empty()) return;
-  work.bodies.push_back(at);
-  work.body_parts.push_back(index);
-  work.body_targets.push_back(targets);
+    model.nodes[work.built.first_joint + rigged.joint].children.push_back(at);
+  work.built.node_of_part[index] = at;
 }
 
 glm::quat to_unit(const glm::dquat& turn) { return glm::quat(glm::normalize(turn)); }
@@ -202,7 +192,7 @@ void add_joints(GltfWork& work) {
   tinygltf::Skin skin;
   skin.name = "rig";
   std::vector<glm::mat4> binds;
-  work.first_joint = static_cast<int>(model.nodes.size());
+  work.built.first_joint = static_cast<int>(model.nodes.size());
   for (std::size_t j = 0; j < rig.joints.size(); ++j) {
     tinygltf::Node node;
     node.name = rig.joints[j].name;
@@ -210,16 +200,16 @@ void add_joints(GltfWork& work) {
     const glm::quat turn = to_unit(pose.joints[j].turn);
     node.translation = {at.x, at.y, at.z};
     node.rotation = {turn.x, turn.y, turn.z, turn.w};
-    const int self = work.first_joint + static_cast<int>(j);
+    const int self = work.built.first_joint + static_cast<int>(j);
     model.nodes.push_back(node);
-    if (rig.joints[j].parent >= 0) model.nodes[work.first_joint + rig.joints[j].parent].children.push_back(self);
+    if (rig.joints[j].parent >= 0) model.nodes[work.built.first_joint + rig.joints[j].parent].children.push_back(self);
     else model.scenes[0].nodes.push_back(self);
     skin.joints.push_back(self);
     glm::mat4 bind(1);
     bind[3] = glm::vec4(-kMetres * glm::vec3(rig.joints[j].at_mm), 1);
     binds.push_back(bind);
   }
-  skin.skeleton = work.first_joint;
+  skin.skeleton = work.built.first_joint;
   skin.inverseBindMatrices = add_matrices(model, binds);
   model.skins.push_back(skin);
 }
@@ -248,7 +238,7 @@ void add_joint_channels(GltfWork& work, int times, tinygltf::Animation& animatio
       turns.push_back(turn);
       places.emplace_back(double(kMetres) * pose.joints[j].at_mm);
     }
-    const int node = work.first_joint + static_cast<int>(j);
+    const int node = work.built.first_joint + static_cast<int>(j);
     if (std::ranges::any_of(turns, [&](const glm::quat& turn) { return turn != turns.front(); }))
       add_channel(animation, times, add_turns(work.model, turns), node, "rotation");
     if (std::ranges::any_of(places, [&](const glm::vec3& place) { return place != places.front(); }))
@@ -263,32 +253,45 @@ void add_animation(GltfWork& work) {
   animation.name = "take";
   const int times = add_scalars(work.model, {take.times_s.begin(), take.times_s.end()}, true);
   add_joint_channels(work, times, animation);
-  for (std::size_t b = 0; b < work.bodies.size(); ++b) {
+  for (std::size_t i = 0; i < work.built.node_of_part.size(); ++i) {
+    const std::vector<RigTarget>& targets = work.scene.rig.parts[i].targets;
+    if (targets.empty() || work.built.node_of_part[i] < 0) continue;
     std::vector<float> weights;
     for (const RigPose& pose : take.poses)
-      for (const std::size_t target : work.body_targets[b]) weights.push_back(pose.weights[target]);
-    add_channel(animation, times, add_scalars(work.model, weights, false), work.bodies[b], "weights");
+      for (const RigTarget& target : targets) weights.push_back(pose.weights[target.name]);
+    add_channel(animation, times, add_scalars(work.model, weights, false), work.built.node_of_part[i], "weights");
   }
   work.model.animations.push_back(animation);
 }
 
 }  // namespace
 
-std::string build_gltf(const GltfScene& scene, bool is_binary) {
-  GltfWork work{scene, {}, {}, 0, {}, {}, {}};
-  tinygltf::Model& model = work.model;
+GltfModel build_gltf_model(const GltfScene& scene) {
+  GltfModel built;
+  tinygltf::Model& model = built.model;
+  GltfWork work{scene, {}, built, model};
   model.asset.version = "2.0";
   model.asset.generator = fmt::format("mien {}", MIEN_VERSION);
   model.scenes.emplace_back();
   model.scenes[0].name = clean_title(scene.title);
   model.defaultScene = 0;
+  built.node_of_part.assign(scene.model.parts.size(), -1);
   add_joints(work);
   for (std::size_t i = 0; i < scene.model.parts.size(); ++i) add_part(work, i);
   add_animation(work);
+  return built;
+}
+
+std::string write_gltf_model(tinygltf::Model& model, bool is_binary) {
   std::ostringstream bytes;
   if (!tinygltf::TinyGLTF().WriteGltfSceneToStream(&model, bytes, !is_binary, is_binary))
     throw RunError("internal: tinygltf does not write the scene");
   return std::move(bytes).str();
+}
+
+std::string build_gltf(const GltfScene& scene, bool is_binary) {
+  GltfModel built = build_gltf_model(scene);
+  return write_gltf_model(built.model, is_binary);
 }
 
 }  // namespace mien
