@@ -76,7 +76,7 @@ const CommandInfo command_export{
     "the face and what it plays, for other programs",
     "Writes the face and its clip in the format that the name after -o ends in: .glb or .gltf (a rig with\n"
     "a target for each move, joints, and the clip as its animation; how far it is from mien's own face is\n"
-    "told), .vrm (the same for avatars), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
+    "told), .vrm (for avatars), .usda (as .glb), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
     "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
     "actor targets exact",
     "mien export configs/hello.yaml -o hello.glb\n"

@@ -7,6 +7,7 @@
 #include "render/work_folder.hpp"
 #include "exchange/target_sets.hpp"
 #include "scene/gltf.hpp"
+#include "scene/usd.hpp"
 #include "scene/vrm.hpp"
 
 namespace mien {
@@ -39,6 +40,12 @@ ExportNotes export_gltf(const ExportWork& work, const std::filesystem::path& pat
   const RiggedClip clip = build_rig_of(work);
   write_file(path, build_gltf({work.figure.model, clip.rig, clip.take, work.title()},
                               find_ending(path) == ".glb"));
+  return note_rig(clip);
+}
+
+ExportNotes export_usd(const ExportWork& work, const std::filesystem::path& path) {
+  const RiggedClip clip = build_rig_of(work);
+  write_file(path, build_usd({work.figure.model, clip.rig, clip.take, work.title(), work.fps()}));
   return note_rig(clip);
 }
 

@@ -26,6 +26,7 @@ struct ExportFormat {
 constexpr std::array kExportFormats{
     ExportFormat{".glb", false, export_gltf},     ExportFormat{".gltf", false, export_gltf},
     ExportFormat{".vrm", false, export_vrm},
+    ExportFormat{".usda", false, export_usd},
     ExportFormat{".csv", false, export_table},    ExportFormat{".pc2", false, export_points},
     ExportFormat{".mdd", false, export_points},   ExportFormat{".obj", true, export_sequence},
     ExportFormat{".ply", true, export_sequence},  ExportFormat{".stl", true, export_sequence},
