@@ -1,14 +1,13 @@
 // Numbers as glTF holds them: in one buffer, told by views and accessors.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <glm/glm.hpp>
 #include <glm/gtc/quaternion.hpp>
 #include <vector>
 
 #include "core/mesh.hpp"
 #include "core/offsets.hpp"
+#include "scene/tiny_gltf.hpp"
 
 namespace mien {
 

@@ -1,13 +1,12 @@
 // A glTF before it is written, for formats that add to it.
 #pragma once
 
-#include <tiny_gltf.h>
-
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "scene/gltf.hpp"
+#include "scene/tiny_gltf.hpp"
 
 namespace mien {
 

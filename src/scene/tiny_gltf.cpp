@@ -1,5 +1,3 @@
-// tinygltf's own code, compiled once: without readers and writers of pictures, which are not asked of it.
+// tinygltf's own code, compiled once.
 #define TINYGLTF_IMPLEMENTATION
-#define TINYGLTF_NO_STB_IMAGE
-#define TINYGLTF_NO_STB_IMAGE_WRITE
-#include <tiny_gltf.h>
+#include "scene/tiny_gltf.hpp"
