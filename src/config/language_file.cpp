@@ -186,7 +186,7 @@ void fill_file(Sections& all) {
   library.keys = copy_keys(file, {"mien", "library"});
   library.keys.push_back(
       {"source", {as_line(kMaxTitleLength)}, "Where its expressions come from, in one line."});
-  library.keys.push_back(file.keys[5]);
+  library.keys.push_back(*std::ranges::find(file.keys, "expressions", &Key::name));
   library.keys[1] = {"library", {as_data_word("library", "libraries")}, "The file's own name.", "", true};
   library.keys.back().is_required = true;
   library.keys.back().help = "Its expressions, by name.";
