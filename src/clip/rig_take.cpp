@@ -13,6 +13,7 @@ namespace mien {
 namespace {
 
 constexpr int kMostHalvings = 4;         // of the time between two frames
+constexpr double kBetweenTargets_mm = 0.25;  // of one move; corrections mend the rest
 constexpr std::size_t kMostStudied = 480;  // frames that corrections are found at; all are measured
 
 using Places = std::vector<glm::vec3>;
@@ -310,7 +311,7 @@ void measure_take(const TakeWork& work, const RigTake& take, RigError& error) {
 RiggedClip build_rigged_clip(const Figure& figure, const Performance& performance,
                              const RigTakeRequest& request) {
   FigureRigRequest rig{.shapes = {}, .has_moves = !request.is_exact, .poses = request.poses};
-  rig.shapes.tolerance_mm = request.tolerance_mm;
+  rig.shapes.tolerance_mm = kBetweenTargets_mm;
   if (request.neck_steps > 0) rig.neck_steps = request.neck_steps;
   TakeWork work{figure, performance, request, build_figure_rig(figure, rig), {}, 0, {}, {}};
   work.bent = list_rig_bent_parts(work.rig, figure.model);

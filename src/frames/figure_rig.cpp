@@ -16,7 +16,7 @@ namespace mien {
 namespace {
 
 constexpr std::array kFaceMounts{Mount::eye_left, Mount::eye_right, Mount::jaw};  // as list_joints has them
-constexpr float kSlight_mm = 0.004f;  // no offset is written for less
+constexpr float kSlight_mm = 0.01f;  // no offset is written for less
 
 RigJoint build_neck_joint(int step, int steps, const glm::dvec3& pivot) {
   std::string name = step == 0 ? "shoulders" : step == steps ? "head" : "neck";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
 #include <sstream>
 
 #include "core/error.hpp"
@@ -35,25 +36,31 @@ struct DrawnPart {
   std::vector<std::vector<std::uint32_t>> drawn_as;  // of each vertex of the part
 };
 
+// In the part's own order; where triangles have shades, by vertex and then shade.
 DrawnPart draw_part(const Part& part, const SurfaceLook& look) {
   DrawnPart drawn;
-  const std::size_t count = part.rest.positions.size();
-  drawn.drawn_as.resize(count);
-  std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> known;
-  const auto take = [&](std::uint32_t vertex, std::uint16_t shade) {
-    const auto [found, is_new] =
-        known.emplace(std::pair(vertex, shade), static_cast<std::uint32_t>(drawn.from.size()));
-    if (is_new) {
-      drawn.from.push_back(vertex);
-      drawn.drawn_as[vertex].push_back(found->second);
-      drawn.colours.emplace_back(glm::round(255.0f * compute_vertex_colour(part, look, vertex, shade)));
-    }
-    return found->second;
+  const auto find_shade = [&](std::size_t triangle, std::uint32_t vertex) -> std::uint16_t {
+    if (!part.triangle_shade.empty()) return part.triangle_shade[triangle];
+    return part.shade.empty() ? 0 : part.shade[vertex];
   };
+  std::vector<std::set<std::uint16_t>> shades(part.rest.positions.size());
+  for (std::size_t t = 0; t < part.rest.triangles.size(); ++t)
+    for (const std::uint32_t v : part.rest.triangles[t]) shades[v].insert(find_shade(t, v));
+  drawn.drawn_as.resize(shades.size());
+  for (std::uint32_t v = 0; v < shades.size(); ++v) {
+    if (shades[v].empty()) shades[v].insert(0);  // no triangle has it; it keeps its number
+    for (const std::uint16_t shade : shades[v]) {
+      drawn.drawn_as[v].push_back(static_cast<std::uint32_t>(drawn.from.size()));
+      drawn.from.push_back(v);
+      drawn.colours.emplace_back(glm::round(255.0f * compute_vertex_colour(part, look, v, shade)));
+    }
+  }
   for (std::size_t t = 0; t < part.rest.triangles.size(); ++t) {
     Triangle triangle = part.rest.triangles[t];
-    for (std::uint32_t& v : triangle)
-      v = take(v, !part.triangle_shade.empty() ? part.triangle_shade[t] : part.shade.empty() ? 0 : part.shade[v]);
+    for (std::uint32_t& v : triangle) {
+      const auto at = std::distance(shades[v].begin(), shades[v].find(find_shade(t, v)));
+      v = drawn.drawn_as[v][at];
+    }
     drawn.triangles.push_back(triangle);
   }
   return drawn;
