@@ -289,6 +289,43 @@ RigTake sample_poses(const TakeWork& work, const std::vector<double>& times, Rig
   return take;
 }
 
+// The offsets of a target times `scale`, as another one.
+RigTarget scale_target(const RigTarget& target, std::size_t name, float scale) {
+  RigTarget scaled = target;
+  scaled.name = name;
+  for (glm::vec3& offset : scaled.places.offsets) offset *= scale;
+  return scaled;
+}
+
+// Weights of corrections from 0 to 1, as Blender's sliders want them: where one goes below, a target of the
+// opposite ("correct.4.back") takes that.
+void settle_corrections(TakeWork& work, RigTake& take) {
+  Rig& rig = work.rig.rig;
+  const std::size_t count = rig.targets.size();
+  for (std::size_t t = work.moves; t < count; ++t) {
+    float low = 0, high = 1e-6f;
+    for (const RigPose& pose : take.poses) {
+      low = std::min(low, pose.weights[t]);
+      high = std::max(high, pose.weights[t]);
+    }
+    const bool has_back = low < 0;
+    const std::size_t back = rig.targets.size();
+    if (has_back) rig.targets.push_back(rig.targets[t] + ".back");
+    for (RigPart& part : rig.parts) {
+      const auto own = std::ranges::find(part.targets, t, &RigTarget::name);
+      if (own == part.targets.end()) continue;
+      RigTarget opposite = scale_target(*own, back, low);
+      *own = scale_target(*own, t, high);
+      if (has_back) part.targets.push_back(std::move(opposite));
+    }
+    for (RigPose& pose : take.poses) {
+      const float weight = pose.weights[t];
+      pose.weights[t] = std::max(weight, 0.0f) / high;
+      if (has_back) pose.weights.push_back(weight < 0 ? weight / low : 0);
+    }
+  }
+}
+
 void measure_take(const TakeWork& work, const RigTake& take, RigError& error) {
   std::vector<Distance> distances(take.poses.size());
   for_each_index(distances.size(), count_workers(), [&](std::size_t i, int) {
@@ -324,8 +361,9 @@ RiggedClip build_rigged_clip(const Figure& figure, const Performance& performanc
     find_corrections(work, times, clip.error.uncorrected_mm);
   add_corrections(work, work.modes, request.is_exact ? "frame" : "correct");
   clip.take = sample_poses(work, times, clip.error);
+  if (!request.is_exact) settle_corrections(work, clip.take);
   measure_take(work, clip.take, clip.error);
-  if (!request.is_exact) clip.corrections = static_cast<int>(work.modes.size());
+  if (!request.is_exact) clip.corrections = static_cast<int>(work.rig.rig.targets.size() - work.moves);
   clip.rig = std::move(work.rig.rig);
   return clip;
 }
