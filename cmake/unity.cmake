@@ -9,7 +9,7 @@ set(MIEN_ALONE command_line/help config/formula config/load_clip_laws config/loa
                scene/povray_stage scene/strip scene/tiny_gltf scene/wavefront timeline/exposure)
 
 # Eigen's solvers take longer to read and to make than all else: those who solve with them share one.
-set(MIEN_SOLVERS frames/ink_tone head/cloud head/eye_fit head/fields head/half_system head/least_squares head/solve)
+set(MIEN_SOLVERS frames/ink_tone head/cloud head/eye_fit head/fields head/half_system head/least_squares head/skin_atlas head/solve)
 
 # mien_compile_together(SOURCE...): sets the group that each is of.
 function(mien_compile_together)

@@ -181,7 +181,7 @@ void take_frames(TakeWork& work, const std::vector<double>& times, double& worst
 
 // A target of each mode, behind those of moves.
 void add_corrections(TakeWork& work, const std::vector<Places>& modes, const char* name) {
-  constexpr float kSlight_mm = 0.002f;
+  constexpr float kSlight_mm = 0.008f;
   for (std::size_t m = 0; m < modes.size(); ++m) {
     work.rig.rig.targets.push_back(fmt::format("{}.{}", name, m + 1));
     std::size_t i = 0;

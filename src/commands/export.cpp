@@ -11,7 +11,9 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "exchange/exports.hpp"
+#include "exchange/skin_paint.hpp"
 #include "exchange/target_sets.hpp"
+#include "frames/figure_atlas.hpp"
 #include "render/work_folder.hpp"
 
 namespace mien {
@@ -25,13 +27,19 @@ std::pair<int, int> find_frames(const Options& options, const Clip& clip) {
   return {options.frames->first, std::min(options.frames->second, clip.frame_count)};
 }
 
+bool is_layout_alone(const Options& options) { return options.uv && !options.output; }
+
 // All files of it, judged before anything is computed.
 fs::path take_output(const Options& options, const Clip& clip) {
   const OutputFile output = find_output_file(options, fs::path("out") / clip.spec.name / (clip.spec.name + ".glb"));
-  check_ending(output, "export", list_export_endings());
-  std::vector<OutputFile> files{output};
-  if (is_sequence(find_ending(output.path))) {
-    files.clear();
+  std::vector<OutputFile> files;
+  if (options.uv) {
+    files.push_back({"--uv", *options.uv});
+    check_ending(files.back(), "picture", {".png"});
+  }
+  if (!is_layout_alone(options)) check_ending(output, "export", list_export_endings());
+  if (!is_layout_alone(options) && !is_sequence(find_ending(output.path))) files.push_back(output);
+  if (!is_layout_alone(options) && is_sequence(find_ending(output.path))) {
     const auto [first, last] = find_frames(options, clip);
     for (int frame = first; frame <= last; ++frame)
       files.push_back({output.option, name_frame_file(output.path, frame)});
@@ -56,6 +64,11 @@ void run_export(const Options& options) {
   ExportWork work{options, clip, figure, actor.performance, first, last};
   work.performance.idle.eyes = compute_eyes(figure, clip.spec.render);
   report_starts(options, {actor.head}, resources.heads);
+  if (options.uv) {
+    write_file(*options.uv, build_png(draw_layout(figure.model.parts.front(), build_figure_atlas(figure), kLayoutSize_px)));
+    report_result(options, "layout", *options.uv);
+  }
+  if (is_layout_alone(options)) return;
   const ExportNotes notes = write_export(work, path);
   report_result(options, "export", path);
   if (options.is_quiet) return;
@@ -78,7 +91,7 @@ const CommandInfo command_export{
     "a target for each move, joints, and the clip as its animation; how far it is from mien's own face is\n"
     "told), .vrm (for avatars), .usda (as .glb), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
     "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
-    "actor targets exact",
+    "actor targets exact uv",
     "mien export configs/hello.yaml -o hello.glb\n"
     "mien export configs/hello.yaml -o 'face_%04d.obj' --frames 1-24",
     run_export};

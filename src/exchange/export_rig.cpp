@@ -5,7 +5,9 @@
 #include "clip/rig_take.hpp"
 #include "core/text.hpp"
 #include "render/work_folder.hpp"
+#include "exchange/skin_paint.hpp"
 #include "exchange/target_sets.hpp"
+#include "frames/figure_atlas.hpp"
 #include "scene/gltf.hpp"
 #include "scene/usd.hpp"
 #include "scene/vrm.hpp"
@@ -34,11 +36,17 @@ ExportNotes note_rig(const RiggedClip& clip) {
                       error.between_mm, error.uncorrected_mm)};
 }
 
+GltfPaint paint_skin(const ExportWork& work, const Atlas& atlas) {
+  return {0, atlas, build_png(bake_colours(work.figure.model.parts.front(), atlas, kPaintSize_px))};
+}
+
 }  // namespace
 
 ExportNotes export_gltf(const ExportWork& work, const std::filesystem::path& path) {
   const RiggedClip clip = build_rig_of(work);
-  write_file(path, build_gltf({work.figure.model, clip.rig, clip.take, work.title()},
+  const Atlas atlas = build_figure_atlas(work.figure);
+  const GltfPaint paint = paint_skin(work, atlas);
+  write_file(path, build_gltf({work.figure.model, clip.rig, clip.take, work.title(), &paint},
                               find_ending(path) == ".glb"));
   return note_rig(clip);
 }
@@ -56,7 +64,9 @@ ExportNotes export_vrm(const ExportWork& work, const std::filesystem::path& path
   request.poses = build_target_set("vrm", spec);
   request.neck_steps = 2;
   const FigureRig rig = build_figure_rig(figure, request);
-  VrmScene scene{figure.model, rig.rig, work.title(), spec.author, spec.licence};
+  const Atlas atlas = build_figure_atlas(figure);
+  const GltfPaint paint = paint_skin(work, atlas);
+  VrmScene scene{figure.model, rig.rig, work.title(), spec.author, spec.licence, &paint};
   scene.eye_up_deg = glm::degrees(figure.face.eye_up_rad);
   scene.eye_down_deg = glm::degrees(figure.face.eye_down_rad);
   scene.eye_side_deg = glm::degrees(figure.face.eye_side_rad);

@@ -36,6 +36,14 @@ struct DrawnPart {
   std::vector<std::vector<std::uint32_t>> drawn_as;  // of each vertex of the part
 };
 
+// As its atlas has it: a vertex of the cut is there twice.
+DrawnPart draw_painted(const Part& part, const Atlas& atlas) {
+  DrawnPart drawn{atlas.vertices, atlas.triangles, {}, {}};
+  drawn.drawn_as.resize(part.rest.positions.size());
+  for (std::uint32_t v = 0; v < atlas.vertices.size(); ++v) drawn.drawn_as[atlas.vertices[v]].push_back(v);
+  return drawn;
+}
+
 // In the part's own order; where triangles have shades, by vertex and then shade.
 DrawnPart draw_part(const Part& part, const SurfaceLook& look) {
   DrawnPart drawn;
@@ -93,6 +101,27 @@ int take_material(GltfWork& work, const std::string& name, const SurfaceLook& lo
   return found->second;
 }
 
+// The picture of a part's material.
+void paint_material(tinygltf::Model& model, const GltfPaint& paint, int material) {
+  tinygltf::Image image;
+  image.name = "skin";
+  image.mimeType = "image/png";
+  image.bufferView = add_view(model, paint.png);
+  model.images.push_back(image);
+  tinygltf::Texture texture;
+  texture.source = static_cast<int>(model.images.size()) - 1;
+  model.textures.push_back(texture);
+  model.materials[material].pbrMetallicRoughness.baseColorTexture.index =
+      static_cast<int>(model.textures.size()) - 1;
+}
+
+// glTF's pictures begin at the top.
+std::vector<glm::vec2> flip_places(const std::vector<glm::vec2>& places) {
+  std::vector<glm::vec2> flipped;
+  for (const glm::vec2& place : places) flipped.emplace_back(place.x, 1 - place.y);
+  return flipped;
+}
+
 // Of a drawn vertex the joints and their shares: 255 is all.
 void add_skin_weights(tinygltf::Model& model, const std::vector<JointShare>& shares, tinygltf::Primitive& primitive) {
   std::vector<glm::u8vec4> joints, weights;
@@ -144,7 +173,8 @@ void add_part(GltfWork& work, std::size_t index) {
   const Part& part = work.scene.model.parts[index];
   const RigPart& rigged = work.scene.rig.parts[index];
   const SurfaceLook look = find_surface_look(part.material);
-  const DrawnPart drawn = draw_part(part, look);
+  const GltfPaint* paint = work.scene.paint && work.scene.paint->part == index ? work.scene.paint : nullptr;
+  const DrawnPart drawn = paint ? draw_painted(part, paint->atlas) : draw_part(part, look);
   if (drawn.triangles.empty()) return;
   tinygltf::Model& model = work.model;
   std::vector<glm::vec3> places = pick(part.rest.positions, drawn.from);
@@ -161,7 +191,12 @@ void add_part(GltfWork& work, std::size_t index) {
     for (glm::vec3& normal : normals) normal = glm::normalize(normal);
     primitive.attributes["NORMAL"] = add_vectors(model, normals, false, kVertices);
   }
-  primitive.attributes["COLOR_0"] = add_bytes(model, drawn.colours, true, kVertices);
+  if (paint) {
+    primitive.attributes["TEXCOORD_0"] = add_pairs(model, flip_places(paint->atlas.places), kVertices);
+    paint_material(model, *paint, primitive.material);
+  } else {
+    primitive.attributes["COLOR_0"] = add_bytes(model, drawn.colours, true, kVertices);
+  }
   primitive.indices = add_indices(model, drawn.triangles);
   tinygltf::Node node;
   node.name = part.name;

@@ -8,15 +8,24 @@
 
 #include <string>
 
+#include "core/atlas.hpp"
 #include "core/rig.hpp"
 
 namespace mien {
+
+// A picture over a part instead of its colours.
+struct GltfPaint {
+  std::size_t part = 0;  // in the model
+  const Atlas& atlas;
+  std::string png;  // a file's content, sRGB
+};
 
 struct GltfScene {
   const Model& model;
   const Rig& rig;
   const RigTake& take;  // one pose is no animation
   std::string title;
+  const GltfPaint* paint = nullptr;
 };
 
 // The content of a file: .glb if `is_binary`, else .gltf with its numbers inside as base64. The same bytes

@@ -165,7 +165,7 @@ std::string build_vrm(const VrmScene& scene) {
     return pose;
   }();
   const RigTake take{{0}, {rest}};
-  GltfModel built = build_gltf_model({scene.model, scene.rig, take, scene.title});
+  GltfModel built = build_gltf_model({scene.model, scene.rig, take, scene.title, scene.paint});
   Json vrm{{"specVersion", "1.0"}, {"meta", build_meta(scene)}};
   vrm["humanoid"] = {{"humanBones", add_bones(scene, built)}};
   vrm["lookAt"] = build_look_at(scene);

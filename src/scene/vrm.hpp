@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/rig.hpp"
+#include "scene/gltf.hpp"
 
 namespace mien {
 
@@ -12,6 +13,7 @@ struct VrmScene {
   const Model& model;
   const Rig& rig;  // "shoulders", "neck", "head", "eye_left", "eye_right", "jaw"; its targets are expressions
   std::string title, author, licence;
+  const GltfPaint* paint = nullptr;
   double eye_up_deg = 20, eye_down_deg = 20, eye_side_deg = 25;  // how far eyes turn
   glm::dvec3 eyes_mm{0};                                         // midway between the pupils
 };
