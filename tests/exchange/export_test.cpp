@@ -1,0 +1,245 @@
+// What `mien export` writes is what the face does, read back by rules that are not ours.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "clip/moment.hpp"
+#include "clip/view.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
+#include "exchange/exports.hpp"
+#include "exchange/gltf_probe.hpp"
+#include "exchange/target_sets.hpp"
+#include "render/scratch.hpp"
+#include "shipped.hpp"
+
+namespace mien {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kClip = R"(
+clip:
+  fps: 24
+  length: 1.5s
+  turn:
+    - {at: 0s, turn: 0deg}
+    - {at: 0.6s, turn: 30deg, nod: 12deg}
+    - {at: 1.2s, turn: -20deg, tilt: 10deg}
+  keys:
+    - {at: 0s, express: neutral}
+    - {at: 0.4s, express: surprise}
+    - {at: 0.8s, express: laugh}
+    - {at: 1.2s, express: anger, areas: {eyes: {side: 0.7, up: -0.5}}}
+    - {at: 1.5s, areas: {lids: {upper: -1}}}
+)";
+
+// One face with its clip, made once a head.
+struct Exported {
+  Clip clip;
+  Figure figure;
+  Performance performance;
+};
+
+Exported open_exported(const fs::path& folder, const std::string& head) {
+  write_file(folder / "face.yaml", fmt::format("mien: 1\ntitle: A face\nhead: {}{}", head, kClip));
+  Options options;
+  options.file = folder / "face.yaml";
+  Exported made{plan_clip(options, *shipped().stock.language), {}, {}};
+  made.figure = build_figure(shipped().heads, made.clip.actors.front().head);
+  made.performance = made.clip.actors.front().performance;
+  made.performance.idle.eyes = compute_eyes(made.figure, made.clip.spec.render);
+  return made;
+}
+
+std::string write_to(const Exported& made, const Options& options, const fs::path& path) {
+  write_export({options, made.clip, made.figure, made.performance, 1, made.clip.frame_count}, path);
+  return read_file(path);
+}
+
+// The farthest that a vertex of any part is from where the face has it, mm.
+double measure_worst(const Exported& made, const tinygltf::Model& model, double time_s) {
+  const auto told = place_gltf(model, time_s);
+  const Drawing drawing = draw_moment(made.figure, sample_performance(made.performance, time_s));
+  double worst = 0;
+  for (std::size_t p = 0; p < made.figure.model.parts.size(); ++p) {
+    const Part& part = made.figure.model.parts[p];
+    if (!part.triangle_shade.empty()) continue;  // its vertices are there several times
+    const std::vector<glm::dvec3>& places = told.at(part.name);
+    for (std::size_t v = 0; v < places.size(); ++v) {
+      if (part.name == "skin" && v >= part.rest.positions.size()) break;  // those of the cut again
+      const glm::dvec3 truth =
+          part.is_rigid ? glm::dvec3(drawing.parts[p].world_from_rest * glm::vec4(part.rest.positions[v], 1))
+                        : glm::dvec3(drawing.parts[p].positions[v]);
+      worst = std::max(worst, glm::distance(truth, places[v]));
+    }
+  }
+  return worst;
+}
+
+TEST(exports, gltf_is_the_face_at_any_time) {
+  const auto folder = make_folder("export_gltf");
+  for (const char* head : {"{hair: crop}", "{age: child, design: comic}"}) {
+    const Exported made = open_exported(folder, head);
+    const tinygltf::Model model = read_gltf(write_to(made, {}, folder / "face.glb"));
+    std::mt19937 random(21);
+    for (int i = 0; i < 12; ++i) {
+      const double time_s = std::uniform_real_distribution<double>(0, 1.5)(random);
+      EXPECT_LT(measure_worst(made, model, time_s), 0.15) << head << " at " << time_s;
+    }
+    for (const int frame : {0, 9, 19, 36})
+      EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.08) << head << " frame " << frame;
+  }
+}
+
+TEST(exports, exact_gltf_has_no_error_at_frames) {
+  const auto folder = make_folder("export_exact");
+  const Exported made = open_exported(folder, "{}");
+  Options options;
+  options.is_exact = true;
+  const tinygltf::Model model = read_gltf(write_to(made, options, folder / "face.gltf"));
+  for (const int frame : {0, 5, 9, 19, 28, 36}) EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.02) << frame;
+}
+
+TEST(exports, gltf_names_its_targets_and_keeps_their_weights_in_range) {
+  const auto folder = make_folder("export_names");
+  const Exported made = open_exported(folder, "{}");
+  const tinygltf::Model model = read_gltf(write_to(made, {}, folder / "face.glb"));
+  std::set<std::string> names;
+  for (const tinygltf::Mesh& mesh : model.meshes) {
+    if (mesh.primitives[0].targets.empty()) continue;
+    const tinygltf::Value& told = mesh.extras.Get("targetNames");
+    ASSERT_EQ(told.ArrayLen(), mesh.primitives[0].targets.size());
+    for (std::size_t i = 0; i < told.ArrayLen(); ++i) names.insert(told.Get(static_cast<int>(i)).Get<std::string>());
+  }
+  for (std::size_t move = 0; move < kMoveCount; ++move) {
+    EXPECT_TRUE(names.contains(name_move_target(move, kMoves[move].high))) << kMoves[move].area << kMoves[move].move;
+    if (kMoves[move].low < 0) EXPECT_TRUE(names.contains(name_move_target(move, kMoves[move].low)));
+  }
+  EXPECT_EQ(name_move_target(find_move(Area::lid, Side::left, "upper").value(), -0.5), "lid.left.shut@50");
+  for (const tinygltf::AnimationChannel& channel : model.animations.at(0).channels) {
+    if (channel.target_path != "weights") continue;
+    const auto& accessor = model.accessors[model.animations[0].samplers[channel.sampler].output];
+    const auto& view = model.bufferViews[accessor.bufferView];
+    for (std::size_t i = 0; i < accessor.count; ++i) {
+      float weight;
+      std::memcpy(&weight, &model.buffers[0].data[view.byteOffset + 4 * i], 4);
+      EXPECT_GE(weight, 0);
+      EXPECT_LE(weight, 1.0001f);
+    }
+  }
+}
+
+TEST(exports, gltf_is_the_same_bytes_whatever_the_threads) {
+  const auto folder = make_folder("export_bytes");
+  const Exported made = open_exported(folder, "{}");
+  set_job_count(1);
+  const std::string one = write_to(made, {}, folder / "one.glb");
+  set_job_count(0);
+  EXPECT_EQ(write_to(made, {}, folder / "all.glb"), one);
+}
+
+TEST(exports, targets_of_expressions_play_the_clip_too) {
+  const auto folder = make_folder("export_expressions");
+  const Exported made = open_exported(folder, "{}");
+  Options options;
+  options.targets = "expressions";
+  const tinygltf::Model model = read_gltf(write_to(made, options, folder / "face.glb"));
+  for (const int frame : {0, 9, 19, 28}) EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.15) << frame;
+  try {
+    build_target_set("apple", made.clip.spec);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "--targets apple: unknown set of targets; expected one of: moves, expressions, vrm");
+  }
+}
+
+TEST(exports, vrm_has_the_bones_and_expressions_that_avatars_need) {
+  const auto folder = make_folder("export_vrm");
+  Exported made = open_exported(folder, "{hair: bob}");
+  made.clip.spec.author = "An Author";
+  made.clip.spec.licence = "https://example.org/terms";
+  const tinygltf::Model model = read_gltf(write_to(made, {}, folder / "face.vrm"));
+  EXPECT_THAT(model.extensionsUsed, testing::ElementsAre("VRMC_vrm"));
+  const tinygltf::Value& vrm = model.extensions.at("VRMC_vrm");
+  EXPECT_EQ(vrm.Get("specVersion").Get<std::string>(), "1.0");
+  EXPECT_EQ(vrm.Get("meta").Get("authors").Get(0).Get<std::string>(), "An Author");
+  EXPECT_EQ(vrm.Get("meta").Get("otherLicenseUrl").Get<std::string>(), "https://example.org/terms");
+  const tinygltf::Value& bones = vrm.Get("humanoid").Get("humanBones");
+  std::set<int> nodes;
+  for (const char* bone :
+       {"hips", "spine", "head", "leftUpperLeg", "leftLowerLeg", "leftFoot", "rightUpperLeg", "rightLowerLeg",
+        "rightFoot", "leftUpperArm", "leftLowerArm", "leftHand", "rightUpperArm", "rightLowerArm", "rightHand",
+        "leftEye", "rightEye", "jaw", "neck"}) {
+    ASSERT_TRUE(bones.Has(bone)) << bone;
+    nodes.insert(bones.Get(bone).Get("node").GetNumberAsInt());
+  }
+  EXPECT_EQ(nodes.size(), 19u) << "a node each";
+  for (const char* preset : {"happy", "angry", "sad", "relaxed", "surprised", "aa", "ih", "ou", "ee", "oh", "blink",
+                             "blinkLeft", "blinkRight"}) {
+    const tinygltf::Value& binds = vrm.Get("expressions").Get("preset").Get(preset).Get("morphTargetBinds");
+    ASSERT_GT(binds.ArrayLen(), 0u) << preset;
+    for (std::size_t i = 0; i < binds.ArrayLen(); ++i) {
+      const tinygltf::Node& node = model.nodes.at(binds.Get(static_cast<int>(i)).Get("node").GetNumberAsInt());
+      const std::size_t target = binds.Get(static_cast<int>(i)).Get("index").GetNumberAsInt();
+      const tinygltf::Mesh& mesh = model.meshes.at(node.mesh);
+      ASSERT_LT(target, mesh.primitives[0].targets.size());
+      EXPECT_EQ(mesh.extras.Get("targetNames").Get(static_cast<int>(target)).Get<std::string>(), preset);
+    }
+  }
+  const auto places = place_gltf(model, 0);
+  EXPECT_GT(places.at("skin")[0].y, 1200) << "feet stand on the ground";
+}
+
+TEST(exports, usd_has_all_parts_joints_and_times) {
+  const auto folder = make_folder("export_usd");
+  const Exported made = open_exported(folder, "{}");
+  const std::string usd = write_to(made, {}, folder / "face.usda");
+  EXPECT_TRUE(usd.starts_with("#usda 1.0\n"));
+  for (const Part& part : made.figure.model.parts) EXPECT_NE(usd.find(fmt::format("def Mesh \"{}\"", part.name)), usd.npos);
+  EXPECT_NE(usd.find("\"shoulders/neck_1/neck_2/neck_3/neck_4/neck_5/neck_6/neck_7/head/jaw\""), usd.npos);
+  EXPECT_NE(usd.find("endTimeCode = 36\n"), usd.npos);
+  EXPECT_NE(usd.find("def BlendShape \"lid_left_shut\""), usd.npos);
+  for (const auto& [open, shut] : {std::pair('{', '}'), {'[', ']'}, {'(', ')'}})
+    EXPECT_EQ(std::ranges::count(usd, open), std::ranges::count(usd, shut)) << open;
+  EXPECT_EQ(usd.find("nan"), usd.npos);
+}
+
+TEST(exports, table_is_read_back_as_the_same_performance) {
+  const auto folder = make_folder("export_table");
+  const Exported made = open_exported(folder, "{}");
+  write_to(made, {}, folder / "moves.csv");
+  write_file(folder / "again.yaml", "mien: 1\nclip: {fps: 24, length: 1.5s, tracks: [{csv: moves.csv}]}\n");
+  Options options;
+  options.file = folder / "again.yaml";
+  const Clip again = plan_clip(options, *shipped().stock.language);
+  for (int frame = 0; frame <= 36; ++frame) {
+    const Pose asked = sample_performance(made.performance, frame / 24.0).pose;
+    const Pose told = sample_performance(again.actors.front().performance, frame / 24.0).pose;
+    for (std::size_t m = 0; m < kMoveCount; ++m) EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << frame;
+  }
+}
+
+TEST(exports, sequences_have_a_file_a_frame) {
+  const auto folder = make_folder("export_sequence");
+  const Exported made = open_exported(folder, "{}");
+  write_export({{}, made.clip, made.figure, made.performance, 10, 11}, folder / "face_%04d.obj");
+  EXPECT_THAT(list_files(folder), testing::UnorderedElementsAre("face.yaml", "face_0010.obj", "face_0011.obj"));
+  EXPECT_EQ(name_frame_file("a/b%d.ply", 12), "a/b12.ply");
+  for (const char* wrong : {"face.obj", "face_%s.obj", "a%04d_%04d.obj"}) try {
+      name_frame_file(wrong, 1);
+      FAIL() << wrong;
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.what(),
+                fmt::format("-o {}: each frame is a file of its own; expected a name with a place for its number, such "
+                            "as {}_%04d.obj",
+                            wrong, fs::path(wrong).stem().string()));
+    }
+}
+
+}  // namespace
+}  // namespace mien
