@@ -25,6 +25,7 @@ std::string describe_head(const HeadSpec& head) {
                        stroke.radius_mm);
   const Look& look = head.look;
   all += fmt::format("{}{}{};", look.is_brow_given, look.is_hair_given, look.are_age_spots_given);
+  if (look.texture) all += "texture " + describe_file(*look.texture);
   if (head.mesh) all += "mesh " + describe_file(*head.mesh);
   if (head.scan) all += "scan " + describe_file(*head.scan);
   for (const HeadShare& share : head.mix)

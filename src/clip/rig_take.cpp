@@ -12,9 +12,9 @@ namespace mien {
 
 namespace {
 
-constexpr int kMostHalvings = 4;         // of the time between two frames
+constexpr int kMostHalvings = 4;             // of the time between two frames
 constexpr double kBetweenTargets_mm = 0.25;  // of one move; corrections mend the rest
-constexpr std::size_t kMostStudied = 480;  // frames that corrections are found at; all are measured
+constexpr std::size_t kMostStudied = 480;    // frames that corrections are found at; all are measured
 
 using Places = std::vector<glm::vec3>;
 
@@ -124,7 +124,8 @@ std::vector<double> choose_studied(const std::vector<double>& times) {
 }
 
 // Which vertices are ever further off than a part of what is allowed.
-std::vector<std::uint32_t> list_missed(const TakeWork& work, const std::vector<double>& times, double& worst_mm) {
+std::vector<std::uint32_t> list_missed(const TakeWork& work, const std::vector<double>& times,
+                                       double& worst_mm) {
   const std::size_t workers = count_workers();
   std::vector<std::vector<float>> longest(workers);
   for_each_index(times.size(), static_cast<int>(workers), [&](std::size_t i, int worker) {
@@ -270,8 +271,9 @@ std::vector<double> list_frame_times(const RigTakeRequest& request) {
 
 RigTake sample_poses(const TakeWork& work, const std::vector<double>& times, RigError& error) {
   std::vector<Instant> frames(times.size());
-  for_each_index(times.size(), count_workers(),
-                 [&](std::size_t i, int) { frames[i] = {times[i], pose_take(work, times[i])}; });
+  for_each_index(times.size(), count_workers(), [&](std::size_t i, int) {
+    frames[i] = {times[i], pose_take(work, times[i])};
+  });
   std::vector<std::vector<Instant>> between(times.size());
   std::vector<double> off(times.size(), 0);
   for_each_index(times.size() - 1, count_workers(), [&](std::size_t i, int) {

@@ -21,20 +21,20 @@ struct RigTakeRequest {
   double between_mm = 0.1;     // and between frames
   int most_corrections = 64;
   std::vector<TargetPose> poses = {};  // targets of these instead of moves
-  int neck_steps = 0;     // joints of the neck; 0: as many as it takes
-  bool is_exact = false;  // a target a frame instead of all others: no error but that of numbers
+  int neck_steps = 0;                  // joints of the neck; 0: as many as it takes
+  bool is_exact = false;               // a target a frame instead of all others: no error but that of numbers
   double fps = 24;
-  double from_s = 0;      // where the take's time 0 is
-  int frames = 1;         // one pose for a still
+  double from_s = 0;  // where the take's time 0 is
+  int frames = 1;     // one pose for a still
 };
 
 // How far vertices are from where deform_figure has them, at every time of the take and between each two.
 struct RigError {
   double worst_mm = 0, mean_mm = 0;  // the mean over all vertices that bend, of the frames
   double worst_s = 0;                // when, in the take
-  std::string worst_part;  // empty: nothing is off at all
-  double between_mm = 0;   // the worst half-way between two times
-  double uncorrected_mm = 0;  // the worst with the targets of moves alone
+  std::string worst_part;            // empty: nothing is off at all
+  double between_mm = 0;             // the worst half-way between two times
+  double uncorrected_mm = 0;         // the worst with the targets of moves alone
 };
 
 struct RiggedClip {

@@ -31,7 +31,8 @@ bool is_layout_alone(const Options& options) { return options.uv && !options.out
 
 // All files of it, judged before anything is computed.
 fs::path take_output(const Options& options, const Clip& clip) {
-  const OutputFile output = find_output_file(options, fs::path("out") / clip.spec.name / (clip.spec.name + ".glb"));
+  const OutputFile output =
+      find_output_file(options, fs::path("out") / clip.spec.name / (clip.spec.name + ".glb"));
   std::vector<OutputFile> files;
   if (options.uv) {
     files.push_back({"--uv", *options.uv});
@@ -39,6 +40,8 @@ fs::path take_output(const Options& options, const Clip& clip) {
   }
   if (!is_layout_alone(options)) check_ending(output, "export", list_export_endings());
   if (!is_layout_alone(options) && !is_sequence(find_ending(output.path))) files.push_back(output);
+  if (!is_layout_alone(options) && !find_companion(output.path).empty())
+    files.push_back({"-o", find_companion(output.path)});
   if (!is_layout_alone(options) && is_sequence(find_ending(output.path))) {
     const auto [first, last] = find_frames(options, clip);
     for (int frame = first; frame <= last; ++frame)
@@ -54,18 +57,20 @@ void run_export(const Options& options) {
   const Clip clip = plan_clip(options, *resources.stock.language);
   const Actor& actor = find_actor(clip, options);
   if (!actor.performance.clip.head.empty())
-    throw InputError(fmt::format("{}: the head changes in time, and one that is exported stays as it is; expected a "
-                                 "clip without keys of 'head'",
-                                 clip.spec.file.string()));
+    throw InputError(
+        fmt::format("{}: the head changes in time, and one that is exported stays as it is; expected a "
+                    "clip without keys of 'head'",
+                    clip.spec.file.string()));
   build_target_set(options.targets, clip.spec);  // a mistake is told before anything is built
   const fs::path path = take_output(options, clip);
   const Figure figure = build_figure(resources.heads, actor.head);
   const auto [first, last] = find_frames(options, clip);
-  ExportWork work{options, clip, figure, actor.performance, first, last};
+  ExportWork work{options, clip, figure, resources.stock.templates, actor.performance, first, last};
   work.performance.idle.eyes = compute_eyes(figure, clip.spec.render);
   report_starts(options, {actor.head}, resources.heads);
   if (options.uv) {
-    write_file(*options.uv, build_png(draw_layout(figure.model.parts.front(), build_figure_atlas(figure), kLayoutSize_px)));
+    write_file(*options.uv, build_png(draw_layout(figure.model.parts.front(), build_figure_atlas(figure),
+                                                  kLayoutSize_px)));
     report_result(options, "layout", *options.uv);
   }
   if (is_layout_alone(options)) return;
@@ -89,7 +94,9 @@ const CommandInfo command_export{
     "the face and what it plays, for other programs",
     "Writes the face and its clip in the format that the name after -o ends in: .glb or .gltf (a rig with\n"
     "a target for each move, joints, and the clip as its animation; how far it is from mien's own face is\n"
-    "told), .vrm (for avatars), .usda (as .glb), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of points for the mesh\n"
+    "told), .vrm (for avatars), .usda (as .glb), .py (a script\n"
+    "for Blender and its .glb), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of "
+    "points for the mesh\n"
     "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
     "actor targets exact uv",
     "mien export configs/hello.yaml -o hello.glb\n"

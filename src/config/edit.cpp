@@ -62,8 +62,9 @@ std::string find_long_form(const EditText& text, std::uint32_t node, const YamlP
 }
 
 // Sections of a file in the order in which files have them.
-constexpr std::array<std::string_view, 12> kSectionOrder{
-    "mien", "title", "author", "licence", "library", "exaggerate", "head", "expressions", "actors", "clip", "render", "busts"};
+constexpr std::array<std::string_view, 12> kSectionOrder{"mien",    "title",      "author", "licence",
+                                                         "library", "exaggerate", "head",   "expressions",
+                                                         "actors",  "clip",       "render", "busts"};
 
 std::size_t find_section_rank(const std::string& key) {
   return static_cast<std::size_t>(std::ranges::find(kSectionOrder, key) - kSectionOrder.begin());

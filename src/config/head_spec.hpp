@@ -17,6 +17,12 @@ namespace mien {
 // Weights by name, each above 0, summing to 1: `age: adult` is {{"adult", 1}}.
 using Mix = std::map<std::string, double>;
 
+// A file that another file names, as found from the folder of the file that names it.
+struct FileReference {
+  std::filesystem::path path;
+  Place place;  // where it is named, for messages
+};
+
 struct Look {
   glm::vec3 skin{0.863f, 0.682f, 0.561f};             // "#dcae8f", srgb 0..1
   std::optional<glm::vec3> lips;                      // empty: made from the skin's colour
@@ -26,20 +32,15 @@ struct Look {
   std::optional<glm::vec3> brow_old, hair_old;        // on a head that is all `old`; empty: the same
   bool is_brow_given = false, is_hair_given = false;  // by the author: such a colour stays
   std::string beard = "none";                         // one of templates/head/hair.yaml; children have none
-  double lips_share = 1;                // of the way from that colour to `lips`: less only between keys
-  double freckles = 0, age_spots = 0;   // 0 none .. 1 as many as a skin has
-  std::optional<double> age_spots_old;  // on a head that is all `old`; empty: the same
-  bool are_age_spots_given = false;     // by the author: they stay
+  double lips_share = 1;                      // of the way from that colour to `lips`: less only between keys
+  double freckles = 0, age_spots = 0;         // 0 none .. 1 as many as a skin has
+  std::optional<double> age_spots_old;        // on a head that is all `old`; empty: the same
+  bool are_age_spots_given = false;           // by the author: they stay
+  std::optional<FileReference> texture = {};  // a picture over the skin, on the atlas of `mien export --uv`
 };
 
 // The same with brow, hair and age spots as they are at an age.
 Look compute_aged_look(const Look& look, const Mix& age);
-
-// A file that another file names, as found from the folder of the file that names it.
-struct FileReference {
-  std::filesystem::path path;
-  Place place;  // where it is named, for messages
-};
 
 // One local edit: the skin within `radius_mm` of a landmark follows `move_mm`, less and less outward.
 struct SculptStroke {

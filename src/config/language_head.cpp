@@ -50,7 +50,12 @@ void fill_look(Section& look) {
        "The brown spots of old skin on temples, forehead and cheekbones: 0 none, 1 many. Without it an old "
        "head "
        "has some.",
-       dial}};
+       dial},
+      {"texture",
+       {as_file({".png"})},
+       "A painted skin: a picture on the layout that `mien export FILE --uv uv.png` draws, the same for "
+       "every head. Its "
+       "colours take the place of the skin's, as finely as the skin has points."}};
   look.keys[5].forms[0].data = "beards";
 }
 

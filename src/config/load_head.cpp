@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "config/limits.hpp"
+#include "config/named_file.hpp"
 #include "config/sections.hpp"
 #include "core/seeded.hpp"
 
@@ -133,6 +134,7 @@ void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   look.is_brow_given = look.is_brow_given || says_brow;
   if (const Look* brow = take_named_look(entries, "brow", words.hair_colours)) look.brow = brow->brow;
   if (const YamlValue* beard = find_value(entries, "beard")) load_name(*beard, look.beard);
+  if (const YamlValue* texture = find_value(entries, "texture")) load_file(*texture, look.texture);
   load_look_words(entries, look);
 }
 

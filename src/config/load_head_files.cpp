@@ -71,9 +71,12 @@ void mix_looks(HeadSpec& head) {
     lips += weight * *other.look.lips;
     lips_weight += weight;
   }
-  // Whoever has most of it says whether there is a beard.
+  // Whoever has most of it says whether there is a beard, and a painted skin.
   const auto most = std::ranges::max_element(head.mix, {}, &HeadShare::weight);
-  if (most != head.mix.end()) sum.beard = most->head.look.beard;
+  if (most != head.mix.end()) {
+    sum.beard = most->head.look.beard;
+    sum.texture = most->head.look.texture;
+  }
   if (lips_weight > 0) sum.lips = lips / lips_weight;
   head.look = sum;
 }

@@ -14,7 +14,7 @@ Templates load_templates(const fs::path& data_folder) {
   const auto add = [&](const fs::path& path) {
     templates[path.lexically_relative(folder).generic_string()] = {path.string(), read_file(path)};
   };
-  for (const char* part : {"povray", "openscad"})
+  for (const char* part : {"povray", "openscad", "blender"})
     for (const auto& entry : fs::directory_iterator(folder / part))
       if (entry.is_regular_file()) add(entry.path());
   return templates;

@@ -16,7 +16,7 @@ struct Stock {
   LanguagePointer language;                            // libraries of expressions, words of heads
   std::map<std::string, std::string> library_sources;  // library -> the work it follows
   HeadDataPointer head;
-  Templates templates;  // povray/* and openscad/* of templates/
+  Templates templates;  // povray/*, openscad/* and blender/* of templates/
 };
 
 // Throws InputError with every mistake of these files at its place; what cannot be read, and a broken line of

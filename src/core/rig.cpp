@@ -45,7 +45,8 @@ std::vector<glm::vec3> place_rig_part(const RigPart& part, const std::vector<glm
   }
   for (std::size_t v = 0; v < places.size(); ++v) {
     const glm::dvec4 place(places[v], 1);
-    places[v] = part.shares.empty() ? worlds[part.joint] * place : blend_joints(part.shares[v], worlds) * place;
+    places[v] =
+        part.shares.empty() ? worlds[part.joint] * place : blend_joints(part.shares[v], worlds) * place;
   }
   return places;
 }

@@ -18,9 +18,9 @@
 namespace mien {
 
 struct RigJoint {
-  std::string name;      // a lower-case identifier
-  int parent = -1;       // before it in the list; -1: the stage
-  glm::dvec3 at_mm{0};   // at rest, in the world; nothing is turned at rest
+  std::string name;     // a lower-case identifier
+  int parent = -1;      // before it in the list; -1: the stage
+  glm::dvec3 at_mm{0};  // at rest, in the world; nothing is turned at rest
 };
 
 // Which of two joints carries a vertex: the second by `share`, the first by the rest.
@@ -36,9 +36,9 @@ struct RigTarget {
 };
 
 struct RigPart {
-  int joint = 0;                    // of a rigid part
-  std::vector<JointShare> shares;   // of a bent one, one a vertex; empty: it is rigid
-  std::vector<RigTarget> targets;   // those that move it
+  int joint = 0;                   // of a rigid part
+  std::vector<JointShare> shares;  // of a bent one, one a vertex; empty: it is rigid
+  std::vector<RigTarget> targets;  // those that move it
 };
 
 struct Rig {
@@ -71,7 +71,8 @@ std::vector<glm::dmat4> compute_joint_worlds(const Rig& rig, const RigPose& pose
 
 // Where the vertices of a part lie. `rest` are those of the model's part.
 std::vector<glm::vec3> place_rig_part(const RigPart& part, const std::vector<glm::vec3>& rest,
-                                      const std::vector<float>& weights, const std::vector<glm::dmat4>& worlds);
+                                      const std::vector<float>& weights,
+                                      const std::vector<glm::dmat4>& worlds);
 
 // Linear blend skinning of one vertex: world from rest.
 glm::dmat4 blend_joints(const JointShare& share, const std::vector<glm::dmat4>& worlds);

@@ -24,8 +24,8 @@ ExportNotes export_points(const ExportWork& work, const std::filesystem::path& p
     }
   }
   write_file(path, find_ending(path) == ".pc2" ? build_pc2(cache) : build_mdd(cache));
-  return {fmt::format("{} points in {} frames, in the order of `mien mesh -o face.obj`", cache.frames.front().size(),
-                      cache.frames.size())};
+  return {fmt::format("{} points in {} frames, in the order of `mien mesh -o face.obj`",
+                      cache.frames.front().size(), cache.frames.size())};
 }
 
 }  // namespace mien

@@ -2,13 +2,16 @@
 
 #include <fmt/format.h>
 
+#include <nlohmann/json.hpp>
+
 #include "clip/rig_take.hpp"
 #include "core/text.hpp"
-#include "render/work_folder.hpp"
 #include "exchange/skin_paint.hpp"
 #include "exchange/target_sets.hpp"
 #include "frames/figure_atlas.hpp"
+#include "render/work_folder.hpp"
 #include "scene/gltf.hpp"
+#include "scene/title.hpp"
 #include "scene/usd.hpp"
 #include "scene/vrm.hpp"
 
@@ -30,10 +33,11 @@ ExportNotes note_rig(const RiggedClip& clip) {
   const RigError& error = clip.error;
   return {fmt::format("{} joints, {} targets, {} of them corrections; {} poses", clip.rig.joints.size(),
                       clip.rig.targets.size(), clip.corrections, clip.take.poses.size()),
-          fmt::format("at most {:.2g} mm from the face itself ({} at {:.2f} s), {:.2g} mm between poses; {:.2g} mm "
-                      "without corrections",
-                      error.worst_mm, error.worst_part.empty() ? "skin" : error.worst_part, error.worst_s,
-                      error.between_mm, error.uncorrected_mm)};
+          fmt::format(
+              "at most {:.2g} mm from the face itself ({} at {:.2f} s), {:.2g} mm between poses; {:.2g} mm "
+              "without corrections",
+              error.worst_mm, error.worst_part.empty() ? "skin" : error.worst_part, error.worst_s,
+              error.between_mm, error.uncorrected_mm)};
 }
 
 GltfPaint paint_skin(const ExportWork& work, const Atlas& atlas) {
@@ -55,6 +59,20 @@ ExportNotes export_usd(const ExportWork& work, const std::filesystem::path& path
   const RiggedClip clip = build_rig_of(work);
   write_file(path, build_usd({work.figure.model, clip.rig, clip.take, work.title(), work.fps()}));
   return note_rig(clip);
+}
+
+ExportNotes export_script(const ExportWork& work, const std::filesystem::path& path) {
+  const std::filesystem::path glb = find_companion(path);
+  const std::string name = glb.filename().string();
+  const ExportNotes notes = export_gltf(work, glb);
+  write_file(path, fill_template(work.templates, "blender/setup.py",
+                                 {{"title", clean_title(work.title())},
+                                  {"glb", clean_title(name)},
+                                  {"script", clean_title(path.filename().string())},
+                                  {"glb_string", nlohmann::json(name).dump(-1, ' ', true)},
+                                  {"fps", format_number(work.fps(), 3)},
+                                  {"last_frame", std::to_string(work.frame_count() - 1)}}));
+  return notes;
 }
 
 ExportNotes export_vrm(const ExportWork& work, const std::filesystem::path& path) {

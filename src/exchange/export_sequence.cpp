@@ -17,9 +17,11 @@ ExportNotes export_sequence(const ExportWork& work, const std::filesystem::path&
     const Drawing drawing =
         draw_moment(work.figure, sample_performance(work.performance, work.compute_time_s(frame)));
     write_file(name_frame_file(path, frame),
-               build_mesh_file(ending, work.figure.model, drawing, fmt::format("{}, frame {}", work.title(), frame)));
+               build_mesh_file(ending, work.figure.model, drawing,
+                               fmt::format("{}, frame {}", work.title(), frame)));
   });
-  return {fmt::format("{} files, {} to {}", work.frame_count(), name_frame_file(path, work.first).filename().string(),
+  return {fmt::format("{} files, {} to {}", work.frame_count(),
+                      name_frame_file(path, work.first).filename().string(),
                       name_frame_file(path, work.last).filename().string())};
 }
 

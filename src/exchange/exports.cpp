@@ -24,12 +24,12 @@ struct ExportFormat {
 };
 
 constexpr std::array kExportFormats{
-    ExportFormat{".glb", false, export_gltf},     ExportFormat{".gltf", false, export_gltf},
-    ExportFormat{".vrm", false, export_vrm},
-    ExportFormat{".usda", false, export_usd},
-    ExportFormat{".csv", false, export_table},    ExportFormat{".pc2", false, export_points},
-    ExportFormat{".mdd", false, export_points},   ExportFormat{".obj", true, export_sequence},
-    ExportFormat{".ply", true, export_sequence},  ExportFormat{".stl", true, export_sequence},
+    ExportFormat{".glb", false, export_gltf},    ExportFormat{".gltf", false, export_gltf},
+    ExportFormat{".vrm", false, export_vrm},     ExportFormat{".usda", false, export_usd},
+    ExportFormat{".py", false, export_script},   ExportFormat{".csv", false, export_table},
+    ExportFormat{".pc2", false, export_points},  ExportFormat{".mdd", false, export_points},
+    ExportFormat{".obj", true, export_sequence}, ExportFormat{".ply", true, export_sequence},
+    ExportFormat{".stl", true, export_sequence},
 };
 
 const ExportFormat& find_format(const std::string& ending) {
@@ -61,6 +61,11 @@ std::filesystem::path name_frame_file(const std::filesystem::path& pattern, int 
   const std::string rest = found.suffix();
   if (rest.find('%') != std::string::npos) throw InputError(wrong);
   return pattern.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), frame, width, rest);
+}
+
+std::filesystem::path find_companion(const std::filesystem::path& path) {
+  if (find_ending(path) != ".py") return {};
+  return std::filesystem::path(path).replace_extension(".glb");
 }
 
 ExportNotes write_export(const ExportWork& work, const std::filesystem::path& path) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "clip/clip.hpp"
+#include "core/templates.hpp"
 #include "frames/figure.hpp"
 
 namespace mien {
@@ -16,6 +17,7 @@ struct ExportWork {
   const Options& options;
   const Clip& clip;
   const Figure& figure;
+  const Templates& templates;
   Performance performance;  // with the eyes of this figure
   int first = 1, last = 1;
 
@@ -37,6 +39,9 @@ bool is_sequence(const std::string& ending);
 
 // "face_%04d.obj" of frame 7: "face_0007.obj". Throws InputError unless there is one such place in its name.
 std::filesystem::path name_frame_file(const std::filesystem::path& pattern, int frame);
+
+// The file that is written beside one of this name: "setup.glb" of "setup.py"; empty if there is none.
+std::filesystem::path find_companion(const std::filesystem::path& path);
 
 // Writes the file, or those of a sequence; what must be said of it. Throws RunError, Interrupted.
 ExportNotes write_export(const ExportWork& work, const std::filesystem::path& path);

@@ -1,5 +1,5 @@
-// Triangles by their barycentric coordinates at the pixels' middles: J. Pineda, "A Parallel Algorithm for Polygon
-// Rasterization", SIGGRAPH 1988.
+// Triangles by their barycentric coordinates at the pixels' middles: J. Pineda, "A Parallel Algorithm for
+// Polygon Rasterization", SIGGRAPH 1988.
 #include "exchange/skin_paint.hpp"
 
 #include <algorithm>
@@ -23,12 +23,14 @@ void set_pixel(Canvas& canvas, int x, int y, const glm::vec3& srgb) {
   const std::size_t at = static_cast<std::size_t>(y) * canvas.size_px + x;
   canvas.is_covered[at] = true;
   for (int k = 0; k < 3; ++k)
-    canvas.pixels.rgb[3 * at + k] = static_cast<std::uint8_t>(std::lround(255 * std::clamp(srgb[k], 0.0f, 1.0f)));
+    canvas.pixels.rgb[3 * at + k] =
+        static_cast<std::uint8_t>(std::lround(255 * std::clamp(srgb[k], 0.0f, 1.0f)));
 }
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) { return a.x * b.y - a.y * b.x; }
 
-void fill_triangle(Canvas& canvas, const std::array<glm::dvec2, 3>& corners, const std::array<glm::vec3, 3>& colours) {
+void fill_triangle(Canvas& canvas, const std::array<glm::dvec2, 3>& corners,
+                   const std::array<glm::vec3, 3>& colours) {
   const double area = cross(corners[1] - corners[0], corners[2] - corners[0]);
   if (area == 0) return;
   const glm::dvec2 low = glm::min(glm::min(corners[0], corners[1]), corners[2]);
@@ -40,7 +42,8 @@ void fill_triangle(Canvas& canvas, const std::array<glm::dvec2, 3>& corners, con
       glm::vec3 colour(0);
       bool is_inside = true;
       for (int k = 0; k < 3; ++k) {
-        const double share = cross(corners[(k + 2) % 3] - corners[(k + 1) % 3], at - corners[(k + 1) % 3]) / area;
+        const double share =
+            cross(corners[(k + 2) % 3] - corners[(k + 1) % 3], at - corners[(k + 1) % 3]) / area;
         is_inside &= share >= -1e-9;
         colour += static_cast<float>(share) * colours[k];
       }

@@ -9,8 +9,8 @@ namespace mien {
 
 inline constexpr int kPaintSize_px = 1024, kLayoutSize_px = 2048;
 
-// The colours of a part's vertices, spread over its triangles; where nothing lies, the colour of what is next to it
-// in the row.
+// The colours of a part's vertices, spread over its triangles; where nothing lies, the colour of what is next
+// to it in the row.
 Pixels bake_colours(const Part& part, const Atlas& atlas, int size_px);
 
 // The edges of the triangles over the baked colours, brightened: what lies where.

@@ -8,6 +8,7 @@
 #include "core/float4.hpp"
 #include "core/pool.hpp"
 #include "face/fold_ground.hpp"
+#include "frames/figure_atlas.hpp"
 #include "head/beard.hpp"
 #include "head/dental_arch.hpp"
 #include "head/hair.hpp"
@@ -271,6 +272,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (const HeadPart& part : figure.parts) figure.roots.push_back(build_roots(part, figure.head, half_of));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
+  if (use == FigureUse::picture) paint_figure(stock, spec, figure);
   figure.redraw = build_redraw(figure.head, figure.face);
   if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of
                    // it is carved

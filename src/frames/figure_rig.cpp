@@ -27,7 +27,8 @@ RigJoint build_neck_joint(int step, int steps, const glm::dvec3& pivot) {
 JointShare share_neck(float share, int steps) {
   const float at = std::clamp(share, 0.0f, 1.0f) * static_cast<float>(steps);
   const int step = std::min(static_cast<int>(at), steps - 1);
-  return {static_cast<std::uint8_t>(step), static_cast<std::uint8_t>(step + 1), at - static_cast<float>(step)};
+  return {static_cast<std::uint8_t>(step), static_cast<std::uint8_t>(step + 1),
+          at - static_cast<float>(step)};
 }
 
 // How much of the head's turn each vertex of the skin takes: those that are added for fine relief, too.
@@ -147,8 +148,8 @@ double dot_poses(const Pose& a, const Pose& b) {
   return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), 0.0);
 }
 
-// The shares of poses, 0 to 1, whose sum is nearest to `pose`: coordinate descent on the least squares, with a
-// slight cost for shares, so that there is one answer and it changes steadily with the pose.
+// The shares of poses, 0 to 1, whose sum is nearest to `pose`: coordinate descent on the least squares, with
+// a slight cost for shares, so that there is one answer and it changes steadily with the pose.
 std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose& pose) {
   constexpr int kRounds = 200;
   constexpr double kCost = 1e-3;
@@ -213,8 +214,7 @@ std::vector<JointPlace> place_joints(const FigureRig& rig, const Figure& figure,
   std::vector<JointPlace> places;
   for (int j = 0; j < static_cast<int>(rig.rig.joints.size()); ++j) {
     const RigJoint& joint = rig.rig.joints[j];
-    glm::dmat4 world =
-        compute_turn(figure.face.turn_pivot, turn, std::min(1.0, double(j) / rig.head_joint));
+    glm::dmat4 world = compute_turn(figure.face.turn_pivot, turn, std::min(1.0, double(j) / rig.head_joint));
     if (j > rig.head_joint) {
       const Mount mount = kFaceMounts[j - rig.head_joint - 1];
       if (mount != Mount::jaw || rig.has_jaw) world = world * compute_motion(figure, mount, pose);

@@ -41,8 +41,8 @@ struct FigureRig {
 // About a second.
 FigureRig build_figure_rig(const Figure& figure, const FigureRigRequest& request);
 
-// The weights of the targets in a pose: those of frames/move_shapes.hpp for moves; of poses the shares, 0 to 1,
-// that come nearest to it together (least squares). Targets behind them get 0.
+// The weights of the targets in a pose: those of frames/move_shapes.hpp for moves; of poses the shares, 0 to
+// 1, that come nearest to it together (least squares). Targets behind them get 0.
 std::vector<float> compute_target_weights(const FigureRig& rig, const Pose& pose);
 
 // Where the joints are in a pose and a turn of the head.

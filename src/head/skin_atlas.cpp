@@ -127,11 +127,13 @@ std::vector<double> measure_along(const Places& positions, const std::vector<std
 std::map<std::uint32_t, glm::dvec2> lay_rim(const CutSkin& cut, const std::vector<std::uint32_t>& rim) {
   std::map<std::uint32_t, glm::dvec2> places;
   const std::vector<double> along = measure_along(cut.positions, cut.seam);
-  const auto crown = std::ranges::max_element(cut.seam, {}, [&](std::uint32_t v) { return cut.positions[v].y; });
+  const auto crown =
+      std::ranges::max_element(cut.seam, {}, [&](std::uint32_t v) { return cut.positions[v].y; });
   const double corner = along[crown - cut.seam.begin()];
   for (std::size_t i = 0; i < cut.seam.size(); ++i) {
     const double s = along[i];
-    const glm::dvec2 place = s <= corner ? glm::dvec2(1, s / corner) : glm::dvec2(1 - 0.5 * (s - corner) / (1 - corner), 1);
+    const glm::dvec2 place =
+        s <= corner ? glm::dvec2(1, s / corner) : glm::dvec2(1 - 0.5 * (s - corner) / (1 - corner), 1);
     places[cut.seam[i]] = place;
     if (i + 1 < cut.seam.size()) places[cut.mirror[cut.seam[i]]] = {1 - place.x, place.y};
   }
@@ -176,7 +178,8 @@ std::vector<glm::dvec2> solve_means(std::size_t count, const std::vector<Weight>
     if (const auto found = rim.find(v); found != rim.end()) right.row(v) << found->second.x, found->second.y;
   }
   for (const Weight& weight : weights)
-    if (!rim.contains(weight.from)) rows.emplace_back(weight.from, weight.to, -weight.weight / sums[weight.from]);
+    if (!rim.contains(weight.from))
+      rows.emplace_back(weight.from, weight.to, -weight.weight / sums[weight.from]);
   Eigen::SparseMatrix<double> matrix(static_cast<Eigen::Index>(count), static_cast<Eigen::Index>(count));
   matrix.setFromTriplets(rows.begin(), rows.end());
   Eigen::SparseLU<Eigen::SparseMatrix<double>> solver(matrix);
@@ -199,7 +202,7 @@ double widen_middle(double at, double middle) {
 }  // namespace
 
 Atlas build_skin_atlas(const Places& positions, const std::vector<Triangle>& triangles,
-                           const std::vector<std::uint32_t>& mirror) {
+                       const std::vector<std::uint32_t>& mirror) {
   CutSkin cut = cut_skin(positions, triangles, mirror);
   const std::vector<std::vector<std::uint32_t>> rims = find_rims(cut.triangles);
   if (rims.size() != 3) throw RunError("internal: the skin is not open at neck and eyes alone");
@@ -212,7 +215,8 @@ Atlas build_skin_atlas(const Places& positions, const std::vector<Triangle>& tri
     glm::vec3 middle(0);
     for (const std::uint32_t v : rims[r]) middle += closed[v] / static_cast<float>(rims[r].size());
     for (std::size_t i = 0; i < rims[r].size(); ++i)
-      all.push_back({rims[r][i], rims[r][(i + 1) % rims[r].size()], static_cast<std::uint32_t>(closed.size())});
+      all.push_back(
+          {rims[r][i], rims[r][(i + 1) % rims[r].size()], static_cast<std::uint32_t>(closed.size())});
     closed.push_back(middle);
   }
   const std::vector<glm::dvec2> laid = solve_means(closed.size(), list_mean_values(closed, all), rim);

@@ -123,7 +123,8 @@ std::vector<glm::vec2> flip_places(const std::vector<glm::vec2>& places) {
 }
 
 // Of a drawn vertex the joints and their shares: 255 is all.
-void add_skin_weights(tinygltf::Model& model, const std::vector<JointShare>& shares, tinygltf::Primitive& primitive) {
+void add_skin_weights(tinygltf::Model& model, const std::vector<JointShare>& shares,
+                      tinygltf::Primitive& primitive) {
   std::vector<glm::u8vec4> joints, weights;
   for (const JointShare& share : shares) {
     const auto second = static_cast<std::uint8_t>(std::lround(255 * share.share));
@@ -153,7 +154,8 @@ VertexOffsets draw_offsets(const DrawnPart& drawn, const std::vector<std::uint32
 // All of them, in their order, also one whose vertices no triangle has.
 void add_targets(tinygltf::Model& model, const DrawnPart& drawn, const std::vector<RigTarget>& targets,
                  tinygltf::Primitive& primitive) {
-  const bool has_normals = std::ranges::any_of(targets, [](const RigTarget& t) { return !t.normals.empty(); });
+  const bool has_normals =
+      std::ranges::any_of(targets, [](const RigTarget& t) { return !t.normals.empty(); });
   for (const RigTarget& target : targets) {
     VertexOffsets places = draw_offsets(drawn, target.places.vertices, target.places.offsets, kMetres);
     if (places.vertices.empty()) places = {{0}, {glm::vec3(0)}};
@@ -161,8 +163,7 @@ void add_targets(tinygltf::Model& model, const DrawnPart& drawn, const std::vect
     attributes["POSITION"] = add_sparse_vectors(model, drawn.from.size(), places, true);
     if (has_normals) {
       VertexOffsets normals{{0}, {glm::vec3(0)}};
-      if (!target.normals.empty())
-        normals = draw_offsets(drawn, target.places.vertices, target.normals, 1);
+      if (!target.normals.empty()) normals = draw_offsets(drawn, target.places.vertices, target.normals, 1);
       attributes["NORMAL"] = add_sparse_vectors(model, drawn.from.size(), normals, false);
     }
     primitive.targets.push_back(attributes);
@@ -244,8 +245,10 @@ void add_joints(GltfWork& work) {
     node.rotation = {turn.x, turn.y, turn.z, turn.w};
     const int self = work.built.first_joint + static_cast<int>(j);
     model.nodes.push_back(node);
-    if (rig.joints[j].parent >= 0) model.nodes[work.built.first_joint + rig.joints[j].parent].children.push_back(self);
-    else model.scenes[0].nodes.push_back(self);
+    if (rig.joints[j].parent >= 0)
+      model.nodes[work.built.first_joint + rig.joints[j].parent].children.push_back(self);
+    else
+      model.scenes[0].nodes.push_back(self);
     skin.joints.push_back(self);
     glm::mat4 bind(1);
     bind[3] = glm::vec4(-kMetres * glm::vec3(rig.joints[j].at_mm), 1);
@@ -301,7 +304,8 @@ void add_animation(GltfWork& work) {
     std::vector<float> weights;
     for (const RigPose& pose : take.poses)
       for (const RigTarget& target : targets) weights.push_back(pose.weights[target.name]);
-    add_channel(animation, times, add_scalars(work.model, weights, false), work.built.node_of_part[i], "weights");
+    add_channel(animation, times, add_scalars(work.model, weights, false), work.built.node_of_part[i],
+                "weights");
   }
   work.model.animations.push_back(animation);
 }

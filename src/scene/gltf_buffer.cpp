@@ -45,7 +45,8 @@ int add_accessor(tinygltf::Model& model, int view, int component, int type, std:
 }
 
 // The bounds of vectors of `width` floats; 0 is among them if `has_zero`.
-void set_bounds(tinygltf::Accessor& accessor, const float* numbers, std::size_t count, int width, bool has_zero) {
+void set_bounds(tinygltf::Accessor& accessor, const float* numbers, std::size_t count, int width,
+                bool has_zero) {
   for (int k = 0; k < width; ++k) {
     float low = has_zero ? 0.0f : INFINITY, high = has_zero ? 0.0f : -INFINITY;
     for (std::size_t i = 0; i < count; ++i) {
@@ -112,7 +113,8 @@ int add_matrices(tinygltf::Model& model, const std::vector<glm::mat4>& matrices)
   return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, TINYGLTF_TYPE_MAT4, matrices.size());
 }
 
-int add_sparse_vectors(tinygltf::Model& model, std::size_t count, const VertexOffsets& offsets, bool has_bounds) {
+int add_sparse_vectors(tinygltf::Model& model, std::size_t count, const VertexOffsets& offsets,
+                       bool has_bounds) {
   const float* numbers = &offsets.offsets.front().x;
   check_finite(numbers, 3 * offsets.offsets.size());
   const int indices = add_raw_view(model, offsets.vertices.data(), offsets.vertices.size() * 4, 0);
@@ -126,8 +128,7 @@ int add_sparse_vectors(tinygltf::Model& model, std::size_t count, const VertexOf
   accessor.sparse.indices.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
   accessor.sparse.values.bufferView = values;
   accessor.sparse.values.byteOffset = 0;
-  if (has_bounds)
-    set_bounds(accessor, numbers, offsets.offsets.size(), 3, offsets.vertices.size() < count);
+  if (has_bounds) set_bounds(accessor, numbers, offsets.offsets.size(), 3, offsets.vertices.size() < count);
   return at;
 }
 

@@ -21,7 +21,8 @@ int add_turns(tinygltf::Model& model, const std::vector<glm::quat>& turns);
 int add_matrices(tinygltf::Model& model, const std::vector<glm::mat4>& matrices);
 
 // `count` vectors that are 0 but for these: a sparse accessor.
-int add_sparse_vectors(tinygltf::Model& model, std::size_t count, const VertexOffsets& offsets, bool has_bounds);
+int add_sparse_vectors(tinygltf::Model& model, std::size_t count, const VertexOffsets& offsets,
+                       bool has_bounds);
 
 // Bytes as they are, in a view of their own: pictures.
 int add_view(tinygltf::Model& model, const std::string& bytes);

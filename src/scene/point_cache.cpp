@@ -14,7 +14,8 @@ namespace {
 enum class Ends { little, big };
 
 void append_word(std::string& bytes, std::uint32_t word, Ends ends) {
-  for (int i = 0; i < 4; ++i) bytes += static_cast<char>(word >> 8 * (ends == Ends::little ? i : 3 - i) & 0xff);
+  for (int i = 0; i < 4; ++i)
+    bytes += static_cast<char>(word >> 8 * (ends == Ends::little ? i : 3 - i) & 0xff);
 }
 
 void append_real(std::string& bytes, float number, Ends ends) {

@@ -1,5 +1,6 @@
-// Caches of points: where each vertex of a mesh lies at each frame. Sources: PC2, "Point Cache 2" as Blender's
-// io_export_pc2 describes it; MDD, LightWave's "Motion Designer" data as Blender's io_shape_mdd does.
+// Caches of points: where each vertex of a mesh lies at each frame. Sources: PC2, "Point Cache 2" as
+// Blender's io_export_pc2 describes it; MDD, LightWave's "Motion Designer" data as Blender's io_shape_mdd
+// does.
 #pragma once
 
 #include <glm/glm.hpp>

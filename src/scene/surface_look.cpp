@@ -15,20 +15,13 @@ struct NamedLook {
 };
 
 constexpr std::array kLooks{
-    NamedLook{"skin", {0.55f}},
-    NamedLook{"spot", {0.55f, 0.7f, true, true}},
-    NamedLook{"sclera", {0.25f}},
-    NamedLook{"iris", {0.6f}},
-    NamedLook{"cornea", {0.02f, 0.08f}},
-    NamedLook{"tear", {0.05f, 0.3f}},
-    NamedLook{"caruncle", {0.25f}},
-    NamedLook{"teeth", {0.25f}},
-    NamedLook{"gum", {0.35f}},
-    NamedLook{"tongue", {0.4f}},
-    NamedLook{"hair", {0.7f, 1, true}},
-    NamedLook{"brow", {0.75f, 1, true}},
-    NamedLook{"tress", {0.6f, 1, true}},
-    NamedLook{"lock", {0.5f, 1, true}},
+    NamedLook{"skin", {0.55f}},          NamedLook{"spot", {0.55f, 0.7f, true, true}},
+    NamedLook{"sclera", {0.25f}},        NamedLook{"iris", {0.6f}},
+    NamedLook{"cornea", {0.02f, 0.08f}}, NamedLook{"tear", {0.05f, 0.3f}},
+    NamedLook{"caruncle", {0.25f}},      NamedLook{"teeth", {0.25f}},
+    NamedLook{"gum", {0.35f}},           NamedLook{"tongue", {0.4f}},
+    NamedLook{"hair", {0.7f, 1, true}},  NamedLook{"brow", {0.75f, 1, true}},
+    NamedLook{"tress", {0.6f, 1, true}}, NamedLook{"lock", {0.5f, 1, true}},
 };
 
 // Locks and tresses: x across in mm, y from the root, 0, to the tip, 100.

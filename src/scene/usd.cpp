@@ -24,8 +24,9 @@ std::string format_vector(const glm::dvec3& v, int decimals) {
 
 std::string format_turn(const glm::dquat& turn) {
   const glm::dquat unit = glm::normalize(turn);
-  return fmt::format("({}, {}, {}, {})", format_number(unit.w, kWeightDecimals), format_number(unit.x, kWeightDecimals),
-                     format_number(unit.y, kWeightDecimals), format_number(unit.z, kWeightDecimals));
+  return fmt::format("({}, {}, {}, {})", format_number(unit.w, kWeightDecimals),
+                     format_number(unit.x, kWeightDecimals), format_number(unit.y, kWeightDecimals),
+                     format_number(unit.z, kWeightDecimals));
 }
 
 // A list of `count` things, comma-separated in brackets.
@@ -40,8 +41,9 @@ std::string format_vectors(const std::vector<glm::vec3>& vectors, int decimals) 
 }
 
 std::string format_shift(const glm::dvec3& shift) {
-  return fmt::format("((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), ({}, {}, {}, 1))", format_number(shift.x, kPlaceDecimals),
-                     format_number(shift.y, kPlaceDecimals), format_number(shift.z, kPlaceDecimals));
+  return fmt::format("((1, 0, 0, 0), (0, 1, 0, 0), (0, 0, 1, 0), ({}, {}, {}, 1))",
+                     format_number(shift.x, kPlaceDecimals), format_number(shift.y, kPlaceDecimals),
+                     format_number(shift.z, kPlaceDecimals));
 }
 
 // A name of a prim: letters, digits and underscores.
@@ -77,8 +79,8 @@ void append_samples(std::string& text, const UsdScene& scene, const std::string&
   }
   text += fmt::format("            {}.timeSamples = {{\n", name);
   for (std::size_t i = 0; i < take.poses.size(); ++i)
-    text += fmt::format("                {}: {},\n", format_number(take.times_s[i] * scene.fps, kTimeDecimals),
-                        format(take.poses[i]));
+    text += fmt::format("                {}: {},\n",
+                        format_number(take.times_s[i] * scene.fps, kTimeDecimals), format(take.poses[i]));
   text += "            }\n";
 }
 
@@ -90,10 +92,11 @@ void append_skeleton(std::string& text, const UsdScene& scene) {
   text += fmt::format("        uniform token[] joints = {}\n", joints);
   text += fmt::format("        uniform matrix4d[] bindTransforms = {}\n",
                       format_list(count, [&](std::size_t j) { return format_shift(rig.joints[j].at_mm); }));
-  text += fmt::format("        uniform matrix4d[] restTransforms = {}\n", format_list(count, [&](std::size_t j) {
-                        return format_shift(find_own_place(rig, rig.joints[j]));
-                      }));
-  text += "        rel skel:animationSource = </Face/Rig/Take>\n        def SkelAnimation \"Take\"\n        {\n";
+  text += fmt::format(
+      "        uniform matrix4d[] restTransforms = {}\n",
+      format_list(count, [&](std::size_t j) { return format_shift(find_own_place(rig, rig.joints[j])); }));
+  text +=
+      "        rel skel:animationSource = </Face/Rig/Take>\n        def SkelAnimation \"Take\"\n        {\n";
   text += fmt::format("            uniform token[] joints = {}\n", joints);
   text += fmt::format("            uniform token[] blendShapes = {}\n", format_names(rig.targets));
   text += fmt::format("            half3[] scales = {}\n",
@@ -117,9 +120,11 @@ void append_target(std::string& text, const std::string& name, const RigTarget& 
   text += fmt::format("            uniform int[] pointIndices = {}\n",
                       format_list(target.places.vertices.size(),
                                   [&](std::size_t i) { return fmt::to_string(target.places.vertices[i]); }));
-  text += fmt::format("            uniform vector3f[] offsets = {}\n", format_vectors(target.places.offsets, kPlaceDecimals));
+  text += fmt::format("            uniform vector3f[] offsets = {}\n",
+                      format_vectors(target.places.offsets, kPlaceDecimals));
   if (!target.normals.empty())
-    text += fmt::format("            uniform vector3f[] normalOffsets = {}\n", format_vectors(target.normals, kUnitDecimals));
+    text += fmt::format("            uniform vector3f[] normalOffsets = {}\n",
+                        format_vectors(target.normals, kUnitDecimals));
   text += "        }\n";
 }
 
@@ -133,15 +138,16 @@ void append_binding(std::string& text, const RigPart& part) {
     return;
   }
   const std::vector<JointShare>& shares = part.shares;
-  text += fmt::format("        int[] primvars:skel:jointIndices = {} (elementSize = 2 interpolation = \"vertex\")\n",
-                      format_list(shares.size(), [&](std::size_t v) {
-                        return fmt::format("{}, {}", shares[v].first, shares[v].second);
-                      }));
-  text += fmt::format("        float[] primvars:skel:jointWeights = {} (elementSize = 2 interpolation = \"vertex\")\n",
-                      format_list(shares.size(), [&](std::size_t v) {
-                        return fmt::format("{}, {}", format_number(1 - shares[v].share, kWeightDecimals),
-                                           format_number(shares[v].share, kWeightDecimals));
-                      }));
+  text += fmt::format(
+      "        int[] primvars:skel:jointIndices = {} (elementSize = 2 interpolation = \"vertex\")\n",
+      format_list(shares.size(),
+                  [&](std::size_t v) { return fmt::format("{}, {}", shares[v].first, shares[v].second); }));
+  text += fmt::format(
+      "        float[] primvars:skel:jointWeights = {} (elementSize = 2 interpolation = \"vertex\")\n",
+      format_list(shares.size(), [&](std::size_t v) {
+        return fmt::format("{}, {}", format_number(1 - shares[v].share, kWeightDecimals),
+                           format_number(shares[v].share, kWeightDecimals));
+      }));
 }
 
 // A colour a vertex, or where triangles have shades of their own one a face.
@@ -150,7 +156,9 @@ void append_colours(std::string& text, const Part& part) {
   const bool is_by_face = !part.triangle_shade.empty();
   const std::size_t count = is_by_face ? part.triangle_shade.size() : part.rest.positions.size();
   const std::string colours = format_list(count, [&](std::size_t i) {
-    const std::uint16_t shade = is_by_face ? part.triangle_shade[i] : part.shade.empty() ? std::uint16_t(0) : part.shade[i];
+    const std::uint16_t shade = is_by_face           ? part.triangle_shade[i]
+                                : part.shade.empty() ? std::uint16_t(0)
+                                                     : part.shade[i];
     const std::size_t vertex = is_by_face ? part.rest.triangles[i][0] : i;
     return format_vector(glm::dvec3(compute_vertex_colour(part, look, vertex, shade)), kUnitDecimals);
   });
@@ -171,7 +179,8 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
   if (find_surface_look(part.material).is_two_sided) text += "        uniform bool doubleSided = 1\n";
   text += fmt::format("        int[] faceVertexCounts = {}\n",
                       format_list(part.rest.triangles.size(), [](std::size_t) { return std::string("3"); }));
-  text += fmt::format("        int[] faceVertexIndices = {}\n", format_list(part.rest.triangles.size(), [&](std::size_t t) {
+  text += fmt::format("        int[] faceVertexIndices = {}\n",
+                      format_list(part.rest.triangles.size(), [&](std::size_t t) {
                         const Triangle& corners = part.rest.triangles[t];
                         return fmt::format("{}, {}, {}", corners[0], corners[1], corners[2]);
                       }));
@@ -186,9 +195,9 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
   if (!rigged.targets.empty()) {
     const std::size_t count = rigged.targets.size();
     const auto name_target = [&](std::size_t t) { return scene.rig.targets[rigged.targets[t].name]; };
-    text += fmt::format("        uniform token[] skel:blendShapes = {}\n", format_list(count, [&](std::size_t t) {
-                          return fmt::format("\"{}\"", name_target(t));
-                        }));
+    text +=
+        fmt::format("        uniform token[] skel:blendShapes = {}\n",
+                    format_list(count, [&](std::size_t t) { return fmt::format("\"{}\"", name_target(t)); }));
     text += fmt::format("        rel skel:blendShapeTargets = {}\n", format_list(count, [&](std::size_t t) {
                           return fmt::format("</Face/{}/{}>", name, make_prim_name(name_target(t)));
                         }));

@@ -1,5 +1,5 @@
-// USD as text (Pixar's Universal Scene Description, .usda): a model with UsdSkel joints, blend shapes and what they play.
-// Millimetres, y up.
+// USD as text (Pixar's Universal Scene Description, .usda): a model with UsdSkel joints, blend shapes and
+// what they play. Millimetres, y up.
 #pragma once
 
 #include <string>

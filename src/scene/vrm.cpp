@@ -1,5 +1,5 @@
-// Sources: VRMC_vrm-1.0 (meta, humanoid, expressions, lookAt), VRM Consortium; a body's proportions after Loomis'
-// figure of eight heads, here about 7.
+// Sources: VRMC_vrm-1.0 (meta, humanoid, expressions, lookAt), VRM Consortium; a body's proportions after
+// Loomis' figure of eight heads, here about 7.
 #include "scene/vrm.hpp"
 
 #include <algorithm>
@@ -49,8 +49,9 @@ struct FaceBone {
   const char* name;   // in VRM
   const char* joint;  // of the rig
 };
-constexpr std::array kFaceBones{FaceBone{"neck", "neck"}, FaceBone{"head", "head"}, FaceBone{"leftEye", "eye_left"},
-                                FaceBone{"rightEye", "eye_right"}, FaceBone{"jaw", "jaw"}};
+constexpr std::array kFaceBones{FaceBone{"neck", "neck"}, FaceBone{"head", "head"},
+                                FaceBone{"leftEye", "eye_left"}, FaceBone{"rightEye", "eye_right"},
+                                FaceBone{"jaw", "jaw"}};
 
 // Feelings move lids and lips too: what an application adds there gives way as far as they are shown.
 constexpr std::array kFeelings{"happy", "angry", "sad", "relaxed", "surprised"};
@@ -105,8 +106,11 @@ Json build_expression(const VrmScene& scene, const GltfModel& built, std::size_t
   }
   const bool is_feeling = std::ranges::find(kFeelings, scene.rig.targets[name]) != kFeelings.end();
   const char* rule = is_feeling ? "blend" : "none";
-  return {{"morphTargetBinds", binds}, {"isBinary", false}, {"overrideBlink", rule},
-          {"overrideLookAt", "none"},  {"overrideMouth", rule}};
+  return {{"morphTargetBinds", binds},
+          {"isBinary", false},
+          {"overrideBlink", rule},
+          {"overrideLookAt", "none"},
+          {"overrideMouth", rule}};
 }
 
 Json build_meta(const VrmScene& scene) {
@@ -160,7 +164,8 @@ std::string build_vrm(const VrmScene& scene) {
     RigPose pose;
     for (const RigJoint& joint : scene.rig.joints)
       pose.joints.push_back(
-          {{1, 0, 0, 0}, joint.at_mm - (joint.parent < 0 ? glm::dvec3(0) : scene.rig.joints[joint.parent].at_mm)});
+          {{1, 0, 0, 0},
+           joint.at_mm - (joint.parent < 0 ? glm::dvec3(0) : scene.rig.joints[joint.parent].at_mm)});
     pose.weights.resize(scene.rig.targets.size(), 0);
     return pose;
   }();

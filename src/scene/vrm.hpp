@@ -1,4 +1,5 @@
-// VRM 1.0 (VRM Consortium): a glTF whose bones, expressions and gaze have the names that avatars' programs ask for.
+// VRM 1.0 (VRM Consortium): a glTF whose bones, expressions and gaze have the names that avatars' programs
+// ask for.
 #pragma once
 
 #include <string>

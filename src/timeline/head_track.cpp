@@ -108,6 +108,7 @@ std::string compute_head_key(const HeadSpec& head) {
                                   look.brow_old.value_or(look.brow), look.hair_old.value_or(look.hair)})
     append_bytes(bytes, colour);
   bytes += look.beard + ';';
+  if (look.texture) bytes += look.texture->path.string() + ';';
   append_bytes(bytes, look.lips ? 1.0 : 0.0);
   append_bytes(bytes, look.lips.value_or(glm::vec3(0)));
   for (const double value :

@@ -58,7 +58,9 @@ Exported open_exported(const fs::path& folder, const std::string& head) {
 }
 
 std::string write_to(const Exported& made, const Options& options, const fs::path& path) {
-  write_export({options, made.clip, made.figure, made.performance, 1, made.clip.frame_count}, path);
+  write_export({options, made.clip, made.figure, shipped().stock.templates, made.performance, 1,
+                made.clip.frame_count},
+               path);
   return read_file(path);
 }
 
@@ -103,7 +105,8 @@ TEST(exports, exact_gltf_has_no_error_at_frames) {
   Options options;
   options.is_exact = true;
   const tinygltf::Model model = read_gltf(write_to(made, options, folder / "face.gltf"));
-  for (const int frame : {0, 5, 9, 19, 28, 36}) EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.02) << frame;
+  for (const int frame : {0, 5, 9, 19, 28, 36})
+    EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.02) << frame;
 }
 
 TEST(exports, gltf_names_its_targets_and_keeps_their_weights_in_range) {
@@ -115,10 +118,12 @@ TEST(exports, gltf_names_its_targets_and_keeps_their_weights_in_range) {
     if (mesh.primitives[0].targets.empty()) continue;
     const tinygltf::Value& told = mesh.extras.Get("targetNames");
     ASSERT_EQ(told.ArrayLen(), mesh.primitives[0].targets.size());
-    for (std::size_t i = 0; i < told.ArrayLen(); ++i) names.insert(told.Get(static_cast<int>(i)).Get<std::string>());
+    for (std::size_t i = 0; i < told.ArrayLen(); ++i)
+      names.insert(told.Get(static_cast<int>(i)).Get<std::string>());
   }
   for (std::size_t move = 0; move < kMoveCount; ++move) {
-    EXPECT_TRUE(names.contains(name_move_target(move, kMoves[move].high))) << kMoves[move].area << kMoves[move].move;
+    EXPECT_TRUE(names.contains(name_move_target(move, kMoves[move].high)))
+        << kMoves[move].area << kMoves[move].move;
     const double low = kMoves[move].low;
     EXPECT_TRUE(low == 0 || names.contains(name_move_target(move, low)));
   }
@@ -156,7 +161,8 @@ TEST(exports, targets_of_expressions_play_the_clip_too) {
     build_target_set("apple", made.clip.spec);
     FAIL();
   } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "--targets apple: unknown set of targets; expected one of: moves, expressions, vrm");
+    EXPECT_STREQ(error.what(),
+                 "--targets apple: unknown set of targets; expected one of: moves, expressions, vrm");
   }
 }
 
@@ -175,18 +181,19 @@ TEST(exports, vrm_has_the_bones_and_expressions_that_avatars_need) {
   std::set<int> nodes;
   for (const char* bone :
        {"hips", "spine", "head", "leftUpperLeg", "leftLowerLeg", "leftFoot", "rightUpperLeg", "rightLowerLeg",
-        "rightFoot", "leftUpperArm", "leftLowerArm", "leftHand", "rightUpperArm", "rightLowerArm", "rightHand",
-        "leftEye", "rightEye", "jaw", "neck"}) {
+        "rightFoot", "leftUpperArm", "leftLowerArm", "leftHand", "rightUpperArm", "rightLowerArm",
+        "rightHand", "leftEye", "rightEye", "jaw", "neck"}) {
     ASSERT_TRUE(bones.Has(bone)) << bone;
     nodes.insert(bones.Get(bone).Get("node").GetNumberAsInt());
   }
   EXPECT_EQ(nodes.size(), 19u) << "a node each";
-  for (const char* preset : {"happy", "angry", "sad", "relaxed", "surprised", "aa", "ih", "ou", "ee", "oh", "blink",
-                             "blinkLeft", "blinkRight"}) {
+  for (const char* preset : {"happy", "angry", "sad", "relaxed", "surprised", "aa", "ih", "ou", "ee", "oh",
+                             "blink", "blinkLeft", "blinkRight"}) {
     const tinygltf::Value& binds = vrm.Get("expressions").Get("preset").Get(preset).Get("morphTargetBinds");
     ASSERT_GT(binds.ArrayLen(), 0u) << preset;
     for (std::size_t i = 0; i < binds.ArrayLen(); ++i) {
-      const tinygltf::Node& node = model.nodes.at(binds.Get(static_cast<int>(i)).Get("node").GetNumberAsInt());
+      const tinygltf::Node& node =
+          model.nodes.at(binds.Get(static_cast<int>(i)).Get("node").GetNumberAsInt());
       const std::size_t target = binds.Get(static_cast<int>(i)).Get("index").GetNumberAsInt();
       const tinygltf::Mesh& mesh = model.meshes.at(node.mesh);
       ASSERT_LT(target, mesh.primitives[0].targets.size());
@@ -202,7 +209,8 @@ TEST(exports, usd_has_all_parts_joints_and_times) {
   const Exported made = open_exported(folder, "{}");
   const std::string usd = write_to(made, {}, folder / "face.usda");
   EXPECT_TRUE(usd.starts_with("#usda 1.0\n"));
-  for (const Part& part : made.figure.model.parts) EXPECT_NE(usd.find(fmt::format("def Mesh \"{}\"", part.name)), usd.npos);
+  for (const Part& part : made.figure.model.parts)
+    EXPECT_NE(usd.find(fmt::format("def Mesh \"{}\"", part.name)), usd.npos);
   EXPECT_NE(usd.find("\"shoulders/neck_1/neck_2/neck_3/neck_4/neck_5/neck_6/neck_7/head/jaw\""), usd.npos);
   EXPECT_NE(usd.find("endTimeCode = 36\n"), usd.npos);
   EXPECT_NE(usd.find("def BlendShape \"lid_left_shut\""), usd.npos);
@@ -229,17 +237,21 @@ TEST(exports, table_is_read_back_as_the_same_performance) {
 TEST(exports, sequences_have_a_file_a_frame) {
   const auto folder = make_folder("export_sequence");
   const Exported made = open_exported(folder, "{}");
-  write_export({{}, made.clip, made.figure, made.performance, 10, 11}, folder / "face_%04d.obj");
-  EXPECT_THAT(list_files(folder), testing::UnorderedElementsAre("face.yaml", "face_0010.obj", "face_0011.obj"));
+  write_export({{}, made.clip, made.figure, shipped().stock.templates, made.performance, 10, 11},
+               folder / "face_%04d.obj");
+  EXPECT_THAT(list_files(folder),
+              testing::UnorderedElementsAre("face.yaml", "face_0010.obj", "face_0011.obj"));
   EXPECT_EQ(name_frame_file("a/b%d.ply", 12), "a/b12.ply");
   for (const char* wrong : {"face.obj", "face_%s.obj", "a%04d_%04d.obj"}) try {
       name_frame_file(wrong, 1);
       FAIL() << wrong;
     } catch (const InputError& error) {
-      EXPECT_EQ(error.what(),
-                fmt::format("-o {}: each frame is a file of its own; expected a name with a place for its number, such "
-                            "as {}_%04d.obj",
-                            wrong, fs::path(wrong).stem().string()));
+      EXPECT_EQ(
+          error.what(),
+          fmt::format(
+              "-o {}: each frame is a file of its own; expected a name with a place for its number, such "
+              "as {}_%04d.obj",
+              wrong, fs::path(wrong).stem().string()));
     }
 }
 

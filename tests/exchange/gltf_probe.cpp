@@ -32,11 +32,13 @@ double read_component(const unsigned char* at, int type) {
   }
 }
 
-Numbers read_view(const tinygltf::Model& model, int view_index, std::size_t offset, int type, std::size_t count) {
+Numbers read_view(const tinygltf::Model& model, int view_index, std::size_t offset, int type,
+                  std::size_t count) {
   const tinygltf::BufferView& view = model.bufferViews.at(view_index);
   const std::vector<unsigned char>& bytes = model.buffers.at(view.buffer).data;
   const std::size_t size = tinygltf::GetComponentSizeInBytes(type);
-  if (view.byteOffset + offset + count * size > bytes.size()) throw std::runtime_error("a view past the buffer");
+  if (view.byteOffset + offset + count * size > bytes.size())
+    throw std::runtime_error("a view past the buffer");
   Numbers numbers;
   for (std::size_t i = 0; i < count; ++i)
     numbers.push_back(read_component(&bytes[view.byteOffset + offset + i * size], type));
@@ -48,12 +50,14 @@ Numbers read_numbers(const tinygltf::Model& model, int index) {
   const int width = tinygltf::GetNumComponentsInType(accessor.type);
   Numbers numbers(accessor.count * width, 0);
   if (accessor.bufferView >= 0)
-    numbers = read_view(model, accessor.bufferView, accessor.byteOffset, accessor.componentType, numbers.size());
+    numbers =
+        read_view(model, accessor.bufferView, accessor.byteOffset, accessor.componentType, numbers.size());
   if (accessor.sparse.isSparse) {
     const auto& sparse = accessor.sparse;
-    const Numbers at = read_view(model, sparse.indices.bufferView, 0, sparse.indices.componentType, sparse.count);
-    const Numbers values =
-        read_view(model, sparse.values.bufferView, 0, accessor.componentType, std::size_t(sparse.count) * width);
+    const Numbers at =
+        read_view(model, sparse.indices.bufferView, 0, sparse.indices.componentType, sparse.count);
+    const Numbers values = read_view(model, sparse.values.bufferView, 0, accessor.componentType,
+                                     std::size_t(sparse.count) * width);
     for (std::size_t i = 0; i < at.size(); ++i)
       for (int k = 0; k < width; ++k) numbers.at(std::size_t(at[i]) * width + k) = values[i * width + k];
   }
@@ -63,11 +67,12 @@ Numbers read_numbers(const tinygltf::Model& model, int index) {
 }
 
 // The output of a sampler at a time.
-Numbers sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, double time_s, bool is_turn) {
+Numbers sample(const tinygltf::Model& model, const tinygltf::AnimationSampler& sampler, double time_s,
+               bool is_turn) {
   const Numbers times = read_numbers(model, sampler.input), values = read_numbers(model, sampler.output);
   const std::size_t width = values.size() / times.size();
-  const std::size_t next = std::clamp<std::size_t>(
-      std::ranges::upper_bound(times, time_s) - times.begin(), 1, std::max<std::size_t>(times.size() - 1, 1));
+  const std::size_t next = std::clamp<std::size_t>(std::ranges::upper_bound(times, time_s) - times.begin(), 1,
+                                                   std::max<std::size_t>(times.size() - 1, 1));
   const std::size_t last = std::min(next, times.size() - 1), first = last - (last > 0 ? 1 : 0);
   const double share =
       last == first ? 0 : std::clamp((time_s - times[first]) / (times[last] - times[first]), 0.0, 1.0);
@@ -106,7 +111,8 @@ void place_node(Stage& stage, int index, const glm::dmat4& parent) {
 std::vector<glm::dvec3> read_vectors(const tinygltf::Model& model, int accessor) {
   const Numbers numbers = read_numbers(model, accessor);
   std::vector<glm::dvec3> vectors;
-  for (std::size_t i = 0; i < numbers.size(); i += 3) vectors.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+  for (std::size_t i = 0; i < numbers.size(); i += 3)
+    vectors.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
   return vectors;
 }
 
@@ -151,17 +157,18 @@ std::vector<glm::dvec3> place_mesh(const Stage& stage, int index) {
 
 tinygltf::Model read_gltf(const std::string& bytes) {
   tinygltf::TinyGLTF reader;
-  reader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int, const unsigned char*, int,
-                           void*) { return true; },
+  reader.SetImageLoader([](tinygltf::Image*, const int, std::string*, std::string*, int, int,
+                           const unsigned char*, int, void*) { return true; },
                         nullptr);
   tinygltf::Model model;
   std::string error, warning;
   const bool is_binary = bytes.starts_with("glTF");
-  const bool is_read =
-      is_binary ? reader.LoadBinaryFromMemory(&model, &error, &warning,
-                                              reinterpret_cast<const unsigned char*>(bytes.data()),
-                                              static_cast<unsigned>(bytes.size()))
-                : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(), static_cast<unsigned>(bytes.size()), "");
+  const bool is_read = is_binary
+                           ? reader.LoadBinaryFromMemory(&model, &error, &warning,
+                                                         reinterpret_cast<const unsigned char*>(bytes.data()),
+                                                         static_cast<unsigned>(bytes.size()))
+                           : reader.LoadASCIIFromString(&model, &error, &warning, bytes.data(),
+                                                        static_cast<unsigned>(bytes.size()), "");
   if (!is_read || !error.empty() || !warning.empty()) throw std::runtime_error("glTF: " + error + warning);
   return model;
 }
@@ -170,8 +177,8 @@ std::map<std::string, std::vector<glm::dvec3>> place_gltf(const tinygltf::Model&
   Stage stage{model, {}, std::vector<glm::dmat4>(model.nodes.size(), glm::dmat4(1))};
   if (!model.animations.empty())
     for (const tinygltf::AnimationChannel& channel : model.animations[0].channels)
-      stage.moved[{channel.target_node, channel.target_path}] =
-          sample(model, model.animations[0].samplers.at(channel.sampler), time_s, channel.target_path == "rotation");
+      stage.moved[{channel.target_node, channel.target_path}] = sample(
+          model, model.animations[0].samplers.at(channel.sampler), time_s, channel.target_path == "rotation");
   for (const int root : model.scenes.at(0).nodes) place_node(stage, root, glm::dmat4(1));
   std::map<std::string, std::vector<glm::dvec3>> places;
   for (std::size_t i = 0; i < model.nodes.size(); ++i)

@@ -22,7 +22,9 @@ float read_real(const std::string& bytes, std::size_t at, bool is_big) {
   return std::bit_cast<float>(read_word(bytes, at, is_big));
 }
 
-PointCache build_cache() { return {25, 3, {{{1, 2, 3}, {-4, 5.5f, 6}}, {{7, 8, 9}, {10, 11, -12}}, {{0, 0, 0}, {1, 1, 1}}}}; }
+PointCache build_cache() {
+  return {25, 3, {{{1, 2, 3}, {-4, 5.5f, 6}}, {{7, 8, 9}, {10, 11, -12}}, {{0, 0, 0}, {1, 1, 1}}}};
+}
 
 TEST(point_cache, pc2_reads_back) {
   const std::string bytes = build_pc2(build_cache());
