@@ -266,6 +266,8 @@ double fill_between(const TakeWork& work, const Instant& from, const Instant& to
 std::vector<double> list_frame_times(const RigTakeRequest& request) {
   std::vector<double> times;
   for (int frame = 0; frame < request.frames; ++frame) times.push_back(frame / request.fps);
+  // The last frame is shown for as long as the others.
+  if (request.frames > 1) times.push_back(request.frames / request.fps);
   return times;
 }
 

@@ -157,7 +157,7 @@ void fill_head_sections(Sections& all) {
        "beside "
        "it. The path is seen from this file."},
       {"scan",
-       {as_file({".obj", ".ply", ".stl"})},
+       {as_file({".obj", ".ply", ".stl", ".glb", ".gltf"})},
        "A digitised head, which the shipped one is wrapped around, with its landmarks in a YAML file beside "
        "it. "
        "One half is kept and mirrored."},

@@ -60,7 +60,9 @@ void build_rig_parts(const Figure& figure, int steps, FigureRig& built) {
     const auto mount = std::ranges::find(kFaceMounts, bound.mount);
     rigged.joint = built.head_joint;
     if (mount != kFaceMounts.end()) rigged.joint += 1 + static_cast<int>(mount - kFaceMounts.begin());
-    const bool is_bent = !part.is_rigid || (!built.has_jaw && bound.mount == Mount::jaw);
+    // A design squashes and stretches what is rigid otherwise.
+    const bool is_bent =
+        !part.is_rigid || figure.redraw.is_on() || (!built.has_jaw && bound.mount == Mount::jaw);
     if (!is_bent) continue;
     const std::size_t count = part.rest.positions.size();
     if (bound.mount == Mount::skin)

@@ -1,5 +1,5 @@
-// A mesh of somebody else's: positions and polygons, as read from OBJ, PLY or STL; or a cloud of positions
-// alone.
+// A mesh of somebody else's: positions and polygons, as read from OBJ, PLY, STL or glTF; or a cloud of
+// positions alone.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,8 @@ struct Polygons {
   std::size_t face_count() const { return first.size() - 1; }
 };
 
-// Whether the name's ending is one that load_polygons reads: .obj, .ply or .stl, letters of either case.
+// Whether the name's ending is one that load_polygons reads: .obj, .ply, .stl, .glb or .gltf, letters of
+// either case.
 bool is_geometry_name(const std::filesystem::path& file);
 
 enum class Faces { needed, optional };

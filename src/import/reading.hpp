@@ -58,5 +58,6 @@ void check_point_count(const std::string& file, int line, std::size_t count);
 Polygons read_obj(const std::string& file, std::string_view bytes);
 Polygons read_ply(const std::string& file, std::string_view bytes);
 Polygons read_stl(const std::string& file, std::string_view bytes);
+Polygons read_gltf(const std::string& file, std::string_view bytes);
 
 }  // namespace mien
