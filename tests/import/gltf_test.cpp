@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cstring>
 #include <nlohmann/json.hpp>
 #include <random>
@@ -25,7 +26,7 @@ std::string build_bytes() {
   std::string bytes;
   for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
     append_word(bytes, std::bit_cast<std::uint32_t>(number));
-  for (const std::uint16_t index : {0, 1, 2, 3, 4, 5}) bytes.append(reinterpret_cast<const char*>(&index), 2);
+  for (std::uint16_t index = 0; index < 6; ++index) bytes.append(reinterpret_cast<const char*>(&index), 2);
   return bytes;
 }
 
