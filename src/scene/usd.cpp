@@ -88,7 +88,7 @@ void append_skeleton(std::string& text, const UsdScene& scene) {
   const Rig& rig = scene.rig;
   const std::string joints = format_names(list_joint_paths(rig));
   const std::size_t count = rig.joints.size();
-  text += "    def Skeleton \"Rig\" (prepend apiSchemas = [\"SkelBindingAPI\"])\n    {\n";
+  text += "    def Skeleton \"Rig\" (\n        prepend apiSchemas = [\"SkelBindingAPI\"]\n    )\n    {\n";
   text += fmt::format("        uniform token[] joints = {}\n", joints);
   text += fmt::format("        uniform matrix4d[] bindTransforms = {}\n",
                       format_list(count, [&](std::size_t j) { return format_shift(rig.joints[j].at_mm); }));
@@ -132,18 +132,18 @@ void append_target(std::string& text, const std::string& name, const RigTarget& 
 void append_binding(std::string& text, const RigPart& part) {
   if (part.shares.empty()) {
     text += fmt::format(
-        "        int[] primvars:skel:jointIndices = [{}] (elementSize = 1 interpolation = \"constant\")\n"
-        "        float[] primvars:skel:jointWeights = [1] (elementSize = 1 interpolation = \"constant\")\n",
+        "        int[] primvars:skel:jointIndices = [{}] (\n            elementSize = 1\n            interpolation = \"constant\"\n        )\n"
+        "        float[] primvars:skel:jointWeights = [1] (\n            elementSize = 1\n            interpolation = \"constant\"\n        )\n",
         part.joint);
     return;
   }
   const std::vector<JointShare>& shares = part.shares;
   text += fmt::format(
-      "        int[] primvars:skel:jointIndices = {} (elementSize = 2 interpolation = \"vertex\")\n",
+      "        int[] primvars:skel:jointIndices = {} (\n            elementSize = 2\n            interpolation = \"vertex\"\n        )\n",
       format_list(shares.size(),
                   [&](std::size_t v) { return fmt::format("{}, {}", shares[v].first, shares[v].second); }));
   text += fmt::format(
-      "        float[] primvars:skel:jointWeights = {} (elementSize = 2 interpolation = \"vertex\")\n",
+      "        float[] primvars:skel:jointWeights = {} (\n            elementSize = 2\n            interpolation = \"vertex\"\n        )\n",
       format_list(shares.size(), [&](std::size_t v) {
         return fmt::format("{}, {}", format_number(1 - shares[v].share, kWeightDecimals),
                            format_number(shares[v].share, kWeightDecimals));
@@ -162,10 +162,10 @@ void append_colours(std::string& text, const Part& part) {
     const std::size_t vertex = is_by_face ? part.rest.triangles[i][0] : i;
     return format_vector(glm::dvec3(compute_vertex_colour(part, look, vertex, shade)), kUnitDecimals);
   });
-  text += fmt::format("        color3f[] primvars:displayColor = {} (interpolation = \"{}\")\n", colours,
+  text += fmt::format("        color3f[] primvars:displayColor = {} (\n            interpolation = \"{}\"\n        )\n", colours,
                       is_by_face ? "uniform" : "vertex");
   if (look.alpha < 1)
-    text += fmt::format("        float[] primvars:displayOpacity = [{}] (interpolation = \"constant\")\n",
+    text += fmt::format("        float[] primvars:displayOpacity = [{}] (\n            interpolation = \"constant\"\n        )\n",
                         format_number(look.alpha, kUnitDecimals));
 }
 
@@ -174,7 +174,7 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
   const RigPart& rigged = scene.rig.parts[index];
   if (part.rest.triangles.empty()) return;
   const std::string name = make_prim_name(part.name);
-  text += fmt::format("    def Mesh \"{}\" (prepend apiSchemas = [\"SkelBindingAPI\"])\n    {{\n", name);
+  text += fmt::format("    def Mesh \"{}\" (\n        prepend apiSchemas = [\"SkelBindingAPI\"]\n    )\n    {{\n", name);
   text += "        uniform token subdivisionScheme = \"none\"\n";
   if (find_surface_look(part.material).is_two_sided) text += "        uniform bool doubleSided = 1\n";
   text += fmt::format("        int[] faceVertexCounts = {}\n",
@@ -186,7 +186,7 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
                       }));
   text += fmt::format("        point3f[] points = {}\n", format_vectors(part.rest.positions, kPlaceDecimals));
   if (!part.rest.normals.empty())
-    text += fmt::format("        normal3f[] normals = {} (interpolation = \"vertex\")\n",
+    text += fmt::format("        normal3f[] normals = {} (\n            interpolation = \"vertex\"\n        )\n",
                         format_vectors(part.rest.normals, kUnitDecimals));
   append_colours(text, part);
   append_binding(text, rigged);
@@ -216,7 +216,7 @@ std::string build_usd(const UsdScene& scene) {
     text += fmt::format("    startTimeCode = 0\n    endTimeCode = {}\n    timeCodesPerSecond = {}\n",
                         format_number(scene.take.times_s.back() * scene.fps, kTimeDecimals),
                         format_number(scene.fps, kTimeDecimals));
-  text += ")\n\ndef SkelRoot \"Face\" (kind = \"component\")\n{\n";
+  text += ")\n\ndef SkelRoot \"Face\" (\n    kind = \"component\"\n)\n{\n";
   append_skeleton(text, scene);
   for (std::size_t i = 0; i < scene.model.parts.size(); ++i) append_part(text, scene, i);
   return text + "}\n";
