@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 constexpr std::size_t kMostShades = 4096;
-constexpr int kGlossSteps = 12;
+constexpr int kPaintGlossSteps = 12;
 
 using Stepped = std::array<int, 4>;  // a colour and a gloss in steps
 
@@ -23,7 +23,7 @@ Stepped step_shade(const Shade& shade, int steps) {
     return static_cast<int>(std::lround(value * static_cast<float>(count)));
   };
   return {step(shade.srgb.x, steps), step(shade.srgb.y, steps), step(shade.srgb.z, steps),
-          step(shade.gloss, kGlossSteps)};
+          step(shade.gloss, kPaintGlossSteps)};
 }
 
 // False: more shades than there may be.
