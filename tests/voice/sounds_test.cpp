@@ -1,8 +1,13 @@
 // Sounds of speech become mouths: one by one, along the alphabet, and in every voice that can be asked.
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "config/load_spec.hpp"
+#include "core/text.hpp"
+#include "end_to_end/program.hpp"
 #include "shipped.hpp"
 #include "voice/sounds.hpp"
 #include "voice/speaker.hpp"
