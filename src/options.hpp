@@ -68,6 +68,7 @@ struct Options {
   bool has_3mf = false, has_preview = false, has_openscad = false;  // for bust
   bool is_half = false;                                             // --half, for mesh
   bool is_exact = false;                                            // --exact, for export
+  std::optional<std::filesystem::path> faults;                      // --faults faults.ply, for check
   std::optional<std::filesystem::path> uv;                          // --uv uv.png, for export
   std::string targets = "moves";                                    // --targets, for export
   int port = 0;                                                     // --port, for live; 0: any that is free

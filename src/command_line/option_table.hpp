@@ -55,6 +55,7 @@ inline constexpr std::array kOptions{
     OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},
     OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
     OptionInfo{"targets", 0, "SET", "what a rig is posed by: moves (the default), expressions or vrm"},
+    OptionInfo{"faults", 0, "PATH", "the mesh as PLY, its faults red"},
     OptionInfo{"uv", 0, "PATH",
                "the layout of the skin's picture, for painters, as PNG; without -o that alone"},
     OptionInfo{"exact", 0, "", "a target a frame instead of one a move: no error, and nothing to pose"},

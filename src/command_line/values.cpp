@@ -285,6 +285,7 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "output") options.output = text;
   if (name == "targets") options.targets = text;
   if (name == "uv") options.uv = text;
+  if (name == "faults") options.faults = text;
   if (name == "landmarks") options.landmarks = text;
   if (name == "express") options.express = text;
   if (name == "area") options.area = text;

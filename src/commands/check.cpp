@@ -7,11 +7,15 @@
 #include <nlohmann/json.hpp>
 
 #include "clip/cast.hpp"
+#include "clip/outputs.hpp"
 #include "clip/reach.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "core/data.hpp"
+#include "core/error.hpp"
+#include "core/text.hpp"
 #include "head/form.hpp"
+#include "import/mesh_faults.hpp"
 #include "render/terminal.hpp"
 #include "timeline/advice.hpp"
 #include "timeline/chart.hpp"
@@ -83,7 +87,50 @@ void report_summary(const Options& options, const Clip& clip) {
   fmt::print("{}\n", format_object(nlohmann::ordered_json(summary)));
 }
 
+// A mesh instead of a file of ours: its faults, each a line.
+void check_mesh(const Options& options) {
+  const Polygons mesh = load_polygons(options.file);
+  const MeshReport report = find_mesh_faults(mesh);
+  if (options.faults) {
+    check_ending({"--faults", *options.faults}, "mesh", {".ply"});
+    check_output_files({{"--faults", *options.faults}}, {});
+    write_file(*options.faults, draw_mesh_faults(mesh, report));
+    report_result(options, "faults", *options.faults);
+  }
+  std::vector<Diagnostic> faults;
+  for (const MeshFault& fault : report.faults)
+    faults.push_back({Place{options.file.string(), fault.line, 0}, fault.message, "", false});
+  if (!faults.empty()) throw InputError(faults);
+  if (options.is_quiet) return;
+  const std::string summary = fmt::format(
+      "{} points, {} polygons, {}", mesh.positions.size(), mesh.face_count(),
+      report.rims == 0 ? "closed" : fmt::format("{} open rims of {} edges", report.rims, report.open_edges));
+  if (options.is_json)
+    fmt::print("{}\n", format_object(nlohmann::ordered_json{{"file", options.file.string()},
+                                                            {"points", mesh.positions.size()},
+                                                            {"polygons", mesh.face_count()},
+                                                            {"rims", report.rims},
+                                                            {"open_edges", report.open_edges}}));
+  else
+    fmt::print("{}: good; {}\n", options.file.string(), summary);
+}
+
+// What is wrong with the meshes that heads are made from, as warnings.
+void report_mesh_faults(const Options& options, const HeadSpec& head) {
+  constexpr std::size_t kFew = 3;
+  for (const auto& file : {head.mesh, head.scan}) {
+    if (!file) continue;
+    const Polygons mesh = load_polygons(file->path, Faces::optional);
+    if (mesh.face_count() == 0) continue;
+    for (const MeshFault& fault : find_mesh_faults(mesh, kFew).faults)
+      report_warning(options, {Place{file->path.string(), fault.line, 0}, fault.message, "", true});
+  }
+  for (const HeadShare& share : head.mix) report_mesh_faults(options, share.head);
+}
+
 void run_check(const Options& options) {
+  if (is_geometry_name(options.file)) return check_mesh(options);
+  if (options.faults) throw InputError("--faults draws what is wrong with a mesh; expected one as the FILE");
   const std::filesystem::path data = find_data_folder();
   const LanguagePointer language = load_language(data);
   Clip clip = open_clip(options, *language);  // first: a wrong file is told before any head is made
@@ -105,6 +152,7 @@ void run_check(const Options& options) {
   if (options.is_quiet) return;
   for (const Actor& actor : clip.actors) report_kept(options, actor.head, stock);
   report_starts(options, list_heads(clip), stock);
+  for (const Actor& actor : clip.actors) report_mesh_faults(options, actor.head);
   for (std::size_t i = 0; i < figures.size(); ++i)
     report_advice(options, performances[i], rehearsals[i], *figures[i]);
   report_summary(options, clip);
@@ -124,9 +172,12 @@ const CommandInfo command_check{
     "every mistake in the file; writes nothing",
     "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"
     "faces never drawn in full) and draws the clip as a chart: areas by time, as wide as the\n"
-    "terminal, in plain ASCII into a pipe or a file. Writes nothing.",
-    "",
-    "mien check configs/hello.yaml",
+    "terminal, in plain ASCII into a pipe or a file. Writes nothing. Of a mesh (.obj, .ply, .stl, .glb) it\n"
+    "tells polygons that are not flat or without area, edges with more than two polygons, points on fewer\n"
+    "than two edges, what is there twice and what hangs on nothing, each with its line and place.",
+    "faults",
+    "mien check configs/hello.yaml\n"
+    "mien check scan.obj --faults faults.ply",
     run_check};
 
 }  // namespace mien

@@ -132,18 +132,22 @@ void append_target(std::string& text, const std::string& name, const RigTarget& 
 void append_binding(std::string& text, const RigPart& part) {
   if (part.shares.empty()) {
     text += fmt::format(
-        "        int[] primvars:skel:jointIndices = [{}] (\n            elementSize = 1\n            interpolation = \"constant\"\n        )\n"
-        "        float[] primvars:skel:jointWeights = [1] (\n            elementSize = 1\n            interpolation = \"constant\"\n        )\n",
+        "        int[] primvars:skel:jointIndices = [{}] (\n            elementSize = 1\n            "
+        "interpolation = \"constant\"\n        )\n"
+        "        float[] primvars:skel:jointWeights = [1] (\n            elementSize = 1\n            "
+        "interpolation = \"constant\"\n        )\n",
         part.joint);
     return;
   }
   const std::vector<JointShare>& shares = part.shares;
   text += fmt::format(
-      "        int[] primvars:skel:jointIndices = {} (\n            elementSize = 2\n            interpolation = \"vertex\"\n        )\n",
+      "        int[] primvars:skel:jointIndices = {} (\n            elementSize = 2\n            "
+      "interpolation = \"vertex\"\n        )\n",
       format_list(shares.size(),
                   [&](std::size_t v) { return fmt::format("{}, {}", shares[v].first, shares[v].second); }));
   text += fmt::format(
-      "        float[] primvars:skel:jointWeights = {} (\n            elementSize = 2\n            interpolation = \"vertex\"\n        )\n",
+      "        float[] primvars:skel:jointWeights = {} (\n            elementSize = 2\n            "
+      "interpolation = \"vertex\"\n        )\n",
       format_list(shares.size(), [&](std::size_t v) {
         return fmt::format("{}, {}", format_number(1 - shares[v].share, kWeightDecimals),
                            format_number(shares[v].share, kWeightDecimals));
@@ -162,11 +166,14 @@ void append_colours(std::string& text, const Part& part) {
     const std::size_t vertex = is_by_face ? part.rest.triangles[i][0] : i;
     return format_vector(glm::dvec3(compute_vertex_colour(part, look, vertex, shade)), kUnitDecimals);
   });
-  text += fmt::format("        color3f[] primvars:displayColor = {} (\n            interpolation = \"{}\"\n        )\n", colours,
-                      is_by_face ? "uniform" : "vertex");
+  text += fmt::format(
+      "        color3f[] primvars:displayColor = {} (\n            interpolation = \"{}\"\n        )\n",
+      colours, is_by_face ? "uniform" : "vertex");
   if (look.alpha < 1)
-    text += fmt::format("        float[] primvars:displayOpacity = [{}] (\n            interpolation = \"constant\"\n        )\n",
-                        format_number(look.alpha, kUnitDecimals));
+    text += fmt::format(
+        "        float[] primvars:displayOpacity = [{}] (\n            interpolation = \"constant\"\n        "
+        ")\n",
+        format_number(look.alpha, kUnitDecimals));
 }
 
 void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
@@ -174,7 +181,8 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
   const RigPart& rigged = scene.rig.parts[index];
   if (part.rest.triangles.empty()) return;
   const std::string name = make_prim_name(part.name);
-  text += fmt::format("    def Mesh \"{}\" (\n        prepend apiSchemas = [\"SkelBindingAPI\"]\n    )\n    {{\n", name);
+  text += fmt::format(
+      "    def Mesh \"{}\" (\n        prepend apiSchemas = [\"SkelBindingAPI\"]\n    )\n    {{\n", name);
   text += "        uniform token subdivisionScheme = \"none\"\n";
   if (find_surface_look(part.material).is_two_sided) text += "        uniform bool doubleSided = 1\n";
   text += fmt::format("        int[] faceVertexCounts = {}\n",
@@ -186,8 +194,9 @@ void append_part(std::string& text, const UsdScene& scene, std::size_t index) {
                       }));
   text += fmt::format("        point3f[] points = {}\n", format_vectors(part.rest.positions, kPlaceDecimals));
   if (!part.rest.normals.empty())
-    text += fmt::format("        normal3f[] normals = {} (\n            interpolation = \"vertex\"\n        )\n",
-                        format_vectors(part.rest.normals, kUnitDecimals));
+    text +=
+        fmt::format("        normal3f[] normals = {} (\n            interpolation = \"vertex\"\n        )\n",
+                    format_vectors(part.rest.normals, kUnitDecimals));
   append_colours(text, part);
   append_binding(text, rigged);
   text += fmt::format("        matrix4d primvars:skel:geomBindTransform = {}\n", format_shift(glm::dvec3(0)));

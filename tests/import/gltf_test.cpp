@@ -21,10 +21,12 @@ void append_word(std::string& bytes, std::uint32_t word) {
   bytes.append(reinterpret_cast<const char*>(&word), 4);
 }
 
-// Two triangles over one edge, whose corners are there twice, as where a picture is cut; their node lies 10 above.
+// Two triangles over one edge, whose corners are there twice, as where a picture is cut; their node lies 10
+// above.
 std::string build_bytes() {
   std::string bytes;
-  for (const float number : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+  for (const float number :
+       {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 0.f, 1.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
     append_word(bytes, std::bit_cast<std::uint32_t>(number));
   for (std::uint16_t index = 0; index < 6; ++index) bytes.append(reinterpret_cast<const char*>(&index), 2);
   return bytes;
@@ -62,16 +64,18 @@ std::string find_fault(const std::string& bytes) {
 
 TEST(gltf, joins_points_and_places_nodes) {
   const Polygons mesh = read_gltf("head.glb", build_glb(build_json(), build_bytes()));
-  EXPECT_THAT(mesh.positions, testing::ElementsAre(glm::dvec3(0, 10, 0), glm::dvec3(2, 10, 0), glm::dvec3(0, 12, 0),
-                                                   glm::dvec3(2, 12, 0)));
+  EXPECT_THAT(mesh.positions, testing::ElementsAre(glm::dvec3(0, 10, 0), glm::dvec3(2, 10, 0),
+                                                   glm::dvec3(0, 12, 0), glm::dvec3(2, 12, 0)));
   EXPECT_THAT(mesh.corners, testing::ElementsAre(0, 1, 2, 1, 3, 2));
   EXPECT_EQ(mesh.face_count(), 2u);
 }
 
 TEST(gltf, reads_text_with_its_numbers_inside) {
   Json json = build_json();
-  json["buffers"][0] = {{"byteLength", 36}, {"uri", "data:application/octet-stream;base64,"
-                                                    "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}};
+  json["buffers"][0] = {{"byteLength", 36},
+                        {"uri",
+                         "data:application/octet-stream;base64,"
+                         "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}};
   json["meshes"][0]["primitives"][0].erase("indices");
   json["accessors"][0]["count"] = 3;
   const Polygons mesh = read_gltf("head.gltf", json.dump());
@@ -91,7 +95,8 @@ TEST(gltf, tells_what_is_wrong) {
   EXPECT_EQ(find_fault("no glTF"), "head.glb: error: it is no JSON; expected glTF 2.0");
   EXPECT_EQ(with("/scenes", Json::array()), "head.glb: error: it has no scene; expected one with a head");
   EXPECT_EQ(with("/scenes/0/nodes", 3), "head.glb: error: its scene is empty; expected one with a head");
-  EXPECT_EQ(with("/scenes/0/nodes/0", "a"), "head.glb: error: a scene's node is no number; expected glTF 2.0");
+  EXPECT_EQ(with("/scenes/0/nodes/0", "a"),
+            "head.glb: error: a scene's node is no number; expected glTF 2.0");
   EXPECT_EQ(with("/nodes/1/mesh", 7), "head.glb: error: meshes 7 is not there; expected glTF 2.0");
   EXPECT_EQ(with("/nodes/0/children/0", 0),
             "head.glb: error: nodes lie in each other more than 64 deep; expected fewer");
@@ -118,8 +123,10 @@ TEST(gltf, damage_is_read_or_told_and_never_more) {
   for (int round = 0; round < count_fuzz_rounds(600); ++round) {
     std::string bytes = whole;
     for (int i = 0; i < 1 + static_cast<int>(random() % 4); ++i) {
-      if (random() % 4 == 0) bytes.erase(random() % bytes.size(), 1 + random() % 8);
-      else bytes[random() % bytes.size()] = static_cast<char>(random());
+      if (random() % 4 == 0)
+        bytes.erase(random() % bytes.size(), 1 + random() % 8);
+      else
+        bytes[random() % bytes.size()] = static_cast<char>(random());
     }
     try {
       const Polygons mesh = read_gltf("head.glb", bytes);

@@ -90,24 +90,27 @@ TEST(speaker, tells_sounds_words_and_bytes) {
 // Without stress, pauses and the marks of words.
 std::string take_bare_ipa(std::string ipa) {
   for (const char* mark : {"ˈ", "ˌ", " ", "\n", "_", "(en)", "(fr)", "(de)", "-"})
-    for (std::size_t at = ipa.find(mark); at != std::string::npos; at = ipa.find(mark)) ipa.erase(at, std::string(mark).size());
+    for (std::size_t at = ipa.find(mark); at != std::string::npos; at = ipa.find(mark))
+      ipa.erase(at, std::string(mark).size());
   return ipa;
 }
 
 TEST(speaker, has_the_sounds_of_the_program_itself) {
   if (std::system("espeak-ng --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no espeak-ng on the PATH";
   const auto folder = make_folder("speaker_itself");
-  for (const auto& [voice, text] : std::vector<std::pair<std::string, std::string>>{
-           {"en-us", "Bob may pump the map back up"},
-           {"en-us", "Five very brave foxes leave the village"},
-           {"en-gb", "Perhaps we had better begin before noon"},
-           {"de", "Papa und Mama bauen am Abend ein Boot"},
-           {"fr-fr", "Un bon vin blanc pour ma famille"},
-           {"es", "Por favor vamos a comer"}}) {
+  for (const auto& [voice, text] :
+       std::vector<std::pair<std::string, std::string>>{{"en-us", "Bob may pump the map back up"},
+                                                        {"en-us", "Five very brave foxes leave the village"},
+                                                        {"en-gb", "Perhaps we had better begin before noon"},
+                                                        {"de", "Papa und Mama bauen am Abend ein Boot"},
+                                                        {"fr-fr", "Un bon vin blanc pour ma famille"},
+                                                        {"es", "Por favor vamos a comer"}}) {
     const SpokenText spoken = speak_text(text, voice, 1);
     std::string all;
     for (const SpeechSound& sound : spoken.sounds) all += sound.ipa;
-    ASSERT_EQ(run_shell(folder, fmt::format("espeak-ng -v {} --ipa -w whole.wav '{}' >ipa.txt", voice, text)).status, 0);
+    ASSERT_EQ(run_shell(folder, fmt::format("espeak-ng -v {} --ipa -w whole.wav '{}' >ipa.txt", voice, text))
+                  .status,
+              0);
     EXPECT_EQ(take_bare_ipa(all), take_bare_ipa(read_file(folder / "ipa.txt"))) << text;
     const double length_s = double(read_file(folder / "whole.wav").size() - 44) / 2 / 22050;
     EXPECT_NEAR(spoken.length_s, length_s, 0.01) << text;
