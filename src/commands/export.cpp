@@ -65,7 +65,8 @@ void run_export(const Options& options) {
   const fs::path path = take_output(options, clip);
   const Figure figure = build_figure(resources.heads, actor.head);
   const auto [first, last] = find_frames(options, clip);
-  ExportWork work{options, clip, figure, resources.stock.templates, actor.performance, first, last};
+  ExportWork work{options,           clip,  actor.head, figure, resources.stock.templates,
+                  actor.performance, first, last};
   work.performance.idle.eyes = compute_eyes(figure, clip.spec.render);
   report_starts(options, {actor.head}, resources.heads);
   if (options.uv) {

@@ -40,7 +40,9 @@ ExportNotes note_rig(const RiggedClip& clip) {
               error.between_mm, error.uncorrected_mm)};
 }
 
+// The painted skin as it is, if there is one.
 GltfPaint paint_skin(const ExportWork& work, const Atlas& atlas) {
+  if (work.head.look.texture) return {0, atlas, read_file(work.head.look.texture->path)};
   return {0, atlas, build_png(bake_colours(work.figure.model.parts.front(), atlas, kPaintSize_px))};
 }
 

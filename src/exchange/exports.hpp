@@ -16,7 +16,8 @@ namespace mien {
 struct ExportWork {
   const Options& options;
   const Clip& clip;
-  const Figure& figure;
+  const HeadSpec& head;
+  const Figure& figure;  // of this head
   const Templates& templates;
   Performance performance;  // with the eyes of this figure
   int first = 1, last = 1;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -41,6 +42,25 @@ bool share_shades(const std::vector<Shade>& wanted, int steps, Part& skin) {
   return true;
 }
 
+// The mean of the picture round each vertex, as far as half-way to its neighbours: one place alone would make
+// steps of every painted edge.
+std::vector<glm::vec3> average_around(const Atlas& atlas, const Picture& picture, std::size_t count) {
+  std::vector<glm::vec3> sums(count, glm::vec3(0));
+  std::vector<float> weights(count, 0);
+  for (const Triangle& triangle : atlas.triangles)
+    for (int k = 0; k < 3; ++k) {
+      const glm::vec2 &own = atlas.places[triangle[k]], &one = atlas.places[triangle[(k + 1) % 3]],
+                      &other = atlas.places[triangle[(k + 2) % 3]];
+      const std::uint32_t v = atlas.vertices[triangle[k]];
+      for (const glm::vec2& place : {own, 0.75f * own + 0.25f * one, 0.6f * own + 0.2f * (one + other)}) {
+        sums[v] += sample_picture(picture, place);
+        weights[v] += 1;
+      }
+    }
+  for (std::size_t v = 0; v < count; ++v) sums[v] /= std::max(weights[v], 1.0f);
+  return sums;
+}
+
 }  // namespace
 
 void paint_skin(const Atlas& atlas, const FileReference& texture, Part& skin) {
@@ -48,10 +68,10 @@ void paint_skin(const Atlas& atlas, const FileReference& texture, Part& skin) {
   if (const std::string fault = read_picture(texture.path, picture); !fault.empty())
     throw InputError({Diagnostic{
         texture.place, fmt::format("'{}' {}", texture.path.filename().string(), fault), "", false}});
+  const std::vector<glm::vec3> colours = average_around(atlas, picture, skin.rest.positions.size());
   std::vector<Shade> wanted;
-  for (std::size_t v = 0; v < skin.rest.positions.size(); ++v)
-    wanted.push_back({sample_picture(picture, atlas.places[v]),
-                      skin.palette[skin.shade.empty() ? 0 : skin.shade[v]].gloss});
+  for (std::size_t v = 0; v < colours.size(); ++v)
+    wanted.push_back({colours[v], skin.palette[skin.shade.empty() ? 0 : skin.shade[v]].gloss});
   for (int steps = 128; !share_shades(wanted, steps, skin); steps /= 2) {
   }
 }

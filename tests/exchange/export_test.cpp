@@ -58,8 +58,8 @@ Exported open_exported(const fs::path& folder, const std::string& head) {
 }
 
 std::string write_to(const Exported& made, const Options& options, const fs::path& path) {
-  write_export({options, made.clip, made.figure, shipped().stock.templates, made.performance, 1,
-                made.clip.frame_count},
+  write_export({options, made.clip, made.clip.actors.front().head, made.figure, shipped().stock.templates,
+                made.performance, 1, made.clip.frame_count},
                path);
   return read_file(path);
 }
@@ -237,7 +237,14 @@ TEST(exports, table_is_read_back_as_the_same_performance) {
 TEST(exports, sequences_have_a_file_a_frame) {
   const auto folder = make_folder("export_sequence");
   const Exported made = open_exported(folder, "{}");
-  write_export({{}, made.clip, made.figure, shipped().stock.templates, made.performance, 10, 11},
+  write_export({{},
+                made.clip,
+                made.clip.actors.front().head,
+                made.figure,
+                shipped().stock.templates,
+                made.performance,
+                10,
+                11},
                folder / "face_%04d.obj");
   EXPECT_THAT(list_files(folder),
               testing::UnorderedElementsAre("face.yaml", "face_0010.obj", "face_0011.obj"));
