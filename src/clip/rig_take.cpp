@@ -14,7 +14,8 @@ namespace {
 
 constexpr int kMostHalvings = 4;             // of the time between two frames
 constexpr double kBetweenTargets_mm = 0.25;  // of one move; corrections mend the rest
-constexpr std::size_t kMostStudied = 480;    // frames that corrections are found at; all are measured
+constexpr std::size_t kMostStudied = 600;    // times that corrections are found at; all are measured
+constexpr int kMostRounds = 3;               // of studying what was still missing
 
 using Places = std::vector<glm::vec3>;
 
@@ -114,8 +115,11 @@ std::vector<float> weigh_corrections(const TakeWork& work, const Places& missing
   return weights;
 }
 
-// Not every frame of a long take is studied: the first, the last and as many between as may be.
-std::vector<double> choose_studied(const std::vector<double>& times) {
+// The times and those half-way between them, for a blink is over in two frames. Not every one of a long take:
+// the first, the last and as many between as may be.
+std::vector<double> choose_studied(std::vector<double> times) {
+  for (std::size_t i = times.size(); i-- > 1;)
+    times.insert(times.begin() + static_cast<std::ptrdiff_t>(i), 0.5 * (times[i - 1] + times[i]));
   if (times.size() <= kMostStudied) return times;
   std::vector<double> chosen;
   for (std::size_t i = 0; i < kMostStudied; ++i)
@@ -148,9 +152,10 @@ std::vector<std::uint32_t> list_missed(const TakeWork& work, const std::vector<d
   return missed;
 }
 
-void find_corrections(TakeWork& work, const std::vector<double>& times, double& uncorrected_mm) {
-  const std::vector<double> studied = choose_studied(times);
-  work.corrected = list_missed(work, studied, uncorrected_mm);
+// Modes of what is missing at the times, over those vertices that miss some.
+void find_corrections(TakeWork& work, const std::vector<double>& studied, double& worst_mm) {
+  work.modes.clear();
+  work.corrected = list_missed(work, studied, worst_mm);
   if (work.corrected.empty()) return;
   std::vector<Places> missing(studied.size());
   for_each_index(studied.size(), count_workers(), [&](std::size_t i, int) {
@@ -347,6 +352,45 @@ void measure_take(const TakeWork& work, const RigTake& take, RigError& error) {
   error.mean_mm = count > 0 ? sum / count : 0;
 }
 
+// The targets of corrections taken out again.
+void drop_corrections(TakeWork& work) {
+  Rig& rig = work.rig.rig;
+  rig.targets.resize(work.moves);
+  for (RigPart& part : rig.parts)
+    std::erase_if(part.targets, [&](const RigTarget& target) { return target.name >= work.moves; });
+}
+
+// Times at which a vertex is further off than it may be. (Joints are exact there, and carry what is missing
+// along.)
+std::vector<double> list_wrong_times(const TakeWork& work, const RigTake& take) {
+  std::vector<float> off(take.poses.size());
+  for_each_index(off.size(), count_workers(), [&](std::size_t i, int) {
+    off[i] = measure_pose(work, take.times_s[i], take.poses[i]).worst_mm;
+  });
+  std::vector<double> wrong;
+  for (std::size_t i = 0; i < off.size(); ++i)
+    if (off[i] > 1.5 * work.request.tolerance_mm) wrong.push_back(take.times_s[i]);
+  return wrong;
+}
+
+// Corrections by the frames, then by the times between them that are still wrong.
+void correct_take(TakeWork& work, const std::vector<double>& times, RiggedClip& clip) {
+  std::vector<double> studied = choose_studied(times);
+  for (int round = 1;; ++round) {
+    drop_corrections(work);
+    find_corrections(work, studied, clip.error.uncorrected_mm);
+    add_corrections(work, work.modes, "correct");
+    clip.error.between_mm = 0;
+    clip.take = sample_poses(work, times, clip.error);
+    if (round == kMostRounds || static_cast<int>(work.modes.size()) >= work.request.most_corrections) return;
+    const std::vector<double> wrong = list_wrong_times(work, clip.take);
+    if (wrong.empty()) return;
+    studied.insert(studied.end(), wrong.begin(), wrong.end());
+    std::ranges::sort(studied);
+    studied.erase(std::unique(studied.begin(), studied.end()), studied.end());
+  }
+}
+
 }  // namespace
 
 RiggedClip build_rigged_clip(const Figure& figure, const Performance& performance,
@@ -359,12 +403,13 @@ RiggedClip build_rigged_clip(const Figure& figure, const Performance& performanc
   work.moves = work.rig.rig.targets.size();
   const std::vector<double> times = list_frame_times(request);
   RiggedClip clip;
-  if (request.is_exact)
+  if (request.is_exact) {
     take_frames(work, times, clip.error.uncorrected_mm);
-  else
-    find_corrections(work, times, clip.error.uncorrected_mm);
-  add_corrections(work, work.modes, request.is_exact ? "frame" : "correct");
-  clip.take = sample_poses(work, times, clip.error);
+    add_corrections(work, work.modes, "frame");
+    clip.take = sample_poses(work, times, clip.error);
+  } else {
+    correct_take(work, times, clip);
+  }
   if (!request.is_exact) settle_corrections(work, clip.take);
   measure_take(work, clip.take, clip.error);
   if (!request.is_exact) clip.corrections = static_cast<int>(work.rig.rig.targets.size() - work.moves);

@@ -19,7 +19,7 @@ namespace mien {
 struct RigTakeRequest {
   double tolerance_mm = 0.05;  // how far a vertex may be from its place at a frame
   double between_mm = 0.1;     // and between frames
-  int most_corrections = 64;
+  int most_corrections = 96;
   std::vector<TargetPose> poses = {};  // targets of these instead of moves
   int neck_steps = 0;                  // joints of the neck; 0: as many as it takes
   bool is_exact = false;               // a target a frame instead of all others: no error but that of numbers
