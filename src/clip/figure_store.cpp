@@ -20,6 +20,9 @@ std::string describe_file(const FileReference& file) {
 std::string describe_head(const HeadSpec& head) {
   std::string all = compute_head_key(head) + head.hair + ';';
   for (const auto& [name, share] : head.limits) all += fmt::format("{} {};", name, share);
+  for (const auto& [name, length] : head.limit_lengths)
+    all += fmt::format("{} {}{} {}:{};", name, length.value, length.unit, length.place.line,
+                       length.place.column);
   for (const SculptStroke& stroke : head.sculpt)
     all += fmt::format("{} {} {} {} {};", stroke.at, stroke.move_mm.x, stroke.move_mm.y, stroke.move_mm.z,
                        stroke.radius_mm);

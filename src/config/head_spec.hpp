@@ -49,6 +49,13 @@ struct SculptStroke {
   double radius_mm = 20;
 };
 
+// How far an area goes, as a length.
+struct LimitLength {
+  double value = 0;
+  std::string unit = "mm";  // or a face unit (kFaceUnits)
+  Place place = {};
+};
+
 struct HeadShare;
 
 struct HeadSpec {
@@ -65,6 +72,7 @@ struct HeadSpec {
   std::map<std::string, double> guide_shares;  // of the way there from the head's own line; none: all of it
   std::map<std::string, double> features;      // feature -> -1..1
   std::map<std::string, double> limits;        // limit of an area -> share of the head's own, 0..2
+  std::map<std::string, LimitLength> limit_lengths;  // the same as a length; stands above a share
   Look look;
   std::optional<int> random;   // a seed: whatever the file says nothing of was drawn from it (people.hpp)
   std::set<std::string> said;  // what the file said: "skull", "features.nose_length", "look.iris"

@@ -11,7 +11,6 @@ namespace mien {
 namespace {
 
 constexpr double kLowestGuide = 0.05, kHighestGuide = 0.95;  // further out a line would leave the face
-constexpr double kMaxLimit = 2;                              // of the head's own; further the skin folds over
 constexpr double kLeastRadius_mm = 5, kMostRadius_mm = 150;  // of a sculpting stroke
 constexpr double kMostMove_mm = 50;                          // of a sculpting stroke, each way
 
@@ -95,26 +94,35 @@ void fill_guides(Section& guides) {
                              fmt::format("Height of {}.", word.meaning)});
 }
 
+// "0.3eye_nose": a length in a face unit.
+std::string build_unit_pattern() {
+  std::string units;
+  for (const std::string_view unit : kFaceUnits) units += fmt::format("{}{}", units.empty() ? "" : "|", unit);
+  return fmt::format("^[0-9]*\\.?[0-9]+ ?({})$", units);
+}
+
 void fill_limits(Section& limits) {
   limits.name = "limits";
   limits.help =
-      "How far the areas of this head go: each limit times the head's own, with 1 as it is, 0.5 half as far, "
-      "0 "
-      "not at all. `mien list limits` names and measures them.";
+      "How far the areas of this head go: times the head's own limit (1 as it is, 0.5 half as far, 0 not at "
+      "all), or a "
+      "length on this head: 12mm, or 0.3eye_nose in a unit of the face. Names are ours or the thesis's, "
+      "whose left and "
+      "right are the viewer's. `mien list limits` names and measures them.";
   limits.expected = "limits such as {brow.left.up: 0.8}";
   limits.noun = "limit";
-  const Form share = as_number(0, kMaxLimit, "times the head's own");
+  const Forms forms{as_number(0, kMaxLimit, "times the head's own"), as_length(0, kMaxLimit_mm),
+                    as_tag(build_unit_pattern())};
+  const auto add = [&](const std::string& name, const char* help) {
+    if (!name.empty() && find_key(limits, name) == nullptr) limits.keys.push_back({name, forms, help, "1"});
+  };
   for (const LimitName& limit : list_limits())
-    if (const std::string& name = limit.plural.empty() ? limit.name : limit.plural;
-        find_key(limits, name) == nullptr)
-      limits.keys.push_back(
-          {name,
-           {share},
-           limit.plural.empty() ? "Times the head's own limit." : "Both sides; a sided name overrides one.",
-           "1"});
+    add(limit.plural.empty() ? limit.name : limit.plural,
+        limit.plural.empty() ? "This limit." : "Both sides; a sided name overrides one.");
+  for (const LimitName& limit : list_limits()) add(limit.name, "This limit.");
   for (const LimitName& limit : list_limits())
-    if (!limit.plural.empty())
-      limits.keys.push_back({limit.name, {share}, "Times the head's own limit.", "1"});
+    add(limit.thesis,
+        "The thesis's name of it; where several have it, all of them. Our own names override it.");
 }
 
 }  // namespace

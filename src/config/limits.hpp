@@ -2,6 +2,7 @@
 // Faces", Tamkang University, 1990, section 5.3), where each is one adjustable variable of the head.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -23,5 +24,13 @@ struct LimitName {
 // All of them, in the order of kMoves, the positive way first. Shutting the upper lid is none: it ends where
 // the lids meet.
 const std::vector<LimitName>& list_limits();
+
+inline constexpr double kMaxLimit = 2;      // times the head's own; further the skin folds over
+inline constexpr double kMaxLimit_mm = 60;  // as a length
+
+// The lengths of a face that limits are stored in, so that one performance reads the same on every head
+// (after the facial animation parameter units of MPEG-4).
+inline constexpr std::array<std::string_view, 5> kFaceUnits{"eye_separation", "eye_nose", "mouth_nose",
+                                                            "mouth_width", "iris"};
 
 }  // namespace mien

@@ -138,19 +138,52 @@ void load_look(const YamlValue& value, const HeadWords& words, Look& look) {
   load_look_words(entries, look);
 }
 
-// `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides.
-void load_limits(const YamlValue& value, std::map<std::string, double>& into) {
+// "12mm", "1.2cm" or "0.3 eye_nose"; empty if the text is no such length.
+std::optional<LimitLength> parse_limit_length(std::string_view text) {
+  const auto take = [&](std::string_view unit) -> std::optional<double> {
+    if (!text.ends_with(unit)) return std::nullopt;
+    std::string_view number = text.substr(0, text.size() - unit.size());
+    while (number.ends_with(' ')) number.remove_suffix(1);
+    return parse_number(number);
+  };
+  for (const std::string_view unit : kFaceUnits)
+    if (const auto value = take(unit)) return LimitLength{*value, std::string(unit)};
+  if (const auto value = take("mm")) return LimitLength{*value, "mm"};
+  if (const auto value = take("cm")) return LimitLength{*value * 10, "mm"};
+  return std::nullopt;
+}
+
+// A share or a length of this limit, which stands above what was said of it before.
+void load_limit(const YamlValue& value, const std::vector<std::string>& names, HeadSpec& head) {
+  const YamlNode& node = find_node(value);
+  const Form& range = find_form(value, FormKind::number);
+  const auto length = node.kind == NodeKind::text ? parse_limit_length(node.text) : std::nullopt;
+  const auto share = node.kind == NodeKind::text ? parse_number(node.text) : std::nullopt;
+  if (length ? length->value < 0 || (length->unit == "mm" && length->value > kMaxLimit_mm)
+             : !share || *share < range.low || *share > range.high)
+    return add_unexpected(
+        value, fmt::format("a number from {:g} to {:g} {}, or a length such as 12mm or 0.3eye_nose",
+                           range.low, range.high, range.noun));
+  for (const std::string& name : names) {
+    head.limits.erase(name);
+    head.limit_lengths.erase(name);
+    if (length)
+      head.limit_lengths[name] = {length->value, length->unit, find_place(value.document->source, value.spot)};
+    else
+      head.limits[name] = *share;
+  }
+}
+
+// `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides; both override the
+// thesis's.
+void load_limits(const YamlValue& value, HeadSpec& head) {
   const YamlMapping entries = load_section(value);
-  for (const bool is_plural_pass : {true, false})
+  for (const auto name_of : {&LimitName::thesis, &LimitName::plural, &LimitName::name})
     for (const YamlEntry& entry : entries) {
-      double share = 1;
-      bool is_read = false;
-      for (const LimitName& limit : list_limits()) {
-        if (entry.key != (is_plural_pass ? limit.plural : limit.name)) continue;
-        if (!is_read && !load_number(entry.value, share)) break;
-        is_read = true;
-        into[limit.name] = share;
-      }
+      std::vector<std::string> names;
+      for (const LimitName& limit : list_limits())
+        if (entry.key == limit.*name_of) names.push_back(limit.name);
+      if (!names.empty()) load_limit(entry.value, names, head);
     }
 }
 
@@ -202,7 +235,7 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   load_start(entries, source, head);
   load_growth(entries, *source.words, head);
   if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
-  if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head.limits);
+  if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head);
   if (const YamlValue* sculpt = find_value(entries, "sculpt")) load_sculpt(*sculpt, source, head.sculpt);
   head.said = find_said(entries);
   if (const YamlValue* random = find_value(entries, "random"))

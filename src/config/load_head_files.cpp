@@ -92,6 +92,9 @@ void mix_limits(HeadSpec& head) {
       }
       head.limits[name] = sum;
     }
+  // Lengths are those of whoever has most of it.
+  const auto most = std::ranges::max_element(head.mix, {}, &HeadShare::weight);
+  if (most != head.mix.end()) head.limit_lengths = most->head.limit_lengths;
 }
 
 // "ch_l" to "ch"; false if no such place is known.

@@ -63,6 +63,28 @@ Limit measure_turn(const NeutralHead& head, const Face& face, const LimitName& n
   return limit;
 }
 
+// One limit where its share of the head's own is this.
+Limit measure_limit(const NeutralHead& head, const Face& face, const LimitName& name, double asked) {
+  const FaceUnits adult = measure_face(head.cage, head.adult_points, head.adult_eye);
+  const MoveInfo& info = kMoves[name.move];
+  const LimitPlace& place = head.data->areas.limits.at(fmt::format("{}.{}", info.area, info.move));
+  Pose lifted;
+  lifted.values[name.move] = name.sign * asked;
+  const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
+  const std::string point = (info.side == Side::right && info.area != "eye" ? "R:" : "") + place.point;
+  if (place.axis < 0) return measure_turn(head, face, name, share, lifted, point);
+  const double adult_mm = (name.sign > 0 ? place.plus_mm : place.minus_mm) *
+                          get_gain(head.design, info.area, info.move, name.sign);
+  const double value = share * adult_mm / compute_unit_mm(adult, place.unit);
+  return {&name,
+          place.unit,
+          value,
+          value * compute_unit_mm(face.units, place.unit),
+          compute_ways(head, face, lifted, point).skin_mm,
+          point,
+          place.axis};
+}
+
 }  // namespace
 
 LimitShares::LimitShares() {
@@ -86,26 +108,35 @@ Pose apply_limits(const LimitShares& shares, const Pose& pose) {
 }
 
 std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, const LimitShares& shares) {
-  const FaceUnits adult = measure_face(head.cage, head.adult_points, head.adult_eye);
   std::vector<Limit> limits;
-  for (const LimitName& name : list_limits()) {
-    const MoveInfo& info = kMoves[name.move];
-    const LimitPlace& place = head.data->areas.limits.at(fmt::format("{}.{}", info.area, info.move));
-    Pose lifted;
-    lifted.values[name.move] = name.sign * (name.sign > 0 ? shares.plus : shares.minus)[name.move];
-    const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
-    const std::string point = (info.side == Side::right && info.area != "eye" ? "R:" : "") + place.point;
-    if (place.axis < 0) {
-      limits.push_back(measure_turn(head, face, name, share, lifted, point));
-      continue;
-    }
-    const double adult_mm = (name.sign > 0 ? place.plus_mm : place.minus_mm) *
-                            get_gain(head.design, info.area, info.move, name.sign);
-    const double value = share * adult_mm / compute_unit_mm(adult, place.unit);
-    limits.push_back({&name, place.unit, value, value * compute_unit_mm(face.units, place.unit),
-                      compute_ways(head, face, lifted, point).skin_mm, point, place.axis});
-  }
+  for (const LimitName& name : list_limits())
+    limits.push_back(
+        measure_limit(head, face, name, (name.sign > 0 ? shares.plus : shares.minus)[name.move]));
   return limits;
+}
+
+void fit_limit_lengths(const NeutralHead& head, const Face& face,
+                       const std::map<std::string, LimitLength>& lengths, LimitShares& shares) {
+  constexpr int kHalvings = 24;
+  for (const LimitName& name : list_limits()) {
+    const auto found = lengths.find(name.name);
+    if (found == lengths.end()) continue;
+    const LimitLength& length = found->second;
+    const double asked_mm =
+        length.unit == "mm" ? length.value : length.value * compute_unit_mm(face.units, length.unit);
+    double low = 0, high = kMaxLimit;
+    if (const double most_mm = measure_limit(head, face, name, high).mm; asked_mm > most_mm)
+      throw InputError(
+          {Diagnostic{length.place,
+                      fmt::format("'{}' goes {:.1f} mm at most on this head; expected no more than that",
+                                  name.name, most_mm),
+                      "", false}});
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (low + high);
+      (measure_limit(head, face, name, middle).mm < asked_mm ? low : high) = middle;
+    }
+    (name.sign > 0 ? shares.plus : shares.minus)[name.move] = 0.5 * (low + high);
+  }
 }
 
 }  // namespace mien

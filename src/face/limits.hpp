@@ -20,6 +20,12 @@ struct LimitShares {
 // `limits` by the names of config/limits.hpp.
 LimitShares compute_limit_shares(const std::map<std::string, double>& limits);
 
+// The same with limits that are told as lengths, on this head: what share each is. Throws InputError at the
+// place of one that the head cannot reach: "'brow.left.up' goes 21.4 mm at most on this head; expected no
+// more than that".
+void fit_limit_lengths(const NeutralHead& head, const Face& face,
+                       const std::map<std::string, LimitLength>& lengths, LimitShares& shares);
+
 // The pose of this head's areas: each value times the share of its limit. Without shares it is the same to
 // the last bit.
 Pose apply_limits(const LimitShares& shares, const Pose& pose);

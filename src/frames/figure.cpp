@@ -260,6 +260,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
         made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
       }};
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
+  fit_limit_lengths(figure.head, figure.face, spec.limit_lengths, figure.limits);
   tints.push_back({std::move(scalp), 0.8f * spec.look.hair});
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)
