@@ -98,8 +98,13 @@ void check_mesh(const Options& options) {
     report_result(options, "faults", *options.faults);
   }
   std::vector<Diagnostic> faults;
-  for (const MeshFault& fault : report.faults)
-    faults.push_back({Place{options.file.string(), fault.line, 0}, fault.message, "", false});
+  for (const MeshFault& fault : report.faults) {
+    const Diagnostic told{Place{options.file.string(), fault.line, 0}, fault.message, "", fault.is_warning};
+    if (!fault.is_warning)
+      faults.push_back(told);
+    else if (!options.is_quiet)
+      report_warning(options, told);
+  }
   if (!faults.empty()) throw InputError(faults);
   if (options.is_quiet) return;
   const std::string summary = fmt::format(

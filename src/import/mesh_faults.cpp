@@ -41,7 +41,8 @@ int find_line(const FaultFinder& finder, std::uint32_t vertex) {
 }
 
 // Tells those of one kind: not more than there is patience for.
-void add_faults(FaultFinder& finder, const char* kind, std::vector<MeshFault> found) {
+void add_faults(FaultFinder& finder, const char* kind, std::vector<MeshFault> found,
+                bool is_warning = false) {
   const std::size_t total = found.size();
   for (std::size_t i = 0; i < total; ++i) {
     if (i < finder.most) {
@@ -51,6 +52,7 @@ void add_faults(FaultFinder& finder, const char* kind, std::vector<MeshFault> fo
       rest.message = fmt::format("and {} more {}", total - finder.most, kind);
       rest.faces.insert(rest.faces.end(), found[i].faces.begin(), found[i].faces.end());
     }
+    finder.report.faults.back().is_warning = is_warning;
   }
 }
 
@@ -102,7 +104,7 @@ void check_faces(FaultFinder& finder) {
            {face}});
   }
   add_faults(finder, "polygons without area", std::move(folded));
-  add_faults(finder, "polygons that are not flat", std::move(bent));
+  add_faults(finder, "polygons that are not flat", std::move(bent), true);
 }
 
 std::map<Edge, EdgeUse> list_edges(const FaultFinder& finder) {
@@ -161,7 +163,7 @@ void check_points(FaultFinder& finder, const std::map<Edge, EdgeUse>& edges) {
                        {}});
   }
   add_faults(finder, "points on fewer than two edges", std::move(loose));
-  add_faults(finder, "points that are there again", std::move(twice));
+  add_faults(finder, "points that are there again", std::move(twice), true);
 }
 
 void check_twins(FaultFinder& finder) {
@@ -206,7 +208,7 @@ void check_pieces(FaultFinder& finder, const std::map<Edge, EdgeUse>& edges) {
                                  piece->second.size(), format_place(finder.place(first, 0))),
                      find_line(finder, finder.corner(first, 0)), piece->second});
   }
-  add_faults(finder, "loose pieces", std::move(loose));
+  add_faults(finder, "loose pieces", std::move(loose), true);
 }
 
 // Open edges hang together in rims.

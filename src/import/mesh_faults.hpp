@@ -16,6 +16,7 @@ struct MeshFault {
   std::string message;               // what was found; what was expected; where, by coordinates
   int line = 0;                      // of the file, where it is text
   std::vector<std::uint32_t> faces;  // that have it
+  bool is_warning = false;  // one can work with it: pieces apart, points at one place, polygons that are bent
 };
 
 struct MeshReport {

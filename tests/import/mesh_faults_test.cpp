@@ -99,6 +99,9 @@ TEST(mesh_faults, tells_loose_pieces_and_points_that_are_there_again) {
                           "point 11 at (5, 0, 0) is point 8 again; expected each place once",
                           "1 polygons at (5, 0, 0) hang on nothing else; expected one piece"));
   EXPECT_EQ(find_mesh_faults(two).pieces, 2u);
+  EXPECT_FALSE(find_mesh_faults(two).faults[0].is_warning);
+  EXPECT_TRUE(find_mesh_faults(two).faults[1].is_warning);
+  EXPECT_TRUE(find_mesh_faults(two).faults[2].is_warning);
 }
 
 TEST(mesh_faults, tells_some_and_counts_the_rest) {
