@@ -36,6 +36,14 @@ struct VideoOptions {
   bool has_slate = false;     // --slate: what each shows is written on it
 };
 
+// How a take is imported.
+struct TakeOptions {
+  std::optional<double> keys_mm;         // --keys 0.5mm: how far the skin may be from the take
+  std::optional<double> strict_percent;  // --strict 10: how much of the motion may be lost
+  std::optional<double> smooth_hz;       // --smooth 1.5
+  std::optional<double> fps;             // --fps 59.94: of a file that does not say its rate
+};
+
 struct Options {
   std::string kind;            // the word before the file: what `list` lists, which sheet
   std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
@@ -60,6 +68,7 @@ struct Options {
   std::optional<std::uintmax_t> store_bytes;  // --store, for render: what pictures beyond the clip's may take
   FarmOptions farm;                           // for render
   VideoOptions video;                         // for render
+  TakeOptions take;                           // for import
   std::optional<int> nice;                    // --nice, for render: as nice(1) has it
   std::optional<int> every;                   // --every N, for sheet contact: of so many drawings one
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh

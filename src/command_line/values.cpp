@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "config/load_spec.hpp"
+#include "config/load_takes.hpp"
 #include "config/quantity.hpp"
 #include "core/seeded.hpp"
 #include "core/text.hpp"
@@ -241,6 +242,25 @@ void read_outputs(const std::string& text, Options& options) {
   }
 }
 
+std::string read_keys(const std::string& text, Options& options) {
+  constexpr double kFinest_mm = 0.01, kCoarsest_mm = 10;  // beyond it a face is not followed at all
+  const auto length = parse_quantity(text, build_length_measure());
+  if (!length || *length < kFinest_mm || *length > kCoarsest_mm)
+    return fmt::format("is not a length from {}mm to {}mm such as 0.5mm", kFinest_mm, kCoarsest_mm);
+  options.take.keys_mm = length;
+  return {};
+}
+
+// A number within two bounds; `percent` may stand behind it.
+std::string read_bounded(std::string text, double low, double high, std::optional<double>& into) {
+  if (text.ends_with('%')) text.pop_back();
+  const auto number = parse_number(text);
+  if (!number || *number < low || *number > high)
+    return fmt::format("is not a number from {} to {}", low, high);
+  into = number;
+  return {};
+}
+
 std::string read_value(const std::string& name, const std::string& text, Options& options) {
   if (name == "frames") return read_frames(text, options);
   if (name == "size") return read_size(text, options);
@@ -262,6 +282,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "time") return read_time_limit(text, options);
   if (name == "part") return read_part(text, options);
   if (name == "random-head") return read_seed(text, kMaxSeed, options.random_head);
+  if (name == "keys") return read_keys(text, options);
+  if (name == "strict") return read_bounded(text, 0, 100, options.take.strict_percent);
+  if (name == "smooth") return read_bounded(text, 0, kMostSmooth_hz, options.take.smooth_hz);
+  if (name == "fps") return read_bounded(text, 1, kMostTakeRate, options.take.fps);
   if (name == "quiet") options.is_quiet = true;
   if (name == "stl") options.has_stl = true;
   if (name == "no-stl") options.has_stl = false;

@@ -1,7 +1,8 @@
 // `mien import`.
 #include <fmt/format.h>
 
-#include "clip/outputs.hpp"
+#include "commands/import_pose.hpp"
+#include "commands/import_take.hpp"
 #include "commands/report.hpp"
 #include "commands/table.hpp"
 #include "config/load_spec.hpp"
@@ -9,6 +10,8 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "import/mouth_track.hpp"
+#include "import/take.hpp"
+#include "import/unit_pose.hpp"
 #include "render/work_folder.hpp"
 #include "voice/cues_text.hpp"
 
@@ -19,24 +22,36 @@ namespace {
 constexpr double kFrameRate =
     24;  // of switch data that does not tell its own: what Rhubarb and Papagayo write
 
-void run_import(const Options& options) {
-  const MouthTrack track = load_mouth_track(options.file, kFrameRate);
+void import_mouths(const Options& options) {
+  const MouthTrack track = load_mouth_track(options.file, options.take.fps.value_or(kFrameRate));
   if (track.names == MouthNames::words)
     throw InputError(fmt::format(
         "{} has words and no mouths; expected phonemes or shapes (say: [{{mouths: {}}}] speaks words)",
         options.file.string(), options.file.filename().string()));
-  const std::string name = build_name(options.file);
-  const OutputFile output = find_output_file(options, name + ".yaml");
-  check_ending(output, "file", {".yaml", ".yml"});
-  std::error_code ignored;
-  if (std::filesystem::exists(std::filesystem::symlink_status(output.path, ignored)))
-    throw InputError(fmt::format("{} exists; expected the name of a new file", output.path.string()));
-  check_output_files({output}, {});
-  remove_left_parts_of(output.path);
+  const std::filesystem::path output = find_import_output(options);
+  remove_left_parts_of(output);
   const LanguagePointer language = load_language(find_data_folder());
-  write_file(output.path, build_cues_text(track, *language->speech, build_name(output.path),
-                                          options.file.filename().string()));
-  report_result(options, "file", output.path);
+  write_file(output,
+             build_cues_text(track, *language->speech, build_name(output), options.file.filename().string()));
+  report_result(options, "file", output);
+}
+
+void run_import(const Options& options) {
+  if (is_unit_pose(options.file)) return import_pose(options);
+  switch (guess_take_kind(options.file)) {
+    case TakeGuess::live_link:
+      return import_take(options, TakeKind::live_link);
+    case TakeGuess::arkit:
+      return import_take(options, TakeKind::arkit);
+    case TakeGuess::openface:
+      return import_take(options, TakeKind::openface);
+    case TakeGuess::tracks:
+      return import_take(options, TakeKind::tracks);
+    case TakeGuess::vrma:
+      return import_take(options, TakeKind::vrma);
+    case TakeGuess::none:
+      return import_mouths(options);
+  }
 }
 
 }  // namespace
@@ -45,12 +60,18 @@ const CommandInfo command_import{
     "import",
     "The file",
     "FILE",
-    "the mouths of another program as cues",
-    "Writes a YAML file whose script does what FILE says of a mouth: the cues of Rhubarb Lip Sync (.tsv,\n"
-    ".xml, .json, .dat), of Papagayo and Moho (.dat, .pgo), of the Montreal Forced Aligner (.TextGrid), or "
-    "a\n"
-    "table of phonemes (.csv). `say: [{mouths: FILE}]` follows the file itself, without this.",
-    "",
+    "what other programs recorded of a face, as keys and cues",
+    "Writes a YAML file that does what FILE says. Takes of a face become keys: of Live Link Face (.csv),\n"
+    "MediaPipe and recorders of ARKit (.json), OpenFace 2 (.csv), OpenFaceFX (.json) and VRM animation\n"
+    "(.vrma); what of a take our areas cannot do is told. An expression of MPFB (.json) or MakeHuman "
+    "(.mhpose) becomes one of ours. What FILE says of a mouth becomes a script: the cues of Rhubarb Lip "
+    "Sync\n"
+    "(.tsv, .xml, .json, .dat), of Papagayo and Moho (.dat, .pgo), of the Montreal Forced Aligner\n"
+    "(.TextGrid), or a table of phonemes (.csv). `tracks:` and `say:` follow the files themselves, without "
+    "this.",
+    "keys strict smooth fps",
+    "mien import take.csv -o take.yaml\n"
+    "mien import take.csv --keys 1mm --strict 20 -o take.yaml\n"
     "mien import line.tsv -o line.yaml",
     run_import};
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/facs_notation.hpp"
 #include "config/load_spec.hpp"
 #include "config/sections.hpp"
 #include "core/text.hpp"
@@ -122,6 +123,7 @@ std::optional<AreaWords> find_areas_beside(const YamlMapping& key, const Express
 
 ExpressionBook load_book(const YamlValue& root, const Language& language) {
   ExpressionBook book = language.libraries;
+  append_notations(*root.document, book);
   const YamlMapping file = load_section(root, find_sections().file);
   if (const YamlValue* library = find_value(file, "library"))
     load_name(*library, "library", book.libraries, book.library);

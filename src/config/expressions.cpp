@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/facs_notation.hpp"
 #include "config/load_areas.hpp"
 
 namespace mien {
@@ -97,7 +98,7 @@ std::optional<std::size_t> find_expression(const ExpressionBook& book, const std
   if (name.find('/') != std::string::npos) return name[0] == '/' ? std::nullopt : find(name);
   for (const std::string& scope : list_scopes(book, of_library))
     if (const auto found = find(scope + "/" + name)) return found;
-  return std::nullopt;
+  return is_facs_notation(name) ? find("facs/" + name) : std::nullopt;
 }
 
 std::string describe_unknown_expression(const ExpressionBook& book, const std::string& name,
@@ -108,6 +109,10 @@ std::string describe_unknown_expression(const ExpressionBook& book, const std::s
   if (!is_plain && std::ranges::find(book.libraries, library) == book.libraries.end())
     return describe_unknown("library", library, book.libraries);
 
+  if (std::string fault; book.mappings && is_facs_notation(name)) {
+    find_notation_pose(*book.mappings, name, fault);
+    if (!fault.empty()) return fault;
+  }
   const std::string word = is_plain ? name : name.substr(slash + 1);
   const std::string start = fmt::format("unknown expression '{}'; ", show_word(name));
   for (const std::string& other : book.libraries)
@@ -240,6 +245,7 @@ Express load_express(const YamlValue& value, const ExpressionBook& book, const F
     if (find_node(value).kind == NodeKind::mapping)
       express.label += formula ? " live" : fmt::format(" {:.3g}", weight);
     express.name += expression.name;
+    std::ranges::replace(express.name, '+', '_');  // of a notation; names become file names
     if (weight > 0 || formula) express.reach = std::max(express.reach, expression.reach);
     express.held.insert(express.held.end(), expression.held.begin(), expression.held.end());
   }

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,8 @@
 
 namespace mien {
 
+struct MappingData;  // mapping_data.hpp
+
 // All that can be named, and the order in which a plain name is looked up.
 struct ExpressionBook {
   std::vector<Expression> expressions;
@@ -22,6 +25,8 @@ struct ExpressionBook {
   Names libraries;                           // known ones
   std::string library = "mien";              // the file's `library:`
   double exaggerate = 1;                     // the file's own, for what says none
+  std::shared_ptr<const MappingData> mappings =
+      {};  // by which notations of action units are read; none: they are not
 };
 
 void append_expressions(ExpressionBook& book, std::vector<Expression> expressions);

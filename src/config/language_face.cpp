@@ -94,7 +94,7 @@ void fill_face_sections(Sections& all) {
   expression.expected = "areas such as {brows: {up: 0.5}}";
   expression.keys = {
       {"from",
-       {as_tag(build_expression_name_pattern(), "expressions")},
+       {as_tag(build_asked_expression_pattern(), "expressions")},
        "The expression to start from.",
        "neutral"},
       build_strength_key("How much of what it starts from.", false),

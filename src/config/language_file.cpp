@@ -123,7 +123,7 @@ void fill_busts(Sections& all) {
   set.expected = "a mapping such as {all: tezuka, height: 60mm}";
   set.keys = {{"all",
                {as_data_word("library", "libraries"),
-                as_list({as_tag(build_expression_name_pattern(), "expressions")}, 1)},
+                as_list({as_tag(build_asked_expression_pattern(), "expressions")}, 1)},
                "A library, or a list of expressions such as `[smile, tezuka/anger]`.",
                "",
                true},

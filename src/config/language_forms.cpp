@@ -4,6 +4,7 @@
 
 #include <cctype>
 
+#include "config/facs_notation.hpp"
 #include "core/seeded.hpp"
 
 namespace mien {
@@ -128,6 +129,10 @@ std::string build_expression_name_pattern() {
   return fmt::format("^[A-Za-z][A-Za-z0-9_-]{{0,{}}}$", kMaxExpressionName - 1);
 }
 
+std::string build_asked_expression_pattern() {
+  return fmt::format("{}|{}", build_expression_name_pattern(), build_facs_pattern());
+}
+
 std::string build_file_pattern(const Names& endings) {
   std::string any;
   for (const std::string& ending : endings) {
@@ -168,13 +173,14 @@ Key build_seed_key() {
 Key build_express_key(bool is_live) {
   Forms weight{as_number(0, 1)};
   if (is_live) weight.push_back(as_formula());
-  Form mix = as_map(build_expression_name_pattern(), weight, 1);
+  const std::string pattern = build_asked_expression_pattern();
+  Form mix = as_map(pattern, weight, 1);
   mix.data = "expressions";
   return {
       "express",
-      {as_tag(build_expression_name_pattern(), "expressions"), mix},
-      "An expression: one of the file's own, a plain name of the library, or `library/name`; or a mix such "
-      "as `{surprise: 0.6, smile: 0.4}`.",
+      {as_tag(pattern, "expressions"), mix},
+      "An expression: one of the file's own, a plain name of the library, or `library/name`; action units of "
+      "FACS such as `AU6C+AU12D`; or a mix such as `{surprise: 0.6, smile: 0.4}`.",
       "neutral"};
 }
 

@@ -40,6 +40,7 @@ Forms as_mix(const std::string& noun, std::span<const Word> words);
 std::string build_key_name_pattern();
 std::string build_actor_name_pattern();
 std::string build_expression_name_pattern();
+std::string build_asked_expression_pattern();  // a name, or a notation of action units
 std::string build_file_pattern(const Names& endings);
 
 // Defaults as an author would write them.

@@ -4,6 +4,7 @@
 #include "config/areas.hpp"
 #include "config/language_forms.hpp"
 #include "config/load_clip.hpp"
+#include "config/load_takes.hpp"
 
 namespace mien {
 
@@ -97,16 +98,29 @@ void fill_law(Sections& all) {
 void fill_sources(Sections& all) {
   Section& track = all.track;
   track.name = "track";
-  track.help = "A table of moves in time.";
-  track.expected = "a track such as {csv: talk.csv}";
+  track.help = "A table of moves in time, or a take of another program.";
+  track.expected = "a track such as {csv: talk.csv} or {live_link: take.csv}";
   track.keys = {
       {"csv",
        {as_file({".csv"})},
        "A file whose first line names its columns: time (in seconds) or frame, and moves such as "
        "brow.left.up, "
-       "brows.up, lips.upper.",
-       "",
-       true},
+       "brows.up, lips.upper."},
+      {"live_link", {as_file({".csv"})}, "A take of Live Link Face."},
+      {"arkit",
+       {as_file({".json"})},
+       "ARKit's units by frames, as MediaPipe and recorders of ARKit write them."},
+      {"openface", {as_file({".csv"})}, "A take of OpenFace 2."},
+      {"openfacefx", {as_file({".json"})}, "Tracks of OpenFaceFX."},
+      {"vrma", {as_file({".vrma"})}, "An animation of VRM."},
+      {"smooth",
+       {as_number(0, kMostSmooth_hz, "Hz")},
+       "How quick a change of a take may be noise: lower is calmer, 0 leaves it as it is.",
+       say(SmoothSpec{}.cutoff_hz)},
+      {"fps",
+       {as_number(1, kMostTakeRate)},
+       "Frames a second of a take whose file does not say them: of a timecode at 59.94, or of rows without "
+       "times."},
       {"at", as_waiting_time(all.wait), "When its time is 0.", "0"},
       {"between", {as_word("between", kBetweenWords)}, "Between its rows.", "linear"},
       {"attack",
@@ -115,6 +129,13 @@ void fill_sources(Sections& all) {
        say(kTableAttack_s, "s")},
       {"release", {as_duration()}, "How long after its last row it is gone.", say(kTableRelease_s, "s")},
       build_rule()};
+  track.rules = {{KeyRule::Kind::one_of, {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma"}},
+                 {KeyRule::Kind::apart,
+                  {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma", "smooth", "fps"}},
+                 {KeyRule::Kind::apart, {"live_link", "arkit", "openface", "openfacefx", "vrma"}},
+                 {KeyRule::Kind::apart, {"arkit", "openface", "openfacefx", "vrma"}},
+                 {KeyRule::Kind::apart, {"openface", "openfacefx", "vrma"}},
+                 {KeyRule::Kind::apart, {"openfacefx", "vrma"}}};
 
   Section& include = all.include;
   include.name = "include";

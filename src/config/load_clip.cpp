@@ -292,7 +292,7 @@ void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec&
   merge(into.keys, load_pose_keys(entries, reader));
   merge(into.camera, load_camera_keys(entries, reader));
   merge(into.turn, load_turn_keys(entries, reader));
-  load_tables(entries, reader, into.cues);
+  load_tables(entries, reader, into);
   load_cues(entries, reader, into.cues);
   load_laws(entries, reader, into.cues);
   std::ranges::stable_sort(into.cues, [](const CueSpec& a, const CueSpec& b) {

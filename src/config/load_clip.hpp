@@ -54,12 +54,15 @@ struct ScriptText {
   Inputs inputs;
 };
 
+struct TakeTable;
+
 // Everything that all the files of one clip share.
 struct ClipLibrary {
   std::map<std::string, ScriptText> scripts;
   std::map<std::string, std::shared_ptr<const ClipSpec>> played;  // by the script's name and its parameters
   // By file, frames a second and `between`: a table that many tracks show is read once.
   std::map<std::tuple<std::string, int, Between>, std::shared_ptr<const TimeTable>> tables;
+  std::map<std::string, std::shared_ptr<const TakeTable>> takes;  // by file and how it is read
   std::set<std::string> played_names;
   std::deque<std::pair<FormulaPointer, YamlValue>> formulas;
   // Of `include`, by the file as it is named: values point into them. Empty: it cannot be read, as was told.
@@ -117,7 +120,7 @@ std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipReader& r
 // `cues:`, `laws:` and `tracks:`, appended.
 void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
 void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
-void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
+void load_tables(const YamlMapping& clip, const ClipReader& reader, ClipSpec& into);
 
 // `say:`, appended.
 void load_say(const YamlMapping& clip, const ClipReader& reader, std::vector<SaySpec>& into);

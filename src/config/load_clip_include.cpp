@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/facs_notation.hpp"
 #include "config/load_clip.hpp"
 #include "config/load_spec.hpp"
 #include "config/named_file.hpp"
@@ -38,11 +39,13 @@ bool load_entry(const YamlValue& value, const ClipReader& reader, Include& inclu
 }
 
 // The names that the other file's clip may use: its own expressions and the libraries.
-std::shared_ptr<const ExpressionBook> build_other_book(const YamlMapping& entries,
+std::shared_ptr<const ExpressionBook> build_other_book(const YamlDocument& document,
+                                                       const YamlMapping& entries,
                                                        const ExpressionBook& outer) {
   auto book = std::make_shared<ExpressionBook>(outer);
   std::erase_if(book->index, [](const auto& entry) { return entry.first.starts_with('/'); });
   book->library = ExpressionBook{}.library;
+  append_notations(document, *book);
   book->exaggerate = 1;
   if (const YamlValue* library = find_value(entries, "library"))
     load_name(*library, "library", book->libraries, book->library);
@@ -77,7 +80,7 @@ void load_other(const YamlValue& value, const Include& include, const YamlMappin
   reader.formulas.start_s = include.at_s;
   reader.between = Between::ease;
   reader.files.push_back(path);
-  reader.book = build_other_book(file, *outer.book);
+  reader.book = build_other_book(*value.document, file, *outer.book);
   load_between(entries, reader.between);
   std::erase_if(entries, [&](const YamlEntry& entry) {
     return entry.key != "include" && std::ranges::find(include.take, entry.key) == include.take.end();

@@ -4,6 +4,7 @@
 
 #include "config/clip_spec.hpp"
 #include "config/load_clip.hpp"
+#include "config/load_takes.hpp"
 #include "config/named_file.hpp"
 #include "core/ticks.hpp"
 
@@ -217,7 +218,41 @@ std::shared_ptr<const TimeTable> find_table(const YamlValue& csv, const std::fil
 
 }  // namespace
 
-void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into) {
+namespace {
+
+// The key of a track that names its file; null, with a mistake told, if it is not one.
+const YamlEntry* find_track_file(const YamlMapping& entries, const YamlValue& item) {
+  const YamlEntry* named = nullptr;
+  for (const YamlEntry& entry : entries) {
+    if (entry.key != "csv" && !find_take_key(entry.key)) continue;
+    if (named == nullptr) {
+      named = &entry;
+      continue;
+    }
+    add_mistake(entry.value, fmt::format("'{}' and '{}' name two files of one track; expected one of them",
+                                         named->key, entry.key));
+    return nullptr;
+  }
+  if (named == nullptr)
+    add_mistake(item, fmt::format("{} names no file; expected 'csv', 'live_link', 'arkit', 'openface', "
+                                  "'openfacefx' or 'vrma' and a file such as talk.csv",
+                                  describe_subject(item)));
+  return named;
+}
+
+// The head's turn of a take, where the clip has none of its own.
+void append_turn(const TakeTable& take, double start_s, ClipSpec& into) {
+  if (!into.turn.empty()) return;
+  const Ticks start = compute_ticks(start_s);
+  for (TurnKey key : take.turn) {
+    key.at_s = compute_seconds(start + compute_ticks(key.at_s));
+    into.turn.push_back(key);
+  }
+}
+
+}  // namespace
+
+void load_tables(const YamlMapping& clip, const ClipReader& reader, ClipSpec& into) {
   const YamlValue* list = find_value(clip, "tracks");
   if (list == nullptr) return;
   for (const YamlValue& item : load_list(*list, "a list of tracks such as [{csv: talk.csv}]")) {
@@ -235,10 +270,19 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     load_duration(entries, "release", reader.clock, release_s);
     Between between = Between::linear;
     load_between(entries, between);
-    const YamlValue* csv = find_required(entries, "csv", item, "a file such as talk.csv");
+    const TakeReading reading = load_take_reading(entries);
+    const YamlEntry* named = find_track_file(entries, item);
     std::optional<FileReference> file;
-    if (csv == nullptr || !load_file(*csv, file)) continue;
-    cue.table = find_table(*csv, file->path, between, reader);
+    if (named == nullptr || !load_file(named->value, file)) continue;
+    if (named->key == "csv") {
+      for (const char* key : {"smooth", "fps"})
+        if (const YamlValue* value = find_value(entries, key))
+          add_mistake(*value, fmt::format("'{}' is for takes; expected none beside 'csv'", key));
+      cue.table = find_table(named->value, file->path, between, reader);
+    } else if (const auto take = find_take(*named, reading, file->path, between, reader)) {
+      cue.table = std::shared_ptr<const TimeTable>(take, &take->table);
+      append_turn(*take, cue.start_s, into);
+    }
     if (!cue.table) continue;
     const Ticks start = compute_ticks(cue.start_s);
     cue.full_s = compute_seconds(start + compute_ticks(cue.table->at_s.front()));
@@ -247,7 +291,7 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, std::vector<
     cue.end_s = cue.ebb_s + release_s;
     for (const std::size_t move : cue.table->moves) cue.owns.set(move);
     cue.what.label = file->path.filename().string();
-    into.push_back(std::move(cue));
+    into.cues.push_back(std::move(cue));
   }
 }
 

@@ -8,6 +8,8 @@
 
 #include "config/data_table.hpp"
 #include "config/expressions.hpp"
+#include "config/facs_notation.hpp"
+#include "config/mapping_data.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
 #include "core/utf8.hpp"
@@ -133,6 +135,7 @@ LanguagePointer load_language(const std::filesystem::path& data_folder) {
   Findings findings;
   auto language = std::make_shared<Language>();
   language->libraries = build_book(load_expression_libraries(data_folder / "configs/expressions"));
+  language->libraries.mappings = load_mapping_data(data_folder, language->libraries, findings);
   language->words = load_head_words(data_folder, findings);
   language->speech = load_speech_data(data_folder, findings);
   throw_mistakes(std::move(findings));
@@ -151,11 +154,13 @@ Spec build_spec(const std::filesystem::path& file, const std::optional<YamlDocum
   if (document) {
     const YamlValue root = find_root(*document, findings);
     const YamlMapping entries = load_section(root, find_sections().file);
+    append_notations(*document, book);
     if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
   }
   spec.files = findings.files;
   throw_mistakes(std::move(findings));
 
+  spec.mappings = book.mappings;
   spec.expressions = std::move(book.expressions);
   auto& all = spec.expressions;
   std::rotate(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(library_count), all.end());
@@ -179,10 +184,31 @@ Spec load_spec(const std::filesystem::path& file, std::string text, const Langua
   return build_spec(file, document, std::move(findings), language);
 }
 
-const Expression& find_expression(const Spec& spec, const std::string& name) {
+namespace {
+
+ExpressionBook build_spec_book(const Spec& spec) {
   ExpressionBook book = build_book(spec.expressions);
   std::erase(book.libraries, "");
   book.library = spec.library;
+  book.mappings = spec.mappings;
+  return book;
+}
+
+// A notation that the file does not have; empty if it is none, or is called as an expression is.
+std::optional<Expression> find_noted_expression(const Spec& spec, const std::string& name) {
+  std::string fault;
+  if (!spec.mappings || find_expression(build_spec_book(spec), name)) return std::nullopt;
+  const auto pose = find_notation_pose(*spec.mappings, name, fault);
+  if (!pose) return std::nullopt;
+  Expression expression{name, "facs", *pose};
+  std::ranges::replace(expression.name, '+', '_');  // as files are called
+  return expression;
+}
+
+}  // namespace
+
+const Expression& find_expression(const Spec& spec, const std::string& name) {
+  ExpressionBook book = build_spec_book(spec);
   const auto index = find_expression(book, name);
   if (!index) throw InputError(describe_unknown_expression(book, name));
   return spec.expressions[*index];
@@ -192,14 +218,13 @@ namespace {
 
 // "{brows: {up: 0.5}}" as an expression of the file.
 Expression read_expression(const Spec& spec, const std::string& words) {
-  ExpressionBook book = build_book(spec.expressions);
-  std::erase(book.libraries, "");
-  book.library = spec.library;
+  ExpressionBook book = build_spec_book(spec);
   Findings findings;
   auto source = build_source("--express", "expressions: {posed: " + words + "}\n", findings);
   const auto document = source ? scan_document(std::move(*source), findings) : std::nullopt;
   std::vector<ExpressionDraft> drafts;
   if (document) {
+    append_notations(*document, book);
     const YamlMapping entries = load_section(find_root(*document, findings), find_sections().file);
     if (const YamlValue* expressions = find_value(entries, "expressions"))
       load_drafts(*expressions, "", book, drafts);
@@ -216,7 +241,8 @@ Expression read_expression(const Spec& spec, const std::string& words) {
 
 Expression take_expression(const Spec& spec, const std::string& name) {
   if (name.starts_with('{')) return read_expression(spec, name);
-  Expression expression = find_expression(spec, name);
+  const auto noted = find_noted_expression(spec, name);
+  Expression expression = noted ? *noted : find_expression(spec, name);
   HeldPose held = hold_pose({expression.pose, expression.reach, 1, {}, spec.exaggerate});
   expression.pose = held.pose;
   expression.reach = held.reach;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct ActorSpec {
   ClipSpec clip;
 };
 
+struct MappingData;  // mapping_data.hpp
+
 struct Spec {
   std::filesystem::path file;                // as given on the command line
   std::vector<std::filesystem::path> files;  // all that it is read from: itself, and what it names
@@ -66,8 +69,9 @@ struct Spec {
   double exaggerate = 1;                // of every key and bust that says none of its own
   std::string library = "mien";         // where a plain expression name is looked up after the file's own
   std::vector<Expression> expressions;  // all that can be named here: the file's own, then every library's
-  ClipSpec clip;                        // with actors: what concerns all of them
-  std::vector<ActorSpec> actors;        // in the file's order; none: `head` and `clip` are the only one's
+  std::shared_ptr<const MappingData> mappings = {};  // by which notations of action units are read
+  ClipSpec clip;                                     // with actors: what concerns all of them
+  std::vector<ActorSpec> actors;  // in the file's order; none: `head` and `clip` are the only one's
   RenderSpec render;
   std::vector<BustSpec> busts;
   glm::dvec2 plate_mm{0};  // of the printer, on which all busts are to be arranged; 0: none

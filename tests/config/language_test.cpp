@@ -39,7 +39,8 @@ std::string write_beside(const Section& section, const std::string& key) {
     }
   for (const KeyRule& rule : section.rules)
     if (rule.kind == KeyRule::Kind::one_of && !plays && std::ranges::find(rule.keys, key) == rule.keys.end())
-      names.insert(rule.keys.front());
+      names.insert(section.name == "track" && (key == "smooth" || key == "fps") ? "live_link"
+                                                                                : rule.keys.front());
   names.erase(key);
   std::string text;
   if (section.name == "clip" && key != "scripts") text = ", scripts: {nod: {length: 0.1s}}";
@@ -80,6 +81,7 @@ std::string write_sample(const Section& section, const Key& key) {
     case FormKind::lengths:
       return "[0, 1mm, 1mm]";
     case FormKind::file:
+      if (section.name == "track" && key.name != "csv") return key.name + form.endings.front();
       return form.endings.front() == ".csv" || form.endings.front() == ".wav" ? "talk" + form.endings.front()
                                                                               : "other.yaml";
     case FormKind::map:
@@ -140,6 +142,12 @@ std::filesystem::path make_folder_with_files() {
   write_file(folder / "talk.csv", "time,lips.upper\n0,0\n1,0.5\n");
   write_file(folder / "other.yaml", "mien: 1\nclip: {keys: [{at: 0s, name: other}]}\n");
   write_file(folder / "talk.wav", "a sound");
+  for (const auto& [key, sample] : {std::pair{"live_link.csv", "live_link.csv"},
+                                    {"arkit.json", "mediapipe.json"},
+                                    {"openface.csv", "openface.csv"},
+                                    {"openfacefx.json", "openfacefx.json"},
+                                    {"vrma.vrma", "gesture.vrma"}})
+    std::filesystem::copy_file(kData / "tests/import/takes" / sample, folder / key);
   return folder;
 }
 

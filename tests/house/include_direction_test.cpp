@@ -17,7 +17,8 @@ using Rooms = std::set<std::string>;
 const std::map<std::string, Rooms> kMayUse{
     {"core", {}},
     {"import", {"core"}},
-    {"config", {"core"}},
+    {"takes", {"import", "core"}},
+    {"config", {"takes", "import", "core"}},
     {"head", {"import", "config", "core"}},
     {"face", {"head", "config", "core"}},
     {"timeline", {"config", "core"}},
