@@ -54,7 +54,7 @@ inline constexpr std::array kOptions{
     OptionInfo{"seed", 0, "N", "of the first head; the others have the numbers after it (default: 1)"},
     OptionInfo{"random-head", 0, "SEED", "a head drawn at random, each of its words spelled out"},
     OptionInfo{"half", 0, "", "the neutral head's left half, to edit and to name in head: {mesh: FILE}"},
-    OptionInfo{"targets", 0, "SET", "what a rig is posed by: moves (the default), expressions or vrm"},
+    OptionInfo{"targets", 0, "SET", "what a rig is posed by: moves (the default), expressions, arkit or vrm"},
     OptionInfo{"faults", 0, "PATH", "the mesh as PLY, its faults red"},
     OptionInfo{"uv", 0, "PATH",
                "the layout of the skin's picture, for painters, as PNG; without -o that alone"},

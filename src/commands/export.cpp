@@ -98,7 +98,8 @@ const CommandInfo command_export{
     "told), .vrm (for avatars), .usda (as .glb), .py (a script\n"
     "for Blender and its .glb), .obj, .ply or .stl (a mesh a frame: face_%04d.obj), .pc2 or .mdd (a cache of "
     "points for the mesh\n"
-    "of 'mien mesh'), or .csv (the moves by frame, as 'tracks' takes them).",
+    "of 'mien mesh'), .csv (the moves by frame, as 'tracks' takes\n"
+    "them; with --targets arkit as Live Link Face writes it), or .json (MPFB's expression, of one frame).",
     "actor targets exact uv",
     "mien export configs/hello.yaml -o hello.glb\n"
     "mien export configs/hello.yaml -o 'face_%04d.obj' --frames 1-24",

@@ -4,11 +4,13 @@
 
 #include "config/ledger.hpp"
 #include "core/text.hpp"
+#include "exchange/export_arkit.hpp"
 #include "render/work_folder.hpp"
 
 namespace mien {
 
 ExportNotes export_table(const ExportWork& work, const std::filesystem::path& path) {
+  if (work.options.targets == "arkit") return export_live_link(work, path);
   constexpr int kSecondsDecimals = 6, kValueDecimals = 6;
   std::string text = "time";
   for (std::size_t move = 0; move < kMoveCount; ++move) text += "," + name_move(move);

@@ -8,6 +8,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "exchange/export_arkit.hpp"
 #include "exchange/export_points.hpp"
 #include "exchange/export_rig.hpp"
 #include "exchange/export_sequence.hpp"
@@ -24,12 +25,12 @@ struct ExportFormat {
 };
 
 constexpr std::array kExportFormats{
-    ExportFormat{".glb", false, export_gltf},    ExportFormat{".gltf", false, export_gltf},
-    ExportFormat{".vrm", false, export_vrm},     ExportFormat{".usda", false, export_usd},
-    ExportFormat{".py", false, export_script},   ExportFormat{".csv", false, export_table},
-    ExportFormat{".pc2", false, export_points},  ExportFormat{".mdd", false, export_points},
-    ExportFormat{".obj", true, export_sequence}, ExportFormat{".ply", true, export_sequence},
-    ExportFormat{".stl", true, export_sequence},
+    ExportFormat{".glb", false, export_gltf},        ExportFormat{".gltf", false, export_gltf},
+    ExportFormat{".vrm", false, export_vrm},         ExportFormat{".usda", false, export_usd},
+    ExportFormat{".py", false, export_script},       ExportFormat{".csv", false, export_table},
+    ExportFormat{".json", false, export_face_units}, ExportFormat{".pc2", false, export_points},
+    ExportFormat{".mdd", false, export_points},      ExportFormat{".obj", true, export_sequence},
+    ExportFormat{".ply", true, export_sequence},     ExportFormat{".stl", true, export_sequence},
 };
 
 const ExportFormat& find_format(const std::string& ending) {

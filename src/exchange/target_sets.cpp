@@ -7,6 +7,7 @@
 #include <array>
 
 #include "config/load_spec.hpp"
+#include "config/mapping_data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
 
@@ -56,13 +57,25 @@ std::vector<TargetPose> list_vrm_poses(const Spec& spec) {
   return poses;
 }
 
+// Each unit at 1; correctives of another one, which do nothing alone, at nothing.
+std::vector<TargetPose> list_arkit_poses(const Spec& spec) {
+  std::vector<TargetPose> poses;
+  for (const MappedUnit& unit : spec.mappings->mappings.at("arkit").units) {
+    TargetPose& target = poses.emplace_back(TargetPose{unit.name, {}});
+    if (unit.at_most) continue;
+    for (const MappedMove& move : unit.moves) target.pose.values[move.move] = move.value;
+  }
+  return poses;
+}
+
 }  // namespace
 
-std::vector<std::string> list_target_sets() { return {"moves", "expressions", "vrm"}; }
+std::vector<std::string> list_target_sets() { return {"moves", "expressions", "arkit", "vrm"}; }
 
 std::vector<TargetPose> build_target_set(const std::string& set, const Spec& spec) {
   if (set == "moves") return {};
   if (set == "expressions") return list_expression_poses(spec);
+  if (set == "arkit") return list_arkit_poses(spec);
   if (set == "vrm") return list_vrm_poses(spec);
   throw InputError(fmt::format("--targets {}: unknown set of targets; expected one of: {}", set,
                                join_names(list_target_sets())));

@@ -88,7 +88,7 @@ std::vector<glm::vec3> compute_normal_offsets(const Part& part, const std::vecto
 
 void add_target(const Figure& figure, const std::vector<BentPart>& bent,
                 const std::vector<glm::vec3>& plain_normals, const std::vector<glm::vec3>& neutral,
-                const std::vector<glm::vec3>& shape, Rig& rig) {
+                const std::vector<glm::vec3>& shape, bool is_pose, Rig& rig) {
   const std::size_t name = rig.targets.size() - 1;
   for (const BentPart& own : bent) {
     RigTarget target{name, {}, {}};
@@ -98,6 +98,8 @@ void add_target(const Figure& figure, const std::vector<BentPart>& bent,
       target.places.vertices.push_back(v);
       target.places.offsets.push_back(offset);
     }
+    // A pose that nothing here does is on the skin all the same: programs look for its name.
+    if (target.places.vertices.empty() && own.part == 0 && is_pose) target.places = {{0}, {glm::vec3(0)}};
     if (target.places.vertices.empty()) continue;
     if (own.part == 0)
       target.normals = compute_normal_offsets(figure.model.parts[0], plain_normals, target.places);
@@ -122,7 +124,7 @@ void add_move_targets(const Figure& figure, const FigureRigRequest& request, Fig
     built.first_target.push_back(built.rig.targets.size());
     for (MoveShape& shape : move.shapes) {
       built.rig.targets.push_back(name_move_target(move.move, shape.value));
-      add_target(figure, bent, normals, neutral, shape.positions, built.rig);
+      add_target(figure, bent, normals, neutral, shape.positions, false, built.rig);
       shape.positions = {};
     }
   }
@@ -141,34 +143,13 @@ void add_pose_targets(const Figure& figure, const std::vector<TargetPose>& poses
   const std::vector<glm::vec3> normals = compute_plain_normals(figure.model.parts[0]);
   for (const TargetPose& target : poses) {
     built.rig.targets.push_back(target.name);
-    add_target(figure, bent, normals, neutral, place(target.pose), built.rig);
+    add_target(figure, bent, normals, neutral, place(target.pose), true, built.rig);
   }
   built.poses = poses;
 }
 
 double dot_poses(const Pose& a, const Pose& b) {
   return std::inner_product(a.values.begin(), a.values.end(), b.values.begin(), 0.0);
-}
-
-// The shares of poses, 0 to 1, whose sum is nearest to `pose`: coordinate descent on the least squares, with
-// a slight cost for shares, so that there is one answer and it changes steadily with the pose.
-std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose& pose) {
-  constexpr int kRounds = 200;
-  constexpr double kCost = 1e-3;
-  std::vector<double> shares(poses.size(), 0);
-  Pose left = pose;
-  for (int round = 0; round < kRounds; ++round) {
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-      const double square = dot_poses(poses[i].pose, poses[i].pose);
-      if (square == 0) continue;
-      const double asked = (dot_poses(left, poses[i].pose) + shares[i] * square) / (square + kCost);
-      const double share = std::clamp(asked, 0.0, 1.0);
-      for (std::size_t m = 0; m < kMoveCount; ++m)
-        left.values[m] -= (share - shares[i]) * poses[i].pose.values[m];
-      shares[i] = share;
-    }
-  }
-  return shares;
 }
 
 }  // namespace
@@ -194,6 +175,38 @@ FigureRig build_figure_rig(const Figure& figure, const FigureRigRequest& request
   add_move_targets(figure, request, built);
   add_pose_targets(figure, request.poses, built);
   return built;
+}
+
+// The shares of poses, 0 to 1, whose sum is nearest to `pose`: coordinate descent on the least squares, with
+// a slight cost for shares, so that there is one answer and it changes steadily with the pose.
+std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose& pose) {
+  constexpr int kRounds = 200;
+  constexpr double kCost = 1e-5;
+  std::vector<double> shares(poses.size(), 0);
+  Pose left = pose;
+  for (int round = 0; round < kRounds; ++round) {
+    for (std::size_t i = 0; i < poses.size(); ++i) {
+      const double square = dot_poses(poses[i].pose, poses[i].pose);
+      if (square == 0) continue;
+      const double asked = (dot_poses(left, poses[i].pose) + shares[i] * square) / (square + kCost);
+      const double share = std::clamp(asked, 0.0, 1.0);
+      for (std::size_t m = 0; m < kMoveCount; ++m)
+        left.values[m] -= (share - shares[i]) * poses[i].pose.values[m];
+      shares[i] = share;
+    }
+  }
+  return shares;
+}
+
+double measure_unshared(const std::vector<TargetPose>& poses, const Pose& pose) {
+  const std::vector<double> shares = share_poses(poses, pose);
+  double worst = 0;
+  for (std::size_t m = 0; m < kMoveCount; ++m) {
+    double left = pose.values[m];
+    for (std::size_t i = 0; i < poses.size(); ++i) left -= shares[i] * poses[i].pose.values[m];
+    worst = std::max(worst, std::abs(left));
+  }
+  return worst;
 }
 
 std::vector<float> compute_target_weights(const FigureRig& rig, const Pose& pose) {

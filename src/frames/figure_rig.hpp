@@ -45,6 +45,10 @@ FigureRig build_figure_rig(const Figure& figure, const FigureRigRequest& request
 // 1, that come nearest to it together (least squares). Targets behind them get 0.
 std::vector<float> compute_target_weights(const FigureRig& rig, const Pose& pose);
 
+// The shares, 0 to 1, of poses whose sum is nearest to `pose`; and how much of a move it misses at worst.
+std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose& pose);
+double measure_unshared(const std::vector<TargetPose>& poses, const Pose& pose);
+
 // Where the joints are in a pose and a turn of the head.
 std::vector<JointPlace> place_joints(const FigureRig& rig, const Figure& figure, const Pose& pose,
                                      const TurnKey& turn);

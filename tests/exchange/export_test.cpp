@@ -162,7 +162,7 @@ TEST(exports, targets_of_expressions_play_the_clip_too) {
     FAIL();
   } catch (const InputError& error) {
     EXPECT_STREQ(error.what(),
-                 "--targets apple: unknown set of targets; expected one of: moves, expressions, vrm");
+                 "--targets apple: unknown set of targets; expected one of: moves, expressions, arkit, vrm");
   }
 }
 
@@ -232,6 +232,71 @@ TEST(exports, table_is_read_back_as_the_same_performance) {
     const Pose told = sample_performance(again.actors.front().performance, frame / 24.0).pose;
     for (std::size_t m = 0; m < kMoveCount; ++m) EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << frame;
   }
+}
+
+// A clip of faces that ARKit's units make: written as Live Link Face does, and followed again.
+TEST(exports, live_link_is_read_back_as_the_same_performance) {
+  const auto folder = make_folder("export_live_link");
+  const Exported plain = open_exported(folder, "{}");
+  const std::vector<TargetPose> units = build_target_set("arkit", plain.clip.spec);
+  EXPECT_EQ(units.size(), 52u);
+  std::string csv = "time";
+  for (std::size_t m = 0; m < kMoveCount; ++m) csv += "," + name_move(m);
+  csv += "\n";
+  std::mt19937 random(4);
+  for (int frame = 0; frame < 24; ++frame) {
+    Pose pose;
+    for (const char* name :
+         {"mouthSmileLeft", "mouthSmileRight", "browInnerUp", "eyeBlinkLeft", "jawOpen", "eyeLookUpLeft"})
+      for (const TargetPose& unit : units) {
+        if (unit.name != name) continue;
+        const double share = 0.1 * static_cast<double>(random() % 10);
+        for (std::size_t m = 0; m < kMoveCount; ++m) pose.values[m] += share * unit.pose.values[m];
+      }
+    csv += fmt::format("{}", frame / 24.0);
+    for (const double value : pose.values) csv += fmt::format(",{:.6f}", value);
+    csv += "\n";
+  }
+  write_file(folder / "made.csv", csv);
+  const auto open_track = [&](const char* name, const std::string& track) {
+    write_file(folder / name,
+               fmt::format("mien: 1\nclip: {{fps: 24, length: 1s, tracks: [{{{}}}]}}\n", track));
+    Options options;
+    options.file = folder / name;
+    return plan_clip(options, *shipped().stock.language);
+  };
+  const Clip made = open_track("made.yaml", "csv: made.csv");
+  Options options;
+  options.targets = "arkit";
+  const Performance& performance = made.actors.front().performance;
+  write_export(
+      {options, made, made.actors.front().head, plain.figure, shipped().stock.templates, performance, 1, 24},
+      folder / "take.csv");
+  const Clip again = open_track("again.yaml", "live_link: take.csv, fps: 24");
+  for (int frame = 0; frame < 24; ++frame) {
+    const Pose asked = sample_performance(performance, frame / 24.0).pose;
+    const Pose told = sample_performance(again.actors.front().performance, frame / 24.0).pose;
+    for (std::size_t m = 0; m < kMoveCount; ++m)
+      EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << name_move(m) << " frame " << frame;
+  }
+}
+
+TEST(exports, arkit_targets_have_all_names) {
+  const auto folder = make_folder("export_arkit");
+  const Exported made = open_exported(folder, "{}");
+  Options options;
+  options.targets = "arkit";
+  const tinygltf::Model model = read_gltf(write_to(made, options, folder / "face.glb"));
+  std::set<std::string> names;
+  for (const tinygltf::Mesh& mesh : model.meshes)
+    if (mesh.name == "skin")
+      for (std::size_t i = 0; i < mesh.primitives[0].targets.size(); ++i)
+        names.insert(mesh.extras.Get("targetNames").Get(static_cast<int>(i)).Get<std::string>());
+  for (const TargetPose& unit : build_target_set("arkit", made.clip.spec))
+    EXPECT_TRUE(names.contains(unit.name)) << unit.name;
+  for (const int frame : {0, 9, 19, 28}) EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.15) << frame;
+  write_to(made, {}, folder / "face.json");
+  EXPECT_TRUE(nlohmann::json::parse(read_file(folder / "face.json")).contains("face_units"));
 }
 
 TEST(exports, sequences_have_a_file_a_frame) {

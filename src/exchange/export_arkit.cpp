@@ -1,0 +1,156 @@
+// Live Link Face's columns: Epic Games, "Recording Facial Animation from an iOS Device"; units: Apple,
+// ARFaceAnchor.BlendShapeLocation.
+#include "exchange/export_arkit.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "core/text.hpp"
+#include "exchange/target_sets.hpp"
+#include "render/work_folder.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::array kUnits{"eyeBlinkLeft",
+                            "eyeLookDownLeft",
+                            "eyeLookInLeft",
+                            "eyeLookOutLeft",
+                            "eyeLookUpLeft",
+                            "eyeSquintLeft",
+                            "eyeWideLeft",
+                            "eyeBlinkRight",
+                            "eyeLookDownRight",
+                            "eyeLookInRight",
+                            "eyeLookOutRight",
+                            "eyeLookUpRight",
+                            "eyeSquintRight",
+                            "eyeWideRight",
+                            "jawForward",
+                            "jawRight",
+                            "jawLeft",
+                            "jawOpen",
+                            "mouthClose",
+                            "mouthFunnel",
+                            "mouthPucker",
+                            "mouthRight",
+                            "mouthLeft",
+                            "mouthSmileLeft",
+                            "mouthSmileRight",
+                            "mouthFrownLeft",
+                            "mouthFrownRight",
+                            "mouthDimpleLeft",
+                            "mouthDimpleRight",
+                            "mouthStretchLeft",
+                            "mouthStretchRight",
+                            "mouthRollLower",
+                            "mouthRollUpper",
+                            "mouthShrugLower",
+                            "mouthShrugUpper",
+                            "mouthPressLeft",
+                            "mouthPressRight",
+                            "mouthLowerDownLeft",
+                            "mouthLowerDownRight",
+                            "mouthUpperUpLeft",
+                            "mouthUpperUpRight",
+                            "browDownLeft",
+                            "browDownRight",
+                            "browInnerUp",
+                            "browOuterUpLeft",
+                            "browOuterUpRight",
+                            "cheekPuff",
+                            "cheekSquintLeft",
+                            "cheekSquintRight",
+                            "noseSneerLeft",
+                            "noseSneerRight",
+                            "tongueOut"};
+
+constexpr int kDecimals = 6;
+
+// The units of a pose in the order of kUnits.
+std::array<double, kUnits.size()> weigh_units(const std::vector<TargetPose>& poses, const Pose& pose) {
+  const std::vector<double> shares = share_poses(poses, pose);
+  std::array<double, kUnits.size()> weights{};
+  for (std::size_t u = 0; u < kUnits.size(); ++u)
+    for (std::size_t i = 0; i < poses.size(); ++i)
+      if (poses[i].name == kUnits[u]) weights[u] = shares[i];
+  return weights;
+}
+
+// "00:00:01:12.000" at the clip's rate.
+std::string format_timecode(int frame, int fps) {
+  const int seconds = frame / fps;
+  return fmt::format("{:02}:{:02}:{:02}:{:02}.000", seconds / 3600, seconds / 60 % 60, seconds % 60,
+                     frame % fps);
+}
+
+std::array<double, 9> list_angles_rad(const Figure& figure, const Moment& moment) {
+  const auto angle = [](double deg) { return glm::radians(deg); };
+  std::array<double, 9> angles{angle(moment.turn.turn_deg), angle(moment.turn.nod_deg),
+                               angle(moment.turn.tilt_deg)};
+  for (const Side side : {Side::left, Side::right}) {
+    const glm::dvec3 look = compute_gaze(figure.face, moment.pose, side) * glm::dvec3(0, 0, 1);
+    const std::size_t first = side == Side::left ? 3 : 6;
+    angles[first] = std::atan2(look.x, look.z);
+    angles[first + 1] = -std::asin(std::clamp(look.y, -1.0, 1.0));
+  }
+  return angles;
+}
+
+}  // namespace
+
+ExportNotes export_live_link(const ExportWork& work, const std::filesystem::path& path) {
+  const std::vector<TargetPose> poses = build_target_set("arkit", work.clip.spec);
+  std::string text = "Timecode,BlendShapeCount";
+  for (std::string unit : kUnits) {
+    unit[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(unit[0])));
+    text += "," + unit;
+  }
+  for (const char* of : {"Head", "LeftEye", "RightEye"})
+    for (const char* angle : {"Yaw", "Pitch", "Roll"}) text += fmt::format(",{}{}", of, angle);
+  text += "\n";
+  double lost = 0;
+  for (int frame = work.first; frame <= work.last; ++frame) {
+    const Moment moment = sample_performance(work.performance, work.compute_time_s(frame));
+    const auto weights = weigh_units(poses, moment.pose);
+    lost = std::max(lost, measure_unshared(poses, moment.pose));
+    text += fmt::format("{},{}", format_timecode(frame - work.first, static_cast<int>(work.fps())),
+                        kUnits.size() + 9);
+    for (const double weight : weights) text += "," + format_number(weight, kDecimals);
+    for (const double angle : list_angles_rad(work.figure, moment))
+      text += "," + format_number(angle, kDecimals);
+    text += "\n";
+  }
+  write_file(path, text);
+  return {fmt::format(
+      "{} rows of ARKit's {} units; a move is off by at most {:.0f} % of its limit, for which there is no "
+      "unit",
+      work.frame_count(), kUnits.size(), 100 * lost)};
+}
+
+ExportNotes export_face_units(const ExportWork& work, const std::filesystem::path& path) {
+  const std::vector<TargetPose> poses = build_target_set("arkit", work.clip.spec);
+  const Pose pose = sample_performance(work.performance, work.compute_time_s(work.first)).pose;
+  const auto weights = weigh_units(poses, pose);
+  nlohmann::ordered_json units = nlohmann::ordered_json::object();
+  for (std::size_t u = 0; u < kUnits.size(); ++u)
+    if (weights[u] > 0.0005) units[kUnits[u]] = std::round(weights[u] * 1000) / 1000;
+  const nlohmann::ordered_json face{{"name", work.title()},
+                                    {"description", ""},
+                                    {"author", work.clip.spec.author},
+                                    {"license", work.clip.spec.licence},
+                                    {"face_units", units}};
+  write_file(path, face.dump(2) + "\n");
+  return {fmt::format(
+      "{} of ARKit's {} units, frame {}; a move is off by at most {:.0f} % of its limit, for which there "
+      "is no unit",
+      units.size(), kUnits.size(), work.first, 100 * measure_unshared(poses, pose))};
+}
+
+}  // namespace mien
