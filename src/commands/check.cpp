@@ -87,6 +87,10 @@ void report_summary(const Options& options, const Clip& clip) {
   fmt::print("{}\n", format_object(nlohmann::ordered_json(summary)));
 }
 
+std::string count_things(std::size_t count, const char* thing) {
+  return fmt::format("{} {}{}", count, thing, count == 1 ? "" : "s");
+}
+
 // A mesh instead of a file of ours: its faults, each a line.
 void check_mesh(const Options& options) {
   const Polygons mesh = load_polygons(options.file);
@@ -107,9 +111,11 @@ void check_mesh(const Options& options) {
   }
   if (!faults.empty()) throw InputError(faults);
   if (options.is_quiet) return;
-  const std::string summary = fmt::format(
-      "{} points, {} polygons, {}", mesh.positions.size(), mesh.face_count(),
-      report.rims == 0 ? "closed" : fmt::format("{} open rims of {} edges", report.rims, report.open_edges));
+  const std::string rims = report.rims == 0 ? "closed"
+                                            : fmt::format("{} of {}", count_things(report.rims, "open rim"),
+                                                          count_things(report.open_edges, "edge"));
+  const std::string summary = fmt::format("{}, {}, {}", count_things(mesh.positions.size(), "point"),
+                                          count_things(mesh.face_count(), "polygon"), rims);
   if (options.is_json)
     fmt::print("{}\n", format_object(nlohmann::ordered_json{{"file", options.file.string()},
                                                             {"points", mesh.positions.size()},

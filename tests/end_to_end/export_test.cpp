@@ -67,7 +67,7 @@ TEST(check_of_meshes, tells_faults_with_their_lines) {
   const auto folder = make_folder("check_meshes");
   write_file(folder / "good.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
   EXPECT_EQ(run_shell(folder, "mien check good.obj").out,
-            "good.obj: good; 3 points, 1 polygons, 1 open rims of 3 edges\n");
+            "good.obj: good; 3 points, 1 polygon, 1 open rim of 3 edges\n");
   write_file(folder / "wrong.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 5 5 5\nf 1 2 3\nf 3 2 1\nf 2 3 1\n");
   const ProgramRun wrong = run_shell(folder, "mien check wrong.obj --faults faults.ply");
   EXPECT_EQ(wrong.status, 2);
