@@ -95,6 +95,12 @@ std::vector<Limit> measure_limits(const NeutralHead& head, const Face& face, con
     lifted.values[name.move] = name.sign * (name.sign > 0 ? shares.plus : shares.minus)[name.move];
     const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
     const std::string point = (info.side == Side::right && info.area != "eye" ? "R:" : "") + place.point;
+    if (place.point == kTonguePlace) {
+      const double reach_mm = info.move == "out" ? face.tongue_out_mm : face.tongue_up_mm;
+      limits.push_back({&name, place.unit, share * reach_mm / compute_unit_mm(face.units, place.unit),
+                        share * reach_mm, share * reach_mm, point, place.axis});
+      continue;
+    }
     if (place.axis < 0) {
       limits.push_back(measure_turn(head, face, name, share, lifted, point));
       continue;
