@@ -138,7 +138,7 @@ std::map<std::uint32_t, glm::dvec2> lay_rim(const CutSkin& cut, const std::vecto
     if (i + 1 < cut.seam.size()) places[cut.mirror[cut.seam[i]]] = {1 - place.x, place.y};
   }
   std::vector<std::uint32_t> neck = rim;
-  std::ranges::rotate(neck, std::ranges::find(neck, cut.seam.front()));
+  std::rotate(neck.begin(), std::ranges::find(neck, cut.seam.front()), neck.end());
   if (neck[1] == cut.seam[1]) std::reverse(neck.begin() + 1, neck.end());
   neck.erase(std::ranges::find(neck, cut.mirror[cut.seam.front()]) + 1, neck.end());
   const std::vector<double> round = measure_along(cut.positions, neck);
