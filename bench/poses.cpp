@@ -3,10 +3,29 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <functional>
 
 #include "frames/pose_sweep.hpp"
 
 namespace mien {
+
+namespace {
+
+void print_table(const SweepTable& table, const std::vector<SweepHead>& heads,
+                 const std::function<Pose(unsigned)>& build_pose) {
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
+    const SweepWorst& worst = table[check];
+    const PoseCheck& info = kPoseChecks[check];
+    fmt::print("{:<28} {:>8.3f} {:<9}  {} poses past {:g}", info.name, worst.finding.value, info.unit,
+               worst.count, info.bound);
+    if (worst.seed > 0)
+      fmt::print("; {}, pose {} at {}: {}", heads[worst.head].name, worst.seed, worst.place,
+                 describe_pose(build_pose(worst.seed)));
+    fmt::print("\n");
+  }
+}
+
+}  // namespace
 
 void measure_poses() {
   constexpr SweepSize kSize{500, 100};
@@ -16,17 +35,12 @@ void measure_poses() {
   for (const bool is_exaggerated : {false, true}) {
     fmt::print("\nposes {}: {} on each of {} heads\n", is_exaggerated ? "exaggerated" : "within the limits",
                is_exaggerated ? kSize.exaggerated : kSize.within, heads.size());
-    for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
-      const SweepWorst& worst = tables[is_exaggerated ? 1 : 0][check];
-      const PoseCheck& info = kPoseChecks[check];
-      fmt::print("{:<28} {:>8.3f} {:<9}  {} poses past {:g}", info.name, worst.finding.value, info.unit,
-                 worst.count, info.bound);
-      if (worst.seed > 0)
-        fmt::print("; {}, pose {} at {}: {}", all[worst.head].name, worst.seed, worst.place,
-                   describe_pose(build_sweep_pose(worst.seed, is_exaggerated)));
-      fmt::print("\n");
-    }
+    print_table(tables[is_exaggerated ? 1 : 0], all,
+                [&](unsigned seed) { return build_sweep_pose(seed, is_exaggerated); });
   }
+  constexpr unsigned kSpoken = 2000;
+  fmt::print("\nposes of speech: {} on each of {} heads\n", kSpoken, list_speech_heads().size());
+  print_table(run_speech_sweep(1, kSpoken), list_speech_heads(), build_speech_pose);
   std::fflush(stdout);
 }
 

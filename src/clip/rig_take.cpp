@@ -236,7 +236,7 @@ Distance measure_pose(const TakeWork& work, double time_s, const RigPose& pose) 
   for (std::size_t p = 0; p < drawing.parts.size(); ++p) {
     const Part& part = work.figure.model.parts[p];
     Places truth = drawing.parts[p].positions;
-    if (part.is_rigid)
+    if (is_carried(part, drawing.parts[p]))
       for (const glm::vec3& rest : part.rest.positions)
         truth.emplace_back(drawing.parts[p].world_from_rest * glm::vec4(rest, 1));
     const Places told = place_rig_part(work.rig.rig.parts[p], part.rest.positions, pose.weights, worlds);

@@ -16,19 +16,23 @@ namespace mien {
 
 using PointPatterns = std::vector<std::string>;
 
-// The handles of one move, both ways. Millimetres on the adult.
-struct MoveTable {
-  std::string area, move;  // "brow", "up"; a corrective has only a name in `move`
-  bool is_sided = false;
-  std::array<std::string, 3> units;  // face units by which x, y, z scale on another head
-  std::string anchors;               // name of an anchor set
-  Handles plus, minus;               // minus may be empty
-};
-
 // One factor of a corrective's product: the value of area.move, its positive or its negative part.
 struct Driver {
   std::string area, move;
   int sign = 1;
+};
+
+// The handles of one move, both ways. Millimetres on the adult.
+struct MoveTable {
+  std::string area, move;  // "brow", "up"; a corrective has only a name in `move`
+  bool is_sided = false;
+  bool is_odd =
+      false;  // to one side: the other half's points go the same way across, and against it up and forward
+  std::array<std::string, 3> units;  // face units by which x, y, z scale on another head
+  std::string anchors;               // name of an anchor set
+  Handles plus, minus;               // minus may be empty
+  std::vector<std::pair<Driver, double>>
+      yields;  // to what else moves its skin, and the share that it then lacks
 };
 
 struct CorrectiveTable {
@@ -55,7 +59,8 @@ struct LidData {
 struct JawData {
   glm::dvec3 axis{0};  // a point of it on the adult, mm
   double degrees = 0;
-  glm::dvec3 forward{0};
+  glm::dvec3 forward{0}, aside{0},
+      protruded{0};  // the teeth's ways at 1 of chin.down, jaw.side and jaw.forward
   std::array<double, 13> columns{}, mb2{};
   double m6_factor = 1;
   std::vector<std::pair<std::string, double>> points;  // pattern -> weight
@@ -69,9 +74,11 @@ struct GiveWayData {
   std::vector<std::vector<std::string>> lines;  // names of control points of the left half
 };
 
+inline constexpr std::string_view kTonguePlace = "tongue";  // its tip
+
 // Where a limit is measured and how far it is on the adult.
 struct LimitPlace {
-  std::string point;  // of the cage's left half, or "pupil"
+  std::string point;  // of the cage's left half, "pupil" or kTonguePlace
   int axis = -1;      // along which: 0 x, 1 y, 2 z; -1 for a turn, whose degrees are told elsewhere
   std::string unit;   // the face unit that it scales with; none for a turn
   double plus_mm = 0, minus_mm = 0;

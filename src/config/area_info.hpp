@@ -9,7 +9,8 @@ namespace mien {
 
 enum class Side { none, left, right };
 
-enum class Area { brow, lid, eye, lips, corner, chin };  // in the order of kAreas
+// In the order of kAreas: Tezuka's nine (brows, lids, eyes and corners are two each), then those beyond them.
+enum class Area { brow, lid, eye, lips, corner, chin, tongue, cheek, jaw, mouth, nose };
 
 // Places of the head in one line of text, apart by blanks: landmarks ("en_l", of
 // templates/head/landmarks.yaml) and points of the cage ("M3_0"; "R:M3_3" is the one on the character's
@@ -20,7 +21,7 @@ enum class Area { brow, lid, eye, lips, corner, chin };  // in the order of kAre
 using PlaceText = std::string_view;
 
 // The parts of the face that `lead` and `release` set apart, in the order of their keys, and the head.
-enum class LeadPart { eyes, lids, brows, lips, corners, chin, head };
+enum class LeadPart { eyes, lids, brows, lips, corners, chin, tongue, cheeks, jaw, mouth, nose, head };
 
 // How long after the first of them an area sets out, s; a frame of 24 is 0.042 s.
 struct AreaLead {
@@ -50,7 +51,8 @@ enum class AreaSign {
   way,         // an arrow, up or down and aside
   turned_way,  // an arrow, and a stick that turns
   pair,        // an arrow for what is above and one for what is below
-  lift         // an arrow, up or down
+  lift,        // an arrow, up or down
+  words        // nothing: words alone
 };
 
 // What is drawn on a face for the limits of an area, at rest or where its move has a value.
@@ -92,6 +94,7 @@ struct AreaInfo {
   AreaFraming framing;                // of the sheet of its moves
   std::array<PlaceText, 2> outlines;  // there, at rest
   AreaLimits limits;
+  double open = 0;  // of chin.down in the pictures of its moves, if a shut mouth shows nothing of them
 
   constexpr bool has_sides() const { return !plural.empty(); }
 };
@@ -112,8 +115,9 @@ struct MoveWay {
 
 // One number of a pose. Values are fractions of the area's limit on the head: 0 rest, 1 (or -1) the limit.
 struct MoveInfo {
-  std::string_view area;     // the key's stem: "brow", "lid", "eye", "lips", "corner", "chin"
-  Side side;                 // none for lips and chin
+  std::string_view
+      area;   // the key's stem: "brow", "lid", "eye", "lips", "corner", "chin", "tongue", "cheek", "jaw", ...
+  Side side;  // none for an area without sides
   std::string_view move;     // "up", "out", "turn", "upper", "lower", "side", "press", "down"
   double low, high;          // the limits of the value
   std::string_view meaning;  // one line for `mien list areas`
@@ -122,6 +126,7 @@ struct MoveInfo {
   std::string_view landmark;  // where it is measured, without its side: "brow_mid"
   PlaceText arrows;           // whose ways are drawn on the sheet of moves
   bool is_outward = false;    // + is away from the middle of the face; else the same way on both sides
+  bool is_beyond = false;     // not one of Tezuka's: `head: {areas: nine}` does without
 };
 
 }  // namespace mien

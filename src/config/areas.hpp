@@ -1,6 +1,7 @@
-// The nine areas of the face and their moves, as the language names them (Tezuka's areas; limits as in Yen
-// 1990). One table of areas and one of moves: whatever speaks of areas takes it from here, and what a new one
-// needs is a row of each. Knows words and numbers only; what a move does to the skin is face/'s affair.
+// The areas of the face and their moves, as the language names them: Tezuka's nine with limits as in Yen
+// 1990, and what faces do beyond them. One table of areas and one of moves: whatever speaks of areas takes it
+// from here, and what a new one needs is a row of each. Knows words and numbers only; what a move does to the
+// skin is face/'s affair.
 #pragma once
 
 #include <algorithm>
@@ -19,6 +20,7 @@ inline constexpr PlaceText kBrowLine = "E5_2..6";
 inline constexpr PlaceText kUpperLidLine = "E1_0..8", kLowerLidLine = "E1_8..15 E1_0";
 inline constexpr PlaceText kUpperLipLine = "R:M3_6..1 M3_0..6", kLowerLipLine = "R:M3_6..11 M3_12..6";
 inline constexpr PlaceText kJawLine = "R:M6_8..11 M6_12..8";
+inline constexpr PlaceText kCheekLine = "q12_C4..8", kWingLine = "k_b2 k_st k_tip k_it";
 
 // The head's, behind all areas.
 inline constexpr AreaLead kHeadLead{LeadPart::head, 0.1875, 0.1875, 0.1875, 0.1875};
@@ -69,6 +71,28 @@ inline constexpr std::array kChinLimits{
     LimitMark{LimitShape::level, "M6_12", "", 0, "at rest"},
     LimitMark{LimitShape::level, "M6_12", "down", 1, "down"},
 };
+inline constexpr std::array kTongueLimits{
+    LimitMark{LimitShape::line, kUpperLipLine},
+    LimitMark{LimitShape::line, kLowerLipLine},
+};
+inline constexpr std::array kCheekLimits{
+    LimitMark{LimitShape::lines, kCheekLine},
+    LimitMark{LimitShape::lines, kCheekLine, "puff", 1},
+};
+inline constexpr std::array kJawLimits{
+    LimitMark{LimitShape::line, kJawLine},
+    LimitMark{LimitShape::line, kJawLine, "side", 1},
+    LimitMark{LimitShape::line, kJawLine, "side", -1},
+};
+inline constexpr std::array kMouthLimits{
+    LimitMark{LimitShape::line, kUpperLipLine},
+    LimitMark{LimitShape::line, kUpperLipLine, "side", 1},
+    LimitMark{LimitShape::line, kUpperLipLine, "side", -1},
+};
+inline constexpr std::array kNoseLimits{
+    LimitMark{LimitShape::lines, kWingLine},
+    LimitMark{LimitShape::lines, kWingLine, "sneer", 1},
+};
 
 inline constexpr std::array kAreas{
     AreaInfo{.area = Area::brow, .name = "brow", .plural = "brows", .left_key = "brow.left",
@@ -107,6 +131,33 @@ inline constexpr std::array kAreas{
      .framing = {"li gn", 3.2}, .outlines = {kJawLine},
      .limits = {5, "Chin", "turns about the jaw's axis; stops above where the lips meet", {"li gn", 3.4},
                 kChinLimits}},
+    AreaInfo{.area = Area::tongue, .name = "tongue", .plural = "", .left_key = "", .right_key = "",
+     .title = "tongue", .in_words = "the tongue", .is_one_column = true, .sign = AreaSign::words, .aside = "", .is_quick = true,
+     .lead = {LeadPart::tongue, 0.1875, 0.1667, 0, 0}, .lean = {},
+     .framing = {"ch_l ch_r", 1.5}, .outlines = {},
+     .limits = {6, "Tongue", "goes out where lips and teeth leave it room, and up to the ridge behind the teeth",
+                {"ch_l ch_r", 1.35}, kTongueLimits},
+     .open = 0.6},
+    AreaInfo{.area = Area::cheek, .name = "cheek", .plural = "cheeks", .left_key = "cheek.left", .right_key = "cheek.right",
+     .title = "cheeks", .in_words = "the cheek", .is_one_column = true, .sign = AreaSign::words, .aside = "", .is_quick = false,
+     .lead = {LeadPart::cheeks, 0.125, 0.1667, 0, 0.0417}, .lean = {1, true},
+     .framing = {"ch_l ch_r", 2.4}, .outlines = {},
+     .limits = {7, "Cheeks", "blown up from within", {"ch_l ch_r", 2.2}, kCheekLimits}},
+    AreaInfo{.area = Area::jaw, .name = "jaw", .plural = "", .left_key = "", .right_key = "",
+     .title = "jaw", .in_words = "the jaw", .is_one_column = true, .sign = AreaSign::words, .aside = "", .is_quick = false,
+     .lead = {LeadPart::jaw, 0.1875, 0.1667, 0, 0}, .lean = {},
+     .framing = {"li gn", 3.2}, .outlines = {kJawLine},
+     .limits = {8, "Jaw", "slides to either side and forward", {"li gn", 3.4}, kJawLimits}},
+    AreaInfo{.area = Area::mouth, .name = "mouth", .plural = "", .left_key = "", .right_key = "",
+     .title = "mouth", .in_words = "the mouth", .is_one_column = true, .sign = AreaSign::words, .aside = "", .is_quick = false,
+     .lead = {LeadPart::mouth, 0.125, 0.1667, 0, 0.0417}, .lean = {},
+     .framing = {"ch_l ch_r", 1.7}, .outlines = {kUpperLipLine, kLowerLipLine},
+     .limits = {9, "Mouth", "all of it goes to either side", {"ch_l ch_r", 1.7}, kMouthLimits}},
+    AreaInfo{.area = Area::nose, .name = "nose", .plural = "nose", .left_key = "nose.left", .right_key = "nose.right",
+     .title = "nose", .in_words = "the nose", .is_one_column = true, .sign = AreaSign::words, .aside = "", .is_quick = false,
+     .lead = {LeadPart::nose, 0.0625, 0.0625, 0.0625, 0.2917}, .lean = {1, true},
+     .framing = {"al_l al_r", 2.4}, .outlines = {kWingLine},
+     .limits = {10, "Nose", "each wing is drawn up", {"al_l al_r", 2.4}, kNoseLimits}},
 };
 
 constexpr const AreaInfo& find_area(Area area) { return kAreas[static_cast<std::size_t>(area)]; }
@@ -143,6 +194,12 @@ inline constexpr std::array kMovesOfOneSide{
     MoveInfo{"lips", Side::none, "press", 0, 1, "lips pressed together and rolled in",
              Area::lips, {"press", "LIPS_MATCH_LEVEL", "the lips have met"}, {},
              "ls", "M3_12 M3_0"},
+    MoveInfo{"lips", Side::none, "roll", 0, 1, "both lips rolled in over the teeth",
+             Area::lips, {"roll"}, {},
+             "li", "M3_12 M3_0", false, true},
+    MoveInfo{"lips", Side::none, "funnel", 0, 1, "both lips turned out, as a funnel",
+             Area::lips, {"funnel"}, {},
+             "ls", "M3_12 M3_0", false, true},
     MoveInfo{"corner", Side::none, "out", -1, 1, "mouth corner outward (+) or inward (-)",
              Area::corner, {"out", "MOUTH_CORNER_@_@_HORT_LIMIT"}, {"in", "MOUTH_CORNER_@_~_HORT_LIMIT"},
              "ch", "ch_l ch_r", true},
@@ -155,6 +212,27 @@ inline constexpr std::array kMovesOfOneSide{
     MoveInfo{"chin", Side::none, "up", 0, 1, "chin pushed up to the match level (1)",
              Area::chin, {"up", "LIPS_MATCH_LEVEL"}, {},
              "pg", "pg M6_9 R:M6_9"},
+    MoveInfo{"tongue", Side::none, "out", 0, 1, "out between the teeth, as far as they and the lips let it (1)",
+             Area::tongue, {"out", "", "a tongue is no longer"}, {},
+             "tongue", "tongue", false, true},
+    MoveInfo{"tongue", Side::none, "up", 0, 1, "its tip up to the ridge behind the upper teeth (1)",
+             Area::tongue, {"up", "", "a tongue is no longer"}, {},
+             "tongue", "tongue", false, true},
+    MoveInfo{"cheek", Side::none, "puff", 0, 1, "blown up",
+             Area::cheek, {"puff"}, {},
+             "cheek", "cheek_l", false, true},
+    MoveInfo{"jaw", Side::none, "side", -1, 1, "to the character's left (+) or right (-)",
+             Area::jaw, {"to_left"}, {"to_right"},
+             "pg", "pg M6_9 R:M6_9", false, true},
+    MoveInfo{"jaw", Side::none, "forward", 0, 1, "forward, the lower teeth before the upper ones",
+             Area::jaw, {"forward"}, {},
+             "pg", "pg M6_9 R:M6_9", false, true},
+    MoveInfo{"mouth", Side::none, "side", -1, 1, "lips and corners to the character's left (+) or right (-)",
+             Area::mouth, {"to_left"}, {"to_right"},
+             "ls", "ls ch_l ch_r", false, true},
+    MoveInfo{"nose", Side::none, "sneer", 0, 1, "the wing of the nose and what is beside it drawn up",
+             Area::nose, {"sneer"}, {},
+             "al", "al_l k_b2", false, true},
 };
 
 // clang-format on
@@ -178,6 +256,12 @@ inline constexpr std::array<MoveInfo, kMoveCount> kMoves = [] {
         }
   return moves;
 }();
+
+// Whether an area is none of Tezuka's nine.
+constexpr bool is_beyond(const AreaInfo& area) {
+  return std::ranges::all_of(kMovesOfOneSide,
+                             [&](const MoveInfo& move) { return move.of != area.area || move.is_beyond; });
+}
 
 // The index in kMoves of a move; empty if there is none such.
 constexpr std::optional<std::size_t> find_move(std::string_view area, Side side, std::string_view move) {
@@ -245,7 +329,7 @@ constexpr std::string_view find_part_key(std::size_t part) {
   return area.has_sides() ? area.plural : area.name;
 }
 
-// The nine areas' values at one moment, indexed as kMoves.
+// All areas' values at one moment, indexed as kMoves.
 struct Pose {
   std::array<double, kMoveCount> values{};
 

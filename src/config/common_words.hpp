@@ -18,7 +18,7 @@ struct CommonWord {
 
 inline constexpr const AreaInfo &kBrowArea = find_area(Area::brow), &kLidArea = find_area(Area::lid),
                                 &kEyeArea = find_area(Area::eye), &kLipsArea = find_area(Area::lips),
-                                &kCornerArea = find_area(Area::corner), &kChinArea = find_area(Area::chin);
+                                &kCornerArea = find_area(Area::corner);
 
 // The table is read across.
 // clang-format off
@@ -50,9 +50,8 @@ inline constexpr std::array kCommonWords{
     CommonWord{"eyebrow eyebrows", kBrowArea.plural},
     CommonWord{"eyelid eyelids", kLidArea.plural},
     CommonWord{"eyeball eyeballs gaze pupil pupils iris", kEyeArea.plural},
-    CommonWord{"mouth lip", kLipsArea.name},
+    CommonWord{"lip", kLipsArea.name},
     CommonWord{"mouth_corner mouth_corners", kCornerArea.plural},
-    CommonWord{"jaw", kChinArea.name},
     CommonWord{"eyebrow.left eyebrow_left left_eyebrow left_brow", kBrowArea.left_key},
     CommonWord{"eyebrow.right eyebrow_right right_eyebrow right_brow", kBrowArea.right_key},
     CommonWord{"eyelid.left eyelid_left left_eyelid left_lid", kLidArea.left_key},

@@ -19,6 +19,7 @@ struct Findings {
   std::size_t untold = 0;                    // how many came after kMaxMistakes
   std::vector<std::filesystem::path> files;  // that were read, or are named to be read
   std::uintmax_t named_bytes = 0;            // of the texts among them that a file names
+  bool keeps_to_nine = false;  // `head: {areas: nine}`: moves beyond Tezuka's areas are mistakes
 };
 
 // True when a further mistake would only be counted, so that no work need go into its words.

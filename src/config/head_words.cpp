@@ -18,7 +18,7 @@ std::optional<YamlDocument> load_if(const std::filesystem::path& file, Findings&
 void append_keys(const YamlMapping& entries, std::string_view key, Names& names) {
   if (const YamlValue* mapping = find_value(entries, key))
     for (const YamlEntry& entry : load_free_mapping(*mapping, "a mapping"))
-      if (entry.key != "pupil") names.push_back(entry.key);
+      if (entry.key != "pupil" && entry.key != "tongue") names.push_back(entry.key);
 }
 
 const Names kLookKeys{"meaning", "skin", "lips", "brow", "hair", "iris", "freckles", "age_spots"};

@@ -12,7 +12,7 @@ namespace mien {
 
 // One way to find a place on the left half of the skin.
 struct LandmarkRule {
-  enum class Kind { points, extreme, hairline, pupil };
+  enum class Kind { points, extreme, hairline, pupil, tongue };
   Kind kind = Kind::points;
   std::vector<std::string> points;  // points: the mean of these
   std::string rule, pattern;        // extreme: "highest" of the points "er*"; "*" is any vertex of the skin

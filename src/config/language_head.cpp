@@ -178,7 +178,13 @@ void fill_head_sections(Sections& all) {
        {as_whole(0, kMaxSeed)},
        "A seed: one of a crowd. Skull, character, features, look and hair are drawn as people differ; what "
        "stands "
-       "beside it holds instead."}};
+       "beside it holds instead."},
+      {"areas",
+       {as_word("choice of areas", kAreasWords)},
+       "Which areas may move: a file with a head of nine refuses the tongue and all else that is beyond "
+       "them, and its "
+       "speech does without.",
+       std::string(kAreasWords[0].name)}};
   head.keys[9].forms[0].pattern = build_file_pattern(kYamlEndings);
   head.keys[11].forms[0].data = "hair";
   head.rules = {{KeyRule::Kind::apart, {"mesh", "scan", "mix"}}, {KeyRule::Kind::apart, {"scan", "mix"}}};

@@ -50,6 +50,7 @@ MoveTable read_move(const AreaReader& reader, const YamlEntry& entry, const Data
   move.area = dot == entry.key.npos ? "" : entry.key.substr(0, dot);
   move.move = dot == entry.key.npos ? entry.key : entry.key.substr(dot + 1);
   table.read("sided", move.is_sided);
+  table.read_if("odd", move.is_odd);
   if (table.read("unit", move.units))
     for (const std::string& unit : move.units) check_name(*table.find("unit"), unit, "face unit", kUnits);
   if (table.read("anchors", move.anchors))
@@ -62,6 +63,16 @@ MoveTable read_move(const AreaReader& reader, const YamlEntry& entry, const Data
     add_columns(table.list("columns_plus"), rows, reader.points, move.plus);
   if (table.find("columns_minus") != nullptr)
     add_columns(table.list("columns_minus"), rows, reader.points, move.minus);
+  if (table.find("yields") != nullptr)
+    for (const YamlEntry& other : table.list("yields")) {
+      auto& [to, share] = move.yields.emplace_back();
+      if (const auto driver = find_driver(other.key))
+        to = *driver;
+      else
+        add_mistake(other.value, fmt::format("'{}' is no move and its sign; expected one such as brow.up+",
+                                             show_word(other.key)));
+      load_datum(other.value, share);
+    }
   if (move.plus.empty() && move.minus.empty()) table.fail("no handle says where skin goes; expected one");
   return move;
 }
@@ -116,6 +127,8 @@ JawData read_jaw(const DataTable& table, const PointNames& points) {
   table.read("axis", jaw.axis);
   table.read("degrees", jaw.degrees);
   table.read("forward", jaw.forward);
+  table.read("aside", jaw.aside);
+  table.read("protruded", jaw.protruded);
   table.read("columns", jaw.columns);
   table.read("mb2", jaw.mb2);
   table.read("m6_factor", jaw.m6_factor);
@@ -141,7 +154,7 @@ GiveWayData read_give_way(const DataTable& table, const PointNames& points) {
 
 LimitPlace read_limit(const DataTable& table, const PointNames& points) {
   LimitPlace limit;
-  if (table.read("at", limit.point) && limit.point != "pupil")
+  if (table.read("at", limit.point) && limit.point != "pupil" && limit.point != kTonguePlace)
     check_point(*table.find("at"), limit.point, points);
   const YamlValue* axis = table.find("axis");
   if (axis == nullptr) return limit;

@@ -1,5 +1,7 @@
 #include "config/load_areas.hpp"
 
+#include <fmt/format.h>
+
 #include "config/ledger.hpp"
 
 namespace mien {
@@ -28,6 +30,7 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, Li
   for (const YamlEntry& entry : moves) {
     std::vector<std::size_t> meant = list_moves_of(key);
     std::erase_if(meant, [&](std::size_t move) { return kMoves[move].move != entry.key; });
+    if (!meant.empty() && !check_nine(entry.value, entry.spot, meant.front())) continue;
     if (load_live_value(entry.value, meant, areas, live)) continue;
     for (const std::size_t move : meant) {
       const MoveInfo& info = kMoves[move];
@@ -44,6 +47,22 @@ void load_area(const YamlValue& value, const AreaKey& key, AreaValues& areas, Li
 }
 
 }  // namespace
+
+bool check_nine(const YamlValue& value, const Spot& spot, std::size_t move) {
+  if (!value.findings->keeps_to_nine || !kMoves[move].is_beyond) return true;
+  add_mistake(
+      *value.findings, value.document->source, spot,
+      fmt::format("'{}.{}' is beyond the nine areas, which 'head' says with 'areas: nine'; expected one "
+                  "of them, or 'areas: all'",
+                  kMoves[move].area, kMoves[move].move));
+  return false;
+}
+
+bool check_nine(const YamlValue& value, const Pose& pose) {
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (pose.values[i] != 0 && !check_nine(value, value.spot, i)) return false;
+  return true;
+}
 
 Names list_area_keys() { return list_keys(find_sections().areas); }
 

@@ -29,6 +29,12 @@ using AreaNumbers = std::array<std::optional<double>, kMoveCount>;
 // `{brows: 2, corner.left: 0.5}`: one number for all moves of an area. A sided key overrides a plural one.
 AreaNumbers load_area_numbers(const YamlValue& value);
 
+// False, with a mistake told at `spot`, if the move is beyond Tezuka's nine areas in a file that keeps to
+// them.
+bool check_nine(const YamlValue& value, const Spot& spot, std::size_t move);
+// The same for what an expression does.
+bool check_nine(const YamlValue& value, const Pose& pose);
+
 // The moves that an area key such as "brows" or "lips" means.
 std::vector<std::size_t> list_moves_of(const AreaKey& key);
 

@@ -77,10 +77,13 @@ void load_expression(const YamlMapping& entries, const YamlValue& item, const Cl
         for (const std::size_t move : list_moves_of(key)) cue.owns.set(move);
   }
   if (express != nullptr) own_moved(cue.what, cue.owns);
-  // Back to rest: of all that the others of its library move.
-  if (cue.owns.none() && !shown.library.empty())
+  // Back to rest: of all that the others of its library move, and of what is beyond Tezuka's areas.
+  if (cue.owns.none() && !shown.library.empty()) {
     for (const Expression& other : reader.book->expressions)
       if (other.library == shown.library) own_moved(other.pose, cue.owns);
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].is_beyond) cue.owns.set(i);
+  }
   if (cue.owns.none()) cue.owns.set();
 }
 

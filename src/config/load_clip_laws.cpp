@@ -22,6 +22,7 @@ std::vector<std::size_t> load_moves(const YamlMapping& entries, const YamlValue&
     if (std::ranges::find(names, kMoves[each].move) == names.end()) names.emplace_back(kMoves[each].move);
   if (!load_name(*move, "move", names, move_name)) return {};
   std::erase_if(moves, [&](std::size_t each) { return kMoves[each].move != move_name; });
+  if (!moves.empty() && !check_nine(*move, move->spot, moves.front())) return {};
   return moves;
 }
 

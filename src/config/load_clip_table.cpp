@@ -101,6 +101,11 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
     }
     for (const std::size_t move : columns.moves.back()) {
       if (seen[move]) mistake = fmt::format("'{}' has a column already", name_move(move));
+      if (file.findings->keeps_to_nine && kMoves[move].is_beyond)
+        mistake = fmt::format(
+            "'{}' is beyond the nine areas, which 'head' says with 'areas: nine'; expected one of "
+            "them, or 'areas: all'",
+            name_move(move));
       seen.set(move);
     }
     if (!mistake.empty()) report(file, cell.spot, mistake);

@@ -168,7 +168,8 @@ void load_limit(const YamlValue& value, const std::vector<std::string>& names, H
     head.limits.erase(name);
     head.limit_lengths.erase(name);
     if (length)
-      head.limit_lengths[name] = {length->value, length->unit, find_place(value.document->source, value.spot)};
+      head.limit_lengths[name] = {length->value, length->unit,
+                                  find_place(value.document->source, value.spot)};
     else
       head.limits[name] = *share;
   }
@@ -235,6 +236,8 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   load_start(entries, source, head);
   load_growth(entries, *source.words, head);
   if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
+  std::string areas;  // understood before all else: load_spec.cpp
+  if (const YamlValue* choice = find_value(entries, "areas")) load_name(*choice, areas);
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head);
   if (const YamlValue* sculpt = find_value(entries, "sculpt")) load_sculpt(*sculpt, source, head.sculpt);
   head.said = find_said(entries);

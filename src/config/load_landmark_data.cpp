@@ -24,6 +24,8 @@ LandmarkRule read_rule(const YamlValue& value, const PointNames& points, bool is
       if (load_datum(item, rule.points.emplace_back())) check_point(item, rule.points.back(), points);
   } else if (node.text == (is_sided ? "pupil" : "hairline")) {
     rule.kind = is_sided ? LandmarkRule::Kind::pupil : LandmarkRule::Kind::hairline;
+  } else if (!is_sided && node.text == "tongue") {
+    rule.kind = LandmarkRule::Kind::tongue;
   } else if (std::string point; load_datum(value, point)) {
     check_point(value, point, points);
     rule.points = {point};

@@ -48,6 +48,7 @@ Express load_posed(const YamlMapping& entries, const ExpressionBook& book, const
   const YamlValue* named = find_value(entries, "express");
   if (named != nullptr) {
     express = load_express(*named, book, formulas);
+    check_nine(*named, express.pose);
   } else {
     express.label = express.name = "neutral";
     if (const auto neutral = find_expression(book, "neutral")) {

@@ -73,8 +73,27 @@ void settle_style(const HeadWords& words, Spec& spec) {
     spec.render.background = kInkGround;
 }
 
+// Whether a head of the file keeps to the nine areas: then all of the file does.
+bool keeps_to_nine(const YamlMapping& file) {
+  const auto is_nine = [](const YamlMapping& entries) {
+    const YamlValue* head = find_value(entries, "head");
+    if (head == nullptr || find_node(*head).kind != NodeKind::mapping) return false;
+    return std::ranges::any_of(load_free_mapping(*head, "a mapping"), [](const YamlEntry& entry) {
+      return entry.key == "areas" && find_node(entry.value).text == kAreasWords[1].name;
+    });
+  };
+  if (is_nine(file)) return true;
+  const YamlValue* actors = find_value(file, "actors");
+  if (actors == nullptr || find_node(*actors).kind != NodeKind::mapping) return false;
+  return std::ranges::any_of(load_free_mapping(*actors, "a mapping"), [&](const YamlEntry& actor) {
+    return find_node(actor.value).kind == NodeKind::mapping &&
+           is_nine(load_free_mapping(actor.value, "a mapping"));
+  });
+}
+
 void load_sections(const YamlValue& root, const YamlMapping& entries, const HeadWords& words,
                    ExpressionBook& book, Spec& spec) {
+  root.findings->keeps_to_nine = spec.keeps_to_nine = keeps_to_nine(entries);
   if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
   if (const YamlValue* author = find_value(entries, "author")) load_title(*author, spec.author);
   if (const YamlValue* licence = find_value(entries, "licence")) load_title(*licence, spec.licence);

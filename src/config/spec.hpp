@@ -66,6 +66,7 @@ struct Spec {
   std::string title;
   std::string author, licence;  // for files that say so
   HeadSpec head;
+  bool keeps_to_nine = false;           // `head: {areas: nine}`: nothing moves but Tezuka's areas
   double exaggerate = 1;                // of every key and bust that says none of its own
   std::string library = "mien";         // where a plain expression name is looked up after the file's own
   std::vector<Expression> expressions;  // all that can be named here: the file's own, then every library's

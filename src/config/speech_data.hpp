@@ -19,7 +19,7 @@ enum class MouthContact { none, lips, teeth };
 struct Viseme {
   std::string name;                          // "PP"
   std::string meaning;                       // "lips shut, as in pay - bay - may"
-  Pose pose;                                 // of lips, corners and chin alone
+  Pose pose;                                 // of lips, corners, chin and tongue alone
   std::array<double, kMoveCount> insists{};  // how firmly each move stands among its neighbours, 0..1
   MouthContact contact = MouthContact::none;
   bool is_vowel = false;  // opens more where it is stressed

@@ -120,6 +120,8 @@ inline constexpr std::array kLightSetWords{
     Word{"candle", "one candle on the table"},
     Word{"moon", "the moon high behind"},
     Word{"rim", "a silhouette: light from behind on either side"}};  // of templates/povray
+inline constexpr std::array kAreasWords{Word{"all", "what people's faces do"},
+                                        Word{"nine", "Tezuka's nine, with what he moves in them"}};
 inline constexpr std::array kAsymmetryWords{Word{"none", "both sides alike"},
                                             Word{"natural", "0.2: as much as is seen in people"}};
 inline constexpr std::array kBaseWords{Word{"round", "a disc"}, Word{"square", "a block"},

@@ -32,6 +32,7 @@ struct Part {
   double wear = 0;        // 0 fresh .. 1 old: how far fine lines are worn into it; the material's affair too
   bool is_rigid = false;  // true: a drawing gives a transform only; false: it gives positions and normals
   bool is_outline = false;  // a drawing gives its triangles too (PartShape::triangles), and `rest` is empty
+  bool may_bend = false;    // of a rigid part: a drawing may give its positions and normals all the same
   bool is_printed = true;   // false: too fine for a bust (lashes, tear line, cornea)
 };
 
@@ -40,12 +41,18 @@ struct Model {
 };
 
 // One part in one drawing. A rigid part has only `world_from_rest`; another has only positions and normals.
+// One that may bend has no positions where it does not.
 struct PartShape {
   std::vector<glm::vec3> positions;  // mm, world; as many as in the part's rest mesh
   std::vector<glm::vec3> normals;    // unit, world; as many, or none of a part that is flat
   std::vector<Triangle> triangles;   // of an outline alone
   glm::mat4 world_from_rest{1};      // a rotation and a shift
 };
+
+// Whether a drawing carries the part as a whole, and has no vertices of it.
+inline bool is_carried(const Part& part, const PartShape& shape) {
+  return part.is_rigid && (!part.may_bend || shape.positions.empty());
+}
 
 struct Drawing {
   std::vector<PartShape> parts;  // in the order of Model::parts

@@ -26,6 +26,7 @@ struct BustMove {
   std::vector<double> values;
   std::vector<std::size_t> states;
   double reach_low = 1, reach_high = 1;  // what a value of -1 or 1 comes to under the head's own limits
+  bool has_slider = true;                // false: a print shows nothing of it
 };
 
 struct BustExpression {

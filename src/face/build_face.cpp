@@ -78,20 +78,34 @@ DrivenField build_sided_field(const Cage& cage, std::vector<SignedMove> left, st
                               Field field) {
   fade_far_side(cage, field);
   Field mirrored = mirror_field(cage, field);
-  return {std::move(left), std::move(field), std::move(right), std::move(mirrored)};
+  return {std::move(left), std::move(field), std::move(right), std::move(mirrored), false, {}, {}};
 }
 
 // Solves one table's plus or minus side; for a sided move also its mirror image.
 DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, const Scales& scales,
                              const MoveTable& table, int sign) {
-  Field field = solve_field(solver, scales.apply(table, sign > 0 ? table.plus : table.minus),
-                            anchors.at(table.anchors), table.is_sided ? Reach::left : Reach::both);
+  Field field =
+      solve_field(solver, scales.apply(table, sign > 0 ? table.plus : table.minus), anchors.at(table.anchors),
+                  table.is_odd     ? Reach::odd
+                  : table.is_sided ? Reach::left
+                                   : Reach::both);
   const auto drive = [&](Side side) {
     return std::vector<SignedMove>{{require_move(table.area, side, table.move), sign}};
   };
+  const bool is_late = table.area == "jaw";
+  if (table.is_odd) {
+    Field mirrored = mirror_field(*solver.cage, field);
+    return {drive(Side::none),
+            std::move(field),
+            {{require_move(table.area, Side::none, table.move), -sign}},
+            std::move(mirrored),
+            is_late,
+            {},
+            {}};
+  }
   if (table.is_sided)
     return build_sided_field(*solver.cage, drive(Side::left), drive(Side::right), std::move(field));
-  return {drive(Side::none), std::move(field), {}, {}};
+  return {drive(Side::none), std::move(field), {}, {}, is_late, {}, {}};
 }
 
 // What a design makes the move larger by. The lids keep to the eye, and what lies between goes part of the
@@ -162,6 +176,20 @@ std::optional<DrivenField> build_jaw_relief(const Cage& cage, const MoveTable& t
   return relief;
 }
 
+// Of a field of one side, what moves on that side or in the middle; of one of both, what moves on either.
+void add_yields(const MoveTable& table, DrivenField& driven) {
+  for (const auto& [other, share] : table.yields)
+    for (const bool is_mirror : {false, true}) {
+      Yield yield{{}, share};
+      const Side far = is_mirror ? Side::left : Side::right;
+      for (const Side side : {Side::none, Side::left, Side::right})
+        if (const auto move = find_move(other.area, side, other.move);
+            move && !(table.is_sided && side == far))
+          yield.to.push_back({*move, other.sign});
+      (is_mirror ? driven.mirror_yields : driven.yields).push_back(std::move(yield));
+    }
+}
+
 DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, const Scales& scales,
                              const CorrectiveTable& corrective) {
   Field field = solve_field(solver, scales.apply(corrective.table, corrective.table.plus),
@@ -184,7 +212,7 @@ std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& d
   std::map<std::string, std::vector<std::size_t>> alike;  // works by what they hold and move
   const auto add = [&](const MoveTable& table, const Handles& handles,
                        std::function<DrivenField(const FieldSolver&)> work) {
-    std::string key = fmt::format("{} {}", table.anchors, table.is_sided);
+    std::string key = fmt::format("{} {} {}", table.anchors, table.is_sided, table.is_odd);
     for (const auto& [point, move] : handles) key += ' ' + point;
     alike[key].push_back(works.size());
     works.push_back(std::move(work));
@@ -194,6 +222,7 @@ std::vector<DrivenField> build_fields(const NeutralHead& head, const AreaData& d
       if (!(sign > 0 ? table.plus : table.minus).empty())
         add(table, sign > 0 ? table.plus : table.minus, [&, sign](const FieldSolver& solver) {
           DrivenField driven = build_move_field(solver, anchors, scales, table, sign);
+          add_yields(table, driven);
           const double gain = get_gain(head.design, table.area, table.move, sign);
           if (gain != 1)
             for (Field* field : {&driven.field, &driven.mirror_field})
@@ -255,6 +284,8 @@ JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const AreaD
   rig.weights = solve_weights(solver, values, find_points(head.cage, jaw.zero));
   rig.open_rad = jaw.degrees * kRadiansPerDegree;
   rig.forward = jaw.forward * (scales.here.mouth_nose / scales.adult.mouth_nose);
+  rig.aside = jaw.aside * (scales.here.mouth_width / scales.adult.mouth_width);
+  rig.protruded = jaw.protruded * (scales.here.mouth_width / scales.adult.mouth_width);
   return rig;
 }
 
@@ -387,6 +418,12 @@ Face build_face(const NeutralHead& head) {
   face.upper_lip = build_lip_sheet(*head.surface, head.cage, true);
   face.lower_lip = build_lip_sheet(*head.surface, head.cage, false);
   face.seal_until_mm = data.seal_until_mm * (scales.here.mouth_nose / scales.adult.mouth_nose);
+  const auto reach_mm = [&](const char* limit) {
+    const LimitPlace& place = data.limits.at(limit);
+    return place.plus_mm * compute_unit_ratio(scales.here, scales.adult, place.unit);
+  };
+  face.tongue_out_mm = reach_mm("tongue.out");
+  face.tongue_up_mm = reach_mm("tongue.up");
   face.turn_pivot = carry_point(head, data.turn_pivot);
   face.turn_weights = build_turn_weights(head.cage, data);
   return face;

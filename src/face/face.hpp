@@ -31,6 +31,12 @@ struct SignedMove {
   int sign = 1;
 };
 
+// What else moves the skin of a field, on one side or on both alike, and the share that the field then lacks.
+struct Yield {
+  std::vector<SignedMove> to;  // one or two
+  double share = 0;
+};
+
 // A field and what drives it: the product of some signed values, each only where positive. A sided one has a
 // mirror image with drivers of its own side; the two are added to each other before anything else, so that
 // mirrored poses give mirrored sums to the last bit.
@@ -39,12 +45,16 @@ struct DrivenField {
   Field field;
   std::vector<SignedMove> mirror_drivers;  // empty: no mirror image
   Field mirror_field;
+  bool is_late = false;  // the jaw's slides: after it has turned
+  std::vector<Yield> yields, mirror_yields;
 };
 
 struct JawRig {
-  glm::dvec3 axis{0};           // a point of the axis, which is parallel to x
-  double open_rad = 0;          // at chin.down 1
-  glm::dvec3 forward{0};        // mm at chin.down 1
+  glm::dvec3 axis{0};     // a point of the axis, which is parallel to x
+  double open_rad = 0;    // at chin.down 1
+  glm::dvec3 forward{0};  // mm at chin.down 1
+  glm::dvec3 aside{0},
+      protruded{0};             // at jaw.side and jaw.forward 1: of teeth and tongue, the skin has its fields
   std::vector<double> weights;  // of each control point
 };
 
@@ -98,6 +108,7 @@ struct Face {
   GiveWay give_way;
   LipSheet upper_lip, lower_lip;
   double seal_until_mm = 4;
+  double tongue_out_mm = 34, tongue_up_mm = 20;  // of its tip at its limits
   glm::dvec3 turn_pivot{0};
   std::vector<double> turn_weights;  // of each control point
 };

@@ -72,6 +72,16 @@ Limit measure_limit(const NeutralHead& head, const Face& face, const LimitName& 
   lifted.values[name.move] = name.sign * asked;
   const double share = std::abs(stiffen_pose(face, lifted).values[name.move]);
   const std::string point = (info.side == Side::right && info.area != "eye" ? "R:" : "") + place.point;
+  if (place.point == kTonguePlace) {
+    const double reach_mm = info.move == "out" ? face.tongue_out_mm : face.tongue_up_mm;
+    return {&name,
+            place.unit,
+            share * reach_mm / compute_unit_mm(face.units, place.unit),
+            share * reach_mm,
+            share * reach_mm,
+            point,
+            place.axis};
+  }
   if (place.axis < 0) return measure_turn(head, face, name, share, lifted, point);
   const double adult_mm = (name.sign > 0 ? place.plus_mm : place.minus_mm) *
                           get_gain(head.design, info.area, info.move, name.sign);

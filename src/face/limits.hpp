@@ -38,7 +38,7 @@ struct Limit {
   double value = 0;    // in `unit`, the same on every head but for its share
   double mm = 0;       // on this head, along the axis; of a turn the way of the point
   double skin_mm = 0;  // the whole way of the skin there, which lies off its control point
-  std::string point;   // where it is measured, of the cage: "E5_4", "R:E5_4"; "pupil" of an eye
+  std::string point;   // where it is measured, of the cage: "E5_4", "R:E5_4"; "pupil" of an eye, "tongue"
   int axis = -1;       // along which: 0 x, 1 y; -1 for a turn
 };
 

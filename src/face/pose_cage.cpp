@@ -12,18 +12,27 @@ namespace mien {
 
 namespace {
 
-double compute_drive(const std::vector<SignedMove>& drivers, const Pose& pose) {
+double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,
+                     const Pose& pose) {
   double product = drivers.empty() ? 0 : 1, most = 1;
   for (const auto& [move, sign] : drivers) {
     const double value = std::max(0.0, sign * pose.values[move]);
     product *= std::min(1.0, value);
     most = std::max(most, value);
   }
+  if (product == 0) return 0;
+  for (const Yield& yield : yields) {
+    double kept = 1;  // of two sides first: the mirrored pose has the same to the last bit
+    for (const auto& [move, sign] : yield.to)
+      kept *= 1 - yield.share * std::clamp(sign * pose.values[move], 0.0, 1.0);
+    product *= kept;
+  }
   return product * most;  // past the limits no steeper than the drivers themselves
 }
 
 void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dvec3>& points) {
-  const double here = compute_drive(driven.drivers, pose), there = compute_drive(driven.mirror_drivers, pose);
+  const double here = compute_drive(driven.drivers, driven.yields, pose),
+               there = compute_drive(driven.mirror_drivers, driven.mirror_yields, pose);
   if (here != 0 && there != 0)
     add_products(here, driven.field, there, driven.mirror_field, points);
   else if (here != 0)
@@ -198,7 +207,8 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   points = head.cage.points;
   if (asked == Pose{}) return;
   const Pose pose = stiffen_pose(face, asked);
-  for (const DrivenField& driven : face.fields) add_field(driven, pose, points);
+  for (const DrivenField& driven : face.fields)
+    if (!driven.is_late) add_field(driven, pose, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
   give_way(face.give_way, points);
@@ -207,6 +217,8 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
     for (std::size_t i = 0; i < points.size(); ++i)
       if (face.jaw.weights[i] != 0)
         points[i] = turn_jaw_point(face.jaw, points[i], open * face.jaw.weights[i]);
+  for (const DrivenField& driven : face.fields)
+    if (driven.is_late) add_field(driven, pose, points);
   stop_under_nose(face, points);
   match_lips(face, pose, points);
   part_skin(face, points);
@@ -217,8 +229,11 @@ glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side) {
 }
 
 glm::dmat4 compute_jaw(const Face& face, const Pose& pose) {
-  const double open = value_of(stiffen_pose(face, pose), "chin", Side::none, "down");
-  glm::dmat4 world = glm::translate(glm::dmat4(1), face.jaw.axis + open * face.jaw.forward);
+  const Pose stiff = stiffen_pose(face, pose);
+  const double open = value_of(stiff, "chin", Side::none, "down");
+  const glm::dvec3 slide = value_of(stiff, "jaw", Side::none, "side") * face.jaw.aside +
+                           value_of(stiff, "jaw", Side::none, "forward") * face.jaw.protruded;
+  glm::dmat4 world = glm::translate(glm::dmat4(1), face.jaw.axis + open * face.jaw.forward + slide);
   world = glm::rotate(world, open * face.jaw.open_rad, glm::dvec3(1, 0, 0));
   return glm::translate(world, -face.jaw.axis);
 }

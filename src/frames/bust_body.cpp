@@ -249,7 +249,11 @@ std::array<CarvedEye, 2> compute_carved_eyes(const BustBody& body, const Figure&
   return eyes;
 }
 
-CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, const Pose& asked) {
+CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, const Pose& posed) {
+  // The relief behind the lips opens and shuts, and does not slide.
+  Pose asked = posed;
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (kMoves[i].of == Area::jaw) asked.values[i] = 0;
   return move_jaw(body.carved_mouth, glm::mat4(compute_jaw(figure.face, apply_limits(figure.limits, asked))));
 }
 

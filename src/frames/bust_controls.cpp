@@ -81,6 +81,7 @@ void add_moves(Work& work, double tolerance_mm) {
     }
     if (info.low < 0) work.shapes.push_back(std::move(sampled.shapes.front().positions));
     work.shapes.push_back(std::move(sampled.shapes.back().positions));
+    move.has_slider = info.of != Area::tongue;  // a mound behind the lips
     move.reach_high = compute_move_reach(work.figure, sampled.move, 1);
     move.reach_low = info.low < 0 ? compute_move_reach(work.figure, sampled.move, -1) : 1;
   }

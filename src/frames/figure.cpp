@@ -34,6 +34,21 @@ void turn_points(const Face& face, const TurnKey& turn, const glm::dmat4& whole,
   }
 }
 
+// What a rigid part does within the head, in a pose that take_pose gave.
+glm::dmat4 find_motion(const Figure& figure, Mount mount, const Pose& pose) {
+  const auto gaze = [&](Side side) {
+    glm::dvec3 centre = figure.head.eye.centre;
+    if (side == Side::right) centre.x = -centre.x;
+    const glm::dmat4 turned =
+        glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
+    return glm::translate(turned, -centre);
+  };
+  if (mount == Mount::eye_left) return gaze(Side::left);
+  if (mount == Mount::eye_right) return gaze(Side::right);
+  if (mount == Mount::jaw) return compute_jaw(figure.face, pose);
+  return glm::dmat4(1);
+}
+
 // Hairs: each keeps its shape and stands in the frame of its place on the skin.
 HairRoots build_roots(const HeadPart& bound, const NeutralHead& head,
                       const std::vector<std::uint32_t>& half_of) {
@@ -79,16 +94,20 @@ void redraw_parts(Figure& figure) {
     part.rest.positions = std::move(shape.positions);
     part.rest.normals = std::move(shape.normals);
     if (mount == Mount::skull) continue;
-    part.is_rigid = false;
+    part.is_rigid = part.may_bend = false;
     figure.undistorted[i] = rest;
   }
 }
 
-// The smooth skin by its slots, into buffers.place_pairs and buffers.normal_pairs.
-void deform_slots(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
+// The pose as this head and its design take it.
+Pose take_pose(const Figure& figure, const Pose& asked) {
+  return redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
+}
+
+// The smooth skin over the posed cage in buffers.points, by its slots: into buffers.place_pairs and
+// buffers.normal_pairs.
+void deform_slots(const Figure& figure, const Surface& surface, const Pose& pose, const TurnKey& turn,
                   DeformBuffers& buffers) {
-  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
-  pose_cage(figure.head, figure.face, pose, buffers.points);
   const bool is_redrawn = figure.redraw.is_on();
   if (is_turned(turn) && !is_redrawn)
     turn_points(figure.face, turn, compute_turn(figure.face.turn_pivot, turn, 1), buffers.points);
@@ -111,6 +130,17 @@ void move_with_skull(const Mesh& rest, const glm::dmat4& world, PartShape& shape
   for (const glm::vec3& n : rest.normals) shape.normals.emplace_back(glm::normalize(turn * glm::dvec3(n)));
 }
 
+// A part that may bend: its vertices where it does, and none where it does not.
+void place_bent(const Mesh& bent, const glm::dmat4& motion, bool is_bent, PartShape& shape) {
+  shape.positions.clear();
+  shape.normals.clear();
+  if (!is_bent) return;
+  const glm::dmat3 turn(motion);
+  for (const glm::vec3& p : bent.positions)
+    shape.positions.emplace_back(motion * glm::dvec4(glm::dvec3(p), 1));
+  for (const glm::vec3& n : bent.normals) shape.normals.emplace_back(turn * glm::dvec3(n));
+}
+
 void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const DeformBuffers& buffers,
                  PartShape& skin) {
   skin.positions.resize(count);
@@ -122,29 +152,20 @@ void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const 
 }  // namespace
 
 glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& asked) {
-  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
-  const auto gaze = [&](Side side) {
-    glm::dvec3 centre = figure.head.eye.centre;
-    if (side == Side::right) centre.x = -centre.x;
-    const glm::dmat4 turned =
-        glm::translate(glm::dmat4(1), centre) * glm::dmat4(compute_gaze(figure.face, pose, side));
-    return glm::translate(turned, -centre);
-  };
-  if (mount == Mount::eye_left) return gaze(Side::left);
-  if (mount == Mount::eye_right) return gaze(Side::right);
-  if (mount == Mount::jaw) return compute_jaw(figure.face, pose);
-  return glm::dmat4(1);
+  return find_motion(figure, mount, take_pose(figure, asked));
 }
 
 void deform_skin(const Figure& figure, const Surface& surface, const Pose& asked, const TurnKey& turn,
                  DeformBuffers& buffers, PartShape& skin) {
-  deform_slots(figure, surface, asked, turn, buffers);
+  const Pose pose = take_pose(figure, asked);
+  pose_cage(figure.head, figure.face, pose, buffers.points);
+  deform_slots(figure, surface, pose, turn, buffers);
   unpack_skin(surface.pairs, surface.vertex_count(), buffers, skin);
 }
 
 void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn, DeformBuffers& buffers,
                    Drawing& drawing) {
-  const Pose pose = redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
+  const Pose pose = take_pose(figure, asked);
   drawing.parts.resize(figure.parts.size());
   const bool is_neutral = pose == Pose{} && !is_turned(turn);
   const glm::dmat4 head_turn =
@@ -152,16 +173,21 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
 
   const double stretch = compute_stretch(figure.redraw, pose);
   const glm::dmat4 world = stretch == 0 ? head_turn : head_turn * compute_stretching(figure.redraw, stretch);
-  deform_slots(figure, *figure.head.surface, asked, turn, buffers);
+  pose_cage(figure.head, figure.face, pose, buffers.points);
+  const bool has_bent = bend_tongue(figure.tongue, figure.face, pose, buffers.points, buffers.tongue);
+  deform_slots(figure, *figure.head.surface, pose, turn, buffers);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];
     const Part& part = figure.model.parts[i];
     PartShape& shape = drawing.parts[i];
     if (!part.is_rigid && bound.mount != Mount::strands) {
-      redraw_part(figure.redraw, stretch, figure.undistorted[i], compute_motion(figure, bound.mount, asked),
-                  head_turn, shape);
+      redraw_part(figure.redraw, stretch,
+                  has_bent && i == figure.tongue.part ? buffers.tongue : figure.undistorted[i],
+                  find_motion(figure, bound.mount, pose), head_turn, shape);
     } else if (bound.mount != Mount::strands) {
-      shape.world_from_rest = glm::mat4(world * compute_motion(figure, bound.mount, asked));
+      const glm::dmat4 motion = world * find_motion(figure, bound.mount, pose);
+      shape.world_from_rest = glm::mat4(motion);
+      if (part.may_bend) place_bent(buffers.tongue, motion, has_bent && i == figure.tongue.part, shape);
     } else if (figure.has_still_hair && is_hair(part)) {
       move_with_skull(part.rest, world, shape);
     } else if (is_neutral) {
@@ -190,7 +216,8 @@ void redraw_rest(Figure& figure) {
   DeformBuffers buffers;
   Drawing drawing;
   // The strands stand where they are bound; asked for the neutral pose they would be taken from the rest.
-  deform_slots(figure, *figure.head.surface, Pose{}, TurnKey{}, buffers);
+  pose_cage(figure.head, figure.face, take_pose(figure, Pose{}), buffers.points);
+  deform_slots(figure, *figure.head.surface, take_pose(figure, Pose{}), TurnKey{}, buffers);
   unpack_pairs(figure.head.surface->pairs, buffers.place_pairs, figure.head.skin.positions);
   unpack_pairs(figure.head.surface->pairs, buffers.normal_pairs, figure.head.skin.normals);
   for (std::size_t i = 1; i < figure.parts.size(); ++i)
@@ -273,6 +300,7 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
   for (const HeadPart& part : figure.parts) figure.roots.push_back(build_roots(part, figure.head, half_of));
   for (HeadPart& part : figure.parts) figure.model.parts.push_back(std::move(part.part));
   if (!is_print) refine_part(figure.folds.skin, figure.model.parts.front());
+  if (!is_print) figure.tongue = build_tongue_rig(figure.head, figure.model);
   if (use == FigureUse::picture) paint_figure(stock, spec, figure);
   figure.redraw = build_redraw(figure.head, figure.face);
   if (is_print) {  // has one height, its lids are sliders of their own, and goes through its lens when all of

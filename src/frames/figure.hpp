@@ -10,6 +10,7 @@
 #include "face/folds.hpp"
 #include "face/limits.hpp"
 #include "frames/redraw.hpp"
+#include "frames/tongue.hpp"
 #include "head/form.hpp"
 #include "head/head.hpp"
 
@@ -28,6 +29,7 @@ struct Figure {
   bool has_still_hair = false;    // of a drawing: no brow and no lid moves it
   Redraw redraw;                  // of a design; then the parts of eyes and jaw are no rigid ones,
   std::vector<Mesh> undistorted;  // and this is what each of them was before, empty for the others
+  TongueRig tongue;
 };
 
 // The buffers of one thread; contents mean nothing between calls. Without `has_folds` the skin stays smooth.
@@ -35,6 +37,7 @@ struct DeformBuffers {
   bool has_folds = true;
   FoldBuffers folds;
   std::vector<glm::dvec3> points;
+  Mesh tongue;  // bent, in the jaw's rest space
   std::vector<Twin> point_pairs, place_pairs, normal_pairs;
 };
 

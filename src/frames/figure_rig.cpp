@@ -61,10 +61,15 @@ void build_rig_parts(const Figure& figure, int steps, FigureRig& built) {
     rigged.joint = built.head_joint;
     if (mount != kFaceMounts.end()) rigged.joint += 1 + static_cast<int>(mount - kFaceMounts.begin());
     // A design squashes and stretches what is rigid otherwise.
-    const bool is_bent =
-        !part.is_rigid || figure.redraw.is_on() || (!built.has_jaw && bound.mount == Mount::jaw);
+    const bool is_bent = !part.is_rigid || part.may_bend || figure.redraw.is_on() ||
+                         (!built.has_jaw && bound.mount == Mount::jaw);
     if (!is_bent) continue;
     const std::size_t count = part.rest.positions.size();
+    if (part.is_rigid && part.may_bend && built.has_jaw) {  // the tongue bends where its joint has it
+      const auto joint = static_cast<std::uint8_t>(rigged.joint);
+      rigged.shares.assign(count, {joint, joint, 0});
+      continue;
+    }
     if (bound.mount == Mount::skin)
       for (const float share : skin) rigged.shares.push_back(share_neck(share, steps));
     else if (bound.mount == Mount::strands)
@@ -258,10 +263,12 @@ std::vector<glm::vec3> list_bent_places(const std::vector<BentPart>& bent, const
   places.reserve(bent.back().first + bent.back().count);
   for (const BentPart& own : bent) {
     const PartShape& shape = drawing.parts[own.part];
-    places.insert(places.end(), shape.positions.begin(), shape.positions.end());
-    if (!model.parts[own.part].is_rigid) continue;
-    for (const glm::vec3& rest : model.parts[own.part].rest.positions)
-      places.emplace_back(shape.world_from_rest * glm::vec4(rest, 1));
+    const Part& part = model.parts[own.part];
+    if (is_carried(part, shape))
+      for (const glm::vec3& rest : part.rest.positions)
+        places.emplace_back(shape.world_from_rest * glm::vec4(rest, 1));
+    else
+      places.insert(places.end(), shape.positions.begin(), shape.positions.end());
   }
   return places;
 }

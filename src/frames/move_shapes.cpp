@@ -101,6 +101,11 @@ Joint build_jaw_joint(const Figure& figure) {
   joint.turns = {
       build_turn(figure, find_move(Area::chin, Side::none, "down").value(), {1, 0, 0}, jaw.open_rad, 0)};
   joint.turns.front().shift_mm = jaw.forward;
+  for (const auto& [move, way] : {std::pair{"side", jaw.aside}, {"forward", jaw.protruded}}) {
+    joint.turns.push_back(
+        build_turn(figure, find_move(Area::jaw, Side::none, move).value(), {1, 0, 0}, 0, 0));
+    joint.turns.back().shift_mm = way;
+  }
   joint.parts = list_mounted(figure, Mount::jaw);
   return joint;
 }

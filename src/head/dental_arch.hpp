@@ -81,7 +81,9 @@ std::vector<HeadPart> build_drawn_mouth(const NeutralHead& head);
 // the skin.
 HeadPart build_lip_veil(const NeutralHead& head, double scale);
 
-// The tongue at rest, its tip behind the lower teeth.
+// The tongue at rest, its tip behind the lower teeth: append_loft's skin over kTongueRings upright rings of
+// kTonguePoints each, from the throat to the tip, whose vertex is the last.
+inline constexpr std::size_t kTongueRings = 20, kTonguePoints = 22;
 HeadPart build_tongue(const DentalArch& arch);
 
 }  // namespace mien

@@ -17,15 +17,17 @@ using Matrix = Eigen::SparseMatrix<double>;
 constexpr double kConstraint = 50;  // of handles and anchors against the energy: within 2 % of the asked move
 constexpr double kStrip_mm = 12;    // half width of the middle strip that one side's move may drag
 
+const glm::dvec3 kEven(-1, 1, 1), kOdd(1, -1, -1);  // what the other half does, of what the left half does
+
 // Symmetric fields must be exactly symmetric: average with the mirror image, which differs by rounding only.
-void symmetrise(const Cage& cage, Field& field) {
+void symmetrise(const Cage& cage, const glm::dvec3& image, Field& field) {
   for (std::size_t i = 0; i < field.size(); ++i) {
     const std::size_t m = cage.mirror[i];
-    if (m == i) field[i].x = 0;
+    if (m == i) field[i] = 0.5 * (field[i] + field[i] * image);
     if (m <= i) continue;
-    const glm::dvec3 mean = 0.5 * (field[i] + field[m] * glm::dvec3(-1, 1, 1));
+    const glm::dvec3 mean = 0.5 * (field[i] + field[m] * image);
     field[i] = mean;
-    field[m] = mean * glm::dvec3(-1, 1, 1);
+    field[m] = mean * image;
   }
 }
 
@@ -94,7 +96,7 @@ Field solve_field(const FieldSolver& solver, const Handles& handles, const std::
   };
   for (const auto& [name, move] : handles) {
     const std::uint32_t i = find_point(cage, name), m = cage.mirror[i];
-    if (m != i && reach == Reach::both) constrain(m, move * glm::dvec3(-1, 1, 1));
+    if (m != i && reach != Reach::left) constrain(m, move * (reach == Reach::odd ? kOdd : kEven));
     if (m != i && reach == Reach::left) {
       if (cage.points[i].x > kStrip_mm)
         constrain(m, glm::dvec3(0));
@@ -107,7 +109,7 @@ Field solve_field(const FieldSolver& solver, const Handles& handles, const std::
   const Eigen::MatrixXd solution = solve_constrained(solver, is_constrained, target);
   Field field(cage.points.size());
   for (std::size_t i = 0; i < field.size(); ++i) field[i] = {solution(i, 0), solution(i, 1), solution(i, 2)};
-  if (reach == Reach::both) symmetrise(cage, field);
+  if (reach != Reach::left) symmetrise(cage, reach == Reach::odd ? kOdd : kEven, field);
   return field;
 }
 

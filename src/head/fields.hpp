@@ -20,7 +20,7 @@ namespace mien {
 using Field = std::vector<glm::dvec3>;
 
 // Which side of the head a table of handles of the left half moves.
-enum class Reach { both, left };
+enum class Reach { both, left, odd };
 
 // Ready to solve fields on one cage: the energy is assembled once. Fields that hold and move the same points
 // one after the other are solved with the same factors.
@@ -32,10 +32,11 @@ struct FieldSolver {
 
 FieldSolver build_field_solver(const Cage& cage);
 
-// Solves for one field. Reach::both moves the mirror images as well; Reach::left holds the other side's
-// copies of the handles further than 12 mm from the mid-plane still and lets the strip between be dragged. A
-// point in `anchors` that is also a handle is a handle. Throws RunError for a handle that the cage does not
-// have.
+// Solves for one field. Reach::both moves the mirror images as well; Reach::odd moves them the same way
+// across the face and the other way up and forward, so that the field's mirror image is its negative;
+// Reach::left holds the other side's copies of the handles further than 12 mm from the mid-plane still and
+// lets the strip between be dragged. A point in `anchors` that is also a handle is a handle. Throws RunError
+// for a handle that the cage does not have.
 Field solve_field(const FieldSolver& solver, const Handles& handles, const std::vector<bool>& anchors,
                   Reach reach);
 

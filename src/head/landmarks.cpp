@@ -60,6 +60,7 @@ Landmark find_skin_landmark(const NeutralHead& head, const std::string& name, co
     const HairlineMark mark = compute_hairline(head.cage, head.hairline);
     return {name, {mark.below, mark.above}, {1 - mark.share, mark.share}, false, Side::none};
   }
+  if (rule.kind == LandmarkRule::Kind::tongue) return {name, {}, {}, false, Side::none, true};
   const std::vector<std::uint32_t> vertices = find_vertices(head, rule);
   return {name, vertices, share_equally(vertices), false, Side::none};
 }
@@ -77,6 +78,16 @@ glm::dvec3 measure_pupil(const NeutralHead& head, Side side, const Model& model,
     if (model.parts[i].name == "eye" + suffix)
       return glm::dvec3(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
   throw RunError(fmt::format("internal: the model has no part 'eye{}'", suffix));
+}
+
+glm::dvec3 measure_tongue(const Model& model, const Drawing& drawing) {
+  for (std::size_t i = 0; i < model.parts.size(); ++i)
+    if (model.parts[i].name == "tongue") {
+      const PartShape& shape = drawing.parts[i];
+      if (!shape.positions.empty()) return glm::dvec3(shape.positions.back());
+      return glm::dvec3(shape.world_from_rest * glm::vec4(model.parts[i].rest.positions.back(), 1));
+    }
+  throw RunError("internal: the model has no part 'tongue'");
 }
 
 }  // namespace
@@ -112,7 +123,7 @@ SkinSpot find_place(const NeutralHead& head, const std::string& name) {
     point.points = {code};
     rule = &point;
   }
-  if (rule == nullptr || rule->kind == LandmarkRule::Kind::pupil)
+  if (rule == nullptr || rule->kind == LandmarkRule::Kind::pupil || rule->kind == LandmarkRule::Kind::tongue)
     throw RunError(fmt::format("no place of the skin is called '{}'", name));
   Landmark place = find_skin_landmark(head, name, *rule);
   return {std::move(place.vertices), std::move(place.shares), rule->kind != LandmarkRule::Kind::points};
@@ -125,6 +136,10 @@ std::map<std::string, glm::dvec3> measure_landmarks(const NeutralHead& head,
   for (const Landmark& landmark : landmarks) {
     if (landmark.is_pupil) {
       places[landmark.name] = measure_pupil(head, landmark.side, model, drawing);
+      continue;
+    }
+    if (landmark.is_tongue) {
+      places[landmark.name] = measure_tongue(model, drawing);
       continue;
     }
     glm::dvec3 sum{0};

@@ -165,7 +165,7 @@ void load_marks(MarkReader& reader, const YamlMapping& entries, const SurfaceTre
     const bool is_sided = entry.key.ends_with("_l") || entry.key.ends_with("_r");
     const std::string bare = is_sided ? entry.key.substr(0, entry.key.size() - 2) : entry.key;
     glm::dvec3 at{0};
-    if (!load_mark(entry.value, reader.file, at) || bare == "pupil") continue;  // a pupil is no skin
+    if (!load_mark(entry.value, reader.file, at) || bare == "pupil" || bare == "tongue") continue;  // no skin
     const double off = find_nearest(tree, at, size * 10).distance;
     if (off > kMostOff * size) {
       add_mistake(entry.value,
@@ -231,7 +231,7 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
   Names names = words.middle;
   for (const std::string& name : words.sided)
     for (const char* side : {"_l", "_r"}) names.push_back(name + side);
-  for (const char* pupil : {"pupil_l", "pupil_r"}) names.push_back(pupil);
+  for (const char* other : {"pupil_l", "pupil_r", "tongue"}) names.push_back(other);
   auto source = load_named_source(*beside, kLandmarkFile, findings);
   if (const auto document = source ? scan_document(std::move(*source), findings) : std::nullopt) {
     MarkReader reader{stock, words, build_bare_head(stock, stock.adult.points), is_half, std::move(counted),

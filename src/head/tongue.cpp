@@ -13,9 +13,10 @@ namespace mien {
 namespace {
 
 constexpr int kDepthShades = 20, kGrooveShades = 4;
-constexpr int kRings = 20, kHalf = 12;  // points of half a ring, from the top to the bottom
-constexpr double kThick_mm = 9;         // of its sides; its underside is never seen
-constexpr double kTip_mm = 11;          // over which it grows from its tip to its full width
+constexpr int kRings = kTongueRings,
+              kHalf = kTonguePoints / 2 + 1;  // points of half a ring, from the top to the bottom
+constexpr double kThick_mm = 9;               // of its sides; its underside is never seen
+constexpr double kTip_mm = 11;                // over which it grows from its tip to its full width
 
 double square(double value) { return value * value; }
 
@@ -96,7 +97,7 @@ HeadPart build_tongue(const DentalArch& arch) {
           {glm::mix(front, back, far) * (1 - 0.14f * static_cast<float>(groove) / (kGrooveShades - 1)),
            0.7f});
     }
-  part.part.is_rigid = true;
+  part.part.is_rigid = part.part.may_bend = true;
   part.mount = Mount::jaw;
   return part;
 }

@@ -73,7 +73,7 @@ Json cut_skin(const SkinView& skin, const std::vector<std::uint32_t>& of, int ax
 Json describe_landmarks(const SkinView& skin, const std::vector<std::uint32_t>& of) {
   Json all = Json::array();
   for (const Landmark& landmark : find_landmarks(skin.figure.head)) {
-    if (landmark.is_pupil) continue;
+    if (!landmark.is_skin()) continue;
     Json vertices = Json::array();
     for (const std::uint32_t vertex : landmark.vertices) vertices.push_back(of[vertex]);
     all.push_back({{"name", landmark.name}, {"vertices", vertices}, {"shares", landmark.shares}});

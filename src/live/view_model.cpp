@@ -55,7 +55,8 @@ ViewPart build_view_part(const Part& part, const SketchPart& look) {
   view.is_clear = look.is_clear;
   view.is_seen = look.is_seen;
   view.has_shadow = look.has_shadow;
-  view.is_rigid = part.is_rigid;
+  view.is_rigid = part.is_rigid && !part.may_bend;
+  if (part.may_bend) view.unbent = {part.rest.positions, part.rest.normals, {}};
   view.is_outline = part.is_outline;
   view.finish = take_finish(look.textures.front().finish);
   if (part.is_outline) {
@@ -120,6 +121,14 @@ void append_vertices(std::string& bytes, const std::vector<std::uint32_t>& verti
   append_bytes(bytes, ways.data(), ways.size() * sizeof ways[0]);
 }
 
+Mesh place_unbent(const Mesh& rest, const glm::mat4& world_from_rest) {
+  Mesh placed;
+  const glm::mat3 turn(world_from_rest);
+  for (const glm::vec3& p : rest.positions) placed.positions.emplace_back(world_from_rest * glm::vec4(p, 1));
+  for (const glm::vec3& n : rest.normals) placed.normals.push_back(turn * n);
+  return placed;
+}
+
 }  // namespace
 
 ViewModel build_view_model(const Model& model, const SketchLook& look) {
@@ -141,6 +150,9 @@ void append_shape(std::string& bytes, const ViewPart& part, const PartShape& sha
     std::iota(all.begin(), all.end(), 0u);
     append_vertices(bytes, all, shape.positions, shape.normals);
     append_bytes(bytes, shape.triangles.data(), shape.triangles.size() * sizeof(Triangle));
+  } else if (shape.positions.empty() && !part.unbent.positions.empty()) {
+    const Mesh placed = place_unbent(part.unbent, shape.world_from_rest);
+    append_vertices(bytes, part.vertices, placed.positions, placed.normals);
   } else {
     append_vertices(bytes, part.vertices, shape.positions, shape.normals);
   }

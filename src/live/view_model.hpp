@@ -30,7 +30,8 @@ struct ViewPart {
   bool is_clear = false;  // lets light through: drawn last
   bool is_seen = true;    // false: only its shadow is
   bool has_shadow = true;
-  bool is_rigid = false;
+  bool is_rigid = false;    // and never bends
+  Mesh unbent;              // of one that may bend: where it lies at rest
   bool is_outline = false;  // changes its triangles with each drawing; no vertices here
 };
 

@@ -70,7 +70,7 @@ void check_drawing(const Model& model, const Drawing& drawing) {
 
 Mesh place_part(const Part& part, const PartShape& shape) {
   Mesh mesh{{}, {}, part.rest.triangles};
-  if (!part.is_rigid) {
+  if (!is_carried(part, shape)) {
     mesh.positions = shape.positions;
     mesh.normals = shape.normals;
   } else {

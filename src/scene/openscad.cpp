@@ -75,6 +75,7 @@ std::string find_variable(const BustMove& move) {
 std::string list_sliders(const PosableBust& bust) {
   std::string text;
   for (const BustMove& move : bust.moves) {
+    if (!move.has_slider) continue;
     std::string area = move.area;
     std::replace(area.begin(), area.end(), '.', ' ');
     text += fmt::format("// {}: {}\n{} = 0; // [{}:0.05:{}]\n", area, move.meaning, find_variable(move),
@@ -84,8 +85,9 @@ std::string list_sliders(const PosableBust& bust) {
 }
 
 std::string list_slider_names(const PosableBust& bust) {
-  return list_rows(bust.moves.size(), 6,
-                   [&](std::string& text, std::size_t i) { text += find_variable(bust.moves[i]); });
+  return list_rows(bust.moves.size(), 6, [&](std::string& text, std::size_t i) {
+    text += bust.moves[i].has_slider ? find_variable(bust.moves[i]) : "0";
+  });
 }
 
 std::string list_moves(const PosableBust& bust) {

@@ -124,6 +124,7 @@ void check_part(const Part& part) {
     for (const std::uint32_t v : triangle)
       if (v >= count) fail_part(part, "has a triangle outside its vertices");
   if (part.is_rigid && part.rest.normals.size() != count) fail_part(part, "has not one normal a vertex");
+  if (part.may_bend && (!part.is_rigid || part.is_outline)) fail_part(part, "bends, and is not rigid");
 }
 
 // The grain as uv_vectors: POV-Ray's uv_mapping then bends a pattern with the skin. z is not in it.
@@ -302,7 +303,7 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
   for (std::size_t i = 0; i < model.parts.size(); ++i) {
     const Part& part = model.parts[i];
     const PartShape& shape = drawing.parts[i];
-    if (part.is_rigid) {
+    if (is_carried(part, shape)) {
       text += fmt::format("object {{ part_{} ", part.name);
       append_matrix(text, shape.world_from_rest);
       text += " }\n";
@@ -318,6 +319,11 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
+    if (part.is_rigid) {  // bent: its surface has no macro
+      append_surface(text, part, false);
+      text += "}\n";
+      continue;
+    }
     const bool has_caster = casters && !(*casters)[i].triangles.empty();
     text += fmt::format("surface_of_{}(){} }}\n", part.name, has_caster ? " no_shadow" : "");
     if (has_caster) append_caster(text, (*casters)[i]);

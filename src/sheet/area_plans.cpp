@@ -48,9 +48,17 @@ SheetFraming build_framing(const AreaFraming& framing) {
   return {list_places(framing.around), framing.spread};
 }
 
+// Of the pictures of an area's moves: a mouth as far open as shows them.
+Pose build_ground(Area area) {
+  Pose pose;
+  if (const double open = find_area(area).open; open > 0)
+    pose.values[*find_move(Area::chin, Side::none, "down")] = open;
+  return pose;
+}
+
 // Both sides' moves of an area at `value`.
 Pose build_pose(Area area, std::string_view move, double value) {
-  Pose pose;
+  Pose pose = build_ground(area);
   for (std::size_t i = 0; i < kMoveCount; ++i)
     if (kMoves[i].of == area && kMoves[i].move == move) pose.values[i] = value;
   return pose;
@@ -67,7 +75,8 @@ SheetCell build_move_cell(const MoveInfo& info, double value) {
   if (value == 0) return cell;
   for (const PlaceText outline : area.outlines)
     if (!outline.empty()) cell.marks.push_back(build_line(list_places(outline)));
-  cell.marks.push_back({MarkShape::arrow, list_places(info.arrows), {Pose{}, cell.pose}, false, {}});
+  cell.marks.push_back(
+      {MarkShape::arrow, list_places(info.arrows), {build_ground(info.of), cell.pose}, false, {}});
   return cell;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "config/areas.hpp"
@@ -21,15 +22,25 @@ constexpr double kBrow = 0.5;         // half of a brow's length
 constexpr double kFullTurn_deg = 25;  // of a brow: steeper than a brow is, to be seen
 constexpr double kNameShare = 0.1;    // of the table's width
 
-// The nine areas, as one sees them: the character's right is on the viewer's left.
+// The nine areas, and others that somebody moves, as one sees them: the character's right is on the viewer's
+// left.
 struct Column {
   std::string heading;  // "right brow", "mouth corners"
   const AreaInfo* area;
   std::vector<Side> sides;  // whose values it shows
 };
-std::vector<Column> list_columns() {
+bool is_moved(const std::vector<Expression>& expressions, Area area) {
+  return std::ranges::any_of(expressions, [&](const Expression& expression) {
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].of == area && expression.pose.values[i] != 0) return true;
+    return false;
+  });
+}
+
+std::vector<Column> list_columns(const std::vector<Expression>& expressions) {
   std::vector<Column> columns;
   for (const AreaInfo& area : kAreas) {
+    if (is_beyond(area) && !is_moved(expressions, area.area)) continue;
     const std::string title(area.title);
     if (!area.has_sides())
       columns.push_back({title, &area, {Side::none}});
@@ -100,6 +111,8 @@ void append_side(const Pose& pose, const AreaInfo& area, Side side, double x,
       return append_pair(value("upper"), value("lower"), strokes);
     case AreaSign::lift:
       return append_arrow({0, value("down") > 0 ? kMore : -kMore}, {0, value("up") - value("down")}, strokes);
+    case AreaSign::words:
+      return;
   }
 }
 
@@ -143,7 +156,7 @@ std::string describe_area(const Pose& pose, const Column& column) {
 SheetTable build_area_table(const std::vector<Expression>& expressions) {
   SheetTable table;
   table.is_tall = table.has_header = true;
-  const std::vector<Column> columns = list_columns();
+  const std::vector<Column> columns = list_columns(expressions);
   table.columns.emplace_back(kNameShare, 0);
   table.rows.push_back({{""}});
   for (const Column& column : columns) {

@@ -25,7 +25,7 @@ void place_part(const PartShape& shape, const SketchFigure& figure, std::size_t 
   traced.triangles = part.is_outline ? &shape.triangles : &part.rest.triangles;
   traced.positions.clear();
   traced.normals.clear();
-  if (part.is_rigid) {
+  if (is_carried(part, shape)) {
     const glm::mat3 turn(shape.world_from_rest);
     for (const glm::vec3& p : part.rest.positions)
       traced.positions.push_back(to_povray(glm::vec3(shape.world_from_rest * glm::vec4(p, 1))));

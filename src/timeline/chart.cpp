@@ -61,6 +61,17 @@ bool are_apart(const std::vector<Shown>& frames, std::string_view area, double a
   return false;
 }
 
+// Whether an area beyond the nine stays at rest: then nobody asks for its row.
+bool is_idle_extra(const std::vector<Shown>& frames, std::string_view area) {
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    if (kMoves[i].area != area) continue;
+    if (!is_beyond(find_area(kMoves[i].of))) return false;
+    for (const Shown& frame : frames)
+      if (frame.pose.values[i] != 0) return false;
+  }
+  return true;
+}
+
 // Where the clip's frames and times stand in the chart.
 struct Columns {
   int count = 0, frames = 0, fps = 24;
@@ -158,6 +169,7 @@ std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double a
   std::vector<ChartRow> rows;
   for (const AreaKey& key : kAreaKeys) {
     if (!key.is_both && key.side != Side::none) continue;  // comes with its plural
+    if (is_idle_extra(frames, key.area)) continue;
     if (!key.is_both || !are_apart(frames, key.area, apart)) {
       rows.push_back(build_area_row(frames, key));
       continue;

@@ -15,8 +15,8 @@ struct ChartRow {
   std::vector<std::vector<double>> values;  // of each move, by frame from 0: 1 is its limit
 };
 
-// In the order of kMoves, the head's turning last. Two sides that are never further apart than `apart` share
-// a row, with the left one's values.
+// In the order of kMoves, the head's turning last; areas beyond Tezuka's nine where something of them moves.
+// Two sides that are never further apart than `apart` share a row, with the left one's values.
 std::vector<ChartRow> list_chart_rows(const std::vector<Shown>& frames, double apart = 0);
 
 // How far the row's furthest move is at `frame`: 0..1, whatever the direction.

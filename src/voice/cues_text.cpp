@@ -77,7 +77,7 @@ std::string build_cues_text(const MouthTrack& track, const SpeechData& data, con
     said_s = segment.to_s;
   }
   add_key(end_s > said_s ? said_s : end_s, "shut", "");
-  text += fmt::format("  cues:\n    - {{from: 0s, play: {}, areas: [lips, corners, chin]}}\n", name);
+  text += fmt::format("  cues:\n    - {{from: 0s, play: {}, areas: [lips, corners, chin, tongue]}}\n", name);
   return text;
 }
 

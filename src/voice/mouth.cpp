@@ -12,8 +12,8 @@ constexpr double kCore = 0.25;     // of a segment's length, at each end: there 
 constexpr double kFade_s = 0.045;  // after which a mouth insists on a third of itself
 constexpr double kNear_s = 0.25;   // further away it has no say
 constexpr double kTouch_s = 0.3;   // after which lips have come anywhere
-constexpr double kTouchCore = 0.15;                                  // of a segment's length, at each end
-constexpr double kJaw = 1.8, kLips = 2.7, kPress = 5, kCorners = 8;  // limits a second
+constexpr double kTouchCore = 0.15;  // of a segment's length, at each end
+constexpr double kJaw = 1.8, kLips = 2.7, kPress = 5, kRoll = 3.5, kCorners = 8;  // limits a second
 constexpr double kStressed = 1.15, kUnstressed = 0.85;
 
 bool is_of(std::size_t move, Area area) { return kMoves[move].of == area; }
@@ -92,7 +92,7 @@ void hold_jaw(const Column& column, const std::vector<double>& at_s) {
 // that time. Of two that are nearer to each other than that, the nearer one has its way.
 void apply_touches(const Column& column, const std::vector<double>& at_s, std::size_t move,
                    const std::vector<Touch>& touches) {
-  const double rate = kMoves[move].low < 0 ? kLips : kPress;
+  const double rate = kMoves[move].low < 0 ? kLips : kMoves[move].move == "roll" ? kRoll : kPress;
   std::vector<std::pair<double, double>> near;  // how far in time, and what is wanted there
   for (std::size_t row = 0; row < column.rows; ++row) {
     near.clear();
@@ -121,8 +121,11 @@ void soften(const Column& column, const std::vector<double>& at_s, double rate) 
 
 }  // namespace
 
-std::vector<std::size_t> list_lip_moves() {
-  return list_moves([](Area area) { return area == Area::lips || area == Area::chin; });
+std::vector<std::size_t> list_lip_moves(bool keeps_to_nine) {
+  std::vector<std::size_t> moves =
+      list_moves([](Area area) { return area == Area::lips || area == Area::chin || area == Area::tongue; });
+  if (keeps_to_nine) std::erase_if(moves, [](std::size_t move) { return kMoves[move].is_beyond; });
+  return moves;
 }
 
 std::vector<std::size_t> list_corner_moves() {

@@ -17,8 +17,9 @@ struct MouthSettings {
   double frame_s = 1.0 / 24;  // contacts last as long, so that a drawing shows them
 };
 
-// The moves that speech takes: those of lips, corners and chin.
-std::vector<std::size_t> list_lip_moves();  // and the chin's
+// The moves that speech takes: those of lips, chin and tongue, without what is beyond Tezuka's nine areas
+// where a file keeps to them, and those of the corners.
+std::vector<std::size_t> list_lip_moves(bool keeps_to_nine = false);
 std::vector<std::size_t> list_corner_moves();
 
 // From the first segment's beginning to the last one's end, a hundred rows a second; times as the segments

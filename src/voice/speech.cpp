@@ -145,7 +145,7 @@ void add_life(const SaySpec& line, const SpokenLine& spoken, ClipSpec& clip) {
   }
 }
 
-void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
+void add_line(const SaySpec& line, const SpeechData& data, bool keeps_to_nine, ClipSpec& clip) {
   const SpokenLine spoken = understand_line(line, data, clip.fps);
   const double kept = std::clamp(line.share, 0.0, 1.0);
   MouthSettings settings;
@@ -158,7 +158,7 @@ void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
           build_phrase_cue(line, data, phrases[i], moves, settings, amount, find_fades(phrases, i)));
     };
     settings.corners = 1;
-    add(list_lip_moves(), 1);
+    add(list_lip_moves(keeps_to_nine), 1);
     if (kept == 1) continue;
     settings.corners = 1 / (1 - kept);  // all of the word's own, beside what is left of the feeling's
     add(list_corner_moves(), 1 - kept);
@@ -174,9 +174,10 @@ void add_line(const SaySpec& line, const SpeechData& data, ClipSpec& clip) {
     clip.length_s = std::max(clip.length_s, std::min(round_s(spoken.to_s + kGo_s), most_s));
 }
 
-void add_lines(const SpeechData& data, ClipSpec& clip, std::vector<Diagnostic>& mistakes) {
+void add_lines(const SpeechData& data, bool keeps_to_nine, ClipSpec& clip,
+               std::vector<Diagnostic>& mistakes) {
   for (const SaySpec& line : clip.say) try {
-      add_line(line, data, clip);
+      add_line(line, data, keeps_to_nine, clip);
     } catch (const InputError& error) {
       mistakes.insert(mistakes.end(), error.diagnostics.begin(), error.diagnostics.end());
     }
@@ -190,11 +191,11 @@ void add_lines(const SpeechData& data, ClipSpec& clip, std::vector<Diagnostic>& 
 
 void add_speech(Spec& spec, const SpeechData& data) {
   std::vector<Diagnostic> mistakes;
-  add_lines(data, spec.clip, mistakes);
+  add_lines(data, spec.keeps_to_nine, spec.clip, mistakes);
   for (ActorSpec& actor : spec.actors) {
     const bool is_given = spec.clip.has_length;
     actor.clip.has_length = is_given;
-    add_lines(data, actor.clip, mistakes);
+    add_lines(data, spec.keeps_to_nine, actor.clip, mistakes);
     spec.clip.spoken.insert(spec.clip.spoken.end(), actor.clip.spoken.begin(), actor.clip.spoken.end());
     if (!is_given) spec.clip.length_s = std::max(spec.clip.length_s, actor.clip.length_s);
   }

@@ -55,7 +55,8 @@ TEST(areas, every_area_fills_its_row) {
     EXPECT_TRUE(area.aside.empty() || has_move(area, area.aside));
     EXPECT_EQ(area.aside.empty(), area.sign != AreaSign::way && area.sign != AreaSign::turned_way);
     const std::vector<std::string_view> drawn =
-        area.sign == AreaSign::pair   ? std::vector<std::string_view>{"upper", "lower"}
+        area.sign == AreaSign::words  ? std::vector<std::string_view>{}
+        : area.sign == AreaSign::pair ? std::vector<std::string_view>{"upper", "lower"}
         : area.sign == AreaSign::lift ? std::vector<std::string_view>{"up", "down"}
                                       : std::vector<std::string_view>{"up", area.aside};
     for (const std::string_view move : drawn) EXPECT_TRUE(has_move(area, move)) << move;
@@ -113,8 +114,22 @@ TEST(areas, every_move_fills_its_row) {
     for (const MoveWay* way : {&info.plus, &info.minus})
       EXPECT_TRUE(way->thesis.empty() || is_thesis_name(way->thesis)) << way->thesis;
     // Of the thesis's areas the eyeballs alone have no limits of their own: the lids' outline bounds them.
-    EXPECT_EQ(info.plus.thesis.empty(), info.of == Area::eye);
+    EXPECT_EQ(info.plus.thesis.empty(), info.of == Area::eye || info.is_beyond);
   }
+}
+
+TEST(areas, nine_are_tezukas_and_come_first) {
+  std::size_t nine = 0;
+  bool is_past = false;
+  for (const AreaInfo& area : kAreas) {
+    if (is_beyond(area)) {
+      is_past = true;
+      continue;
+    }
+    EXPECT_FALSE(is_past) << area.name;
+    nine += area.has_sides() && area.area != Area::eye && area.area != Area::lid ? 2 : 1;
+  }
+  EXPECT_EQ(nine, 8u);  // with both eyes' lids as one and both eyeballs as one
 }
 
 TEST(areas, landmarks_of_moves_are_landmarks_of_the_head) {

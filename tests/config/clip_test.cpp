@@ -34,8 +34,10 @@ TEST(clip, leads_unless_it_is_told_not_to) {
   EXPECT_EQ(load_text("mien: 1\n").clip.lead.after_s, kNaturalLead.after_s);
   EXPECT_EQ(load_clip_text("  lead: natural\n").lead.after_s, kNaturalLead.after_s);
   EXPECT_EQ(load_clip_text("  lead: none\n").lead.after_s, LeadSpec{}.after_s);
-  EXPECT_EQ(load_clip_text("  lead: {brows: 2f, head: 0.5s}\n").lead.after_s,
-            (std::array{0.0, 0.0, 2 / 24.0, 0.0, 0.0, 0.0, 0.5}));
+  std::array<double, kLeadCount> brows_and_head{};
+  brows_and_head[static_cast<std::size_t>(LeadPart::brows)] = 2.0 / 24;
+  brows_and_head.back() = 0.5;
+  EXPECT_EQ(load_clip_text("  lead: {brows: 2f, head: 0.5s}\n").lead.after_s, brows_and_head);
   EXPECT_TRUE(load_text("mien: 1\n").clip.lead.suits_shapes);
   EXPECT_FALSE(load_clip_text("  lead: {brows: 2f}\n").lead.suits_shapes) << "an author's word is kept";
 }

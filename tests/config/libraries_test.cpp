@@ -27,7 +27,7 @@ Pose mirror(const Pose& pose) {
     if (info.side == Side::none) continue;
     const Side other = info.side == Side::left ? Side::right : Side::left;
     const double value = pose.values[*find_move(info.area, other, info.move)];
-    mirrored.values[i] = info.area == "eye" && info.move == "side" ? 0 - value : value;
+    mirrored.values[i] = info.move == "side" ? 0 - value : value;
   }
   return mirrored;
 }

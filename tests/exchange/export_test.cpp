@@ -76,8 +76,9 @@ double measure_worst(const Exported& made, const tinygltf::Model& model, double 
     for (std::size_t v = 0; v < places.size(); ++v) {
       if (part.name == "skin" && v >= part.rest.positions.size()) break;  // those of the cut again
       const glm::dvec3 truth =
-          part.is_rigid ? glm::dvec3(drawing.parts[p].world_from_rest * glm::vec4(part.rest.positions[v], 1))
-                        : glm::dvec3(drawing.parts[p].positions[v]);
+          is_carried(part, drawing.parts[p])
+              ? glm::dvec3(drawing.parts[p].world_from_rest * glm::vec4(part.rest.positions[v], 1))
+              : glm::dvec3(drawing.parts[p].positions[v]);
       worst = std::max(worst, glm::distance(truth, places[v]));
     }
   }

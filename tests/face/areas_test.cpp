@@ -81,7 +81,7 @@ bool is_contact(const Limit& limit) { return limit.name->thesis == "LIPS_MATCH_L
 TEST(areas, go_as_far_as_their_limits_say_on_every_head) {
   for (const Subject& s : subjects()) {
     for (const Limit& limit : measure_limits(s.head, s.face, {})) {
-      if (limit.axis < 0 || is_contact(limit)) continue;
+      if (limit.axis < 0 || is_contact(limit) || limit.point == kTonguePlace) continue;
       Pose pose;
       pose.values[limit.name->move] = limit.name->sign;
       std::vector<glm::dvec3> points;
@@ -174,7 +174,9 @@ TEST(areas, move_no_vertex_faster_than_a_bound) {
         for (std::size_t v = 0; v < here.size(); ++v)
           pace_mm = std::max(pace_mm, glm::distance(here[v], there[v]) / kStep);
         EXPECT_LT(pace_mm, kFastest_mm) << s.name << " " << kMoves[i].area << "." << kMoves[i].move;
-        EXPECT_TRUE(pace_mm > 0 || kMoves[i].area == "eye" || kMoves[i].area == "lips") << s.name << " " << i;
+        EXPECT_TRUE(pace_mm > 0 || kMoves[i].area == "eye" || kMoves[i].area == "lips" ||
+                    kMoves[i].of == Area::tongue)
+            << s.name << " " << i;
       }
     }
   }

@@ -69,7 +69,7 @@ Pose mirror(const Pose& pose) {
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     const MoveInfo& m = kMoves[i];
     const Side other = m.side == Side::none ? Side::none : m.side == Side::left ? Side::right : Side::left;
-    const double sign = m.area == "eye" && m.move == "side" ? -1 : 1;
+    const double sign = m.move == "side" ? -1 : 1;
     mirrored.values[*find_move(m.area, other, m.move)] = sign * pose.values[i];
   }
   return mirrored;

@@ -181,7 +181,7 @@ TEST(folds, mirrored_poses_fold_a_mirrored_skin_alike_to_the_last_bit_where_none
     for (std::size_t i = 0; i < kMoveCount; ++i) {
       const MoveInfo& move = kMoves[i];
       const Side other = move.side == Side::left ? Side::right : Side::left;
-      const double sign = move.area == "eye" && move.move == "side" ? -1 : 1;
+      const double sign = move.move == "side" ? -1 : 1;
       image.values[move.side == Side::none ? i : *find_move(move.area, other, move.move)] =
           sign * pose.values[i];
     }

@@ -161,7 +161,7 @@ double find_bare_mm2(const Figure& figure, const Pose& pose, float height_deg) {
   for (std::size_t i = 0; i < figure.parts.size(); ++i) {
     const Part& part = figure.model.parts[i];
     std::vector<glm::vec3> positions = drawing.parts[i].positions;
-    if (part.is_rigid)
+    if (is_carried(part, drawing.parts[i]))
       for (const glm::vec3& p : part.rest.positions)
         positions.emplace_back(drawing.parts[i].world_from_rest * glm::vec4(p, 1));
     draw(screen, positions, part.rest.triangles, part.name.starts_with("teeth"));

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "head/binding.hpp"
+#include "head/dental_arch.hpp"
 #include "head/surface.hpp"
 
 namespace mien {
@@ -180,6 +181,7 @@ void measure_bites(const PoseProbe& probe, const Drawing& drawing, PoseFindings&
       const Mesh& rest = probe.figure->model.parts[part].rest;
       for (std::size_t v = 0; v < rest.positions.size(); ++v) {
         if (rest.normals[v].z <= 0) continue;  // the back is behind a front that would be through first
+        if (!is_carried(probe.figure->model.parts[part], drawing.parts[part])) continue;
         const glm::vec3 p(drawing.parts[part].world_from_rest * glm::vec4(rest.positions[v], 1));
         double front = -1e9, through = 0;
         std::uint32_t vertex = 0;
@@ -194,6 +196,52 @@ void measure_bites(const PoseProbe& probe, const Drawing& drawing, PoseFindings&
         raise(found[bite + kind], through, vertex);
       }
     }
+}
+
+// How far beyond a triangle the way from `a` to `b` ends that goes through it, mm; 0 if it does not.
+double find_crossing_mm(const Positions& now, const Triangle& t, const glm::dvec3& a, const glm::dvec3& b) {
+  const glm::dvec3 p(now[t[0]]), u = glm::dvec3(now[t[1]]) - p, v = glm::dvec3(now[t[2]]) - p;
+  const glm::dvec3 normal = glm::cross(u, v), way = b - a;
+  const double length = glm::length(normal), steep = glm::dot(normal, way);
+  if (length < 1e-9 || std::abs(steep) < 1e-12) return 0;
+  const double at = glm::dot(normal, p - a) / steep;
+  if (at <= 0 || at >= 1) return 0;
+  const glm::dvec3 hit = a + at * way - p;
+  const double uu = glm::dot(u, u), uv = glm::dot(u, v), vv = glm::dot(v, v), hu = glm::dot(hit, u),
+               hv = glm::dot(hit, v), whole = uu * vv - uv * uv;
+  const double s = (hu * vv - hv * uv) / whole, r = (hv * uu - hu * uv) / whole;
+  return s < 0 || r < 0 || s + r > 1 ? 0 : (1 - at) * std::abs(steep) / length;
+}
+
+// A tongue that is bent may be out between the lips: along none of its lines may it go through skin.
+void measure_tongue(const PoseProbe& probe, const Drawing& drawing, PoseFindings& found) {
+  const Positions& now = drawing.parts.front().positions;
+  for (const std::size_t part : probe.bites[2]) {
+    const PartShape& shape = drawing.parts[part];
+    if (is_carried(probe.figure->model.parts[part], shape)) continue;
+    Box box = compute_bounds(shape.positions);
+    std::vector<Triangle> near;
+    for (const auto* skin : {&probe.outside, &probe.lips[0], &probe.lips[1]})
+      for (const Triangle& t : *skin) {
+        const auto [low, high] = std::minmax({now[t[0]].z, now[t[1]].z, now[t[2]].z});
+        const auto [left, right] = std::minmax({now[t[0]].x, now[t[1]].x, now[t[2]].x});
+        const auto [down, up] = std::minmax({now[t[0]].y, now[t[1]].y, now[t[2]].y});
+        if (low <= box.high.z && high >= box.low.z && left <= box.high.x && right >= box.low.x &&
+            down <= box.high.y && up >= box.low.y)
+          near.push_back(t);
+      }
+    if (near.empty()) continue;
+    for (std::size_t ring = 0; ring + 1 < kTongueRings; ++ring)
+      for (std::size_t k = 0; k < kTonguePoints; ++k) {
+        const std::size_t v = 1 + ring * kTonguePoints + k;
+        const glm::dvec3 a(shape.positions[v]), b(shape.positions[v + kTonguePoints]);
+        for (const Triangle& t : near) {
+          const auto [low, high] = std::minmax({now[t[0]].z, now[t[1]].z, now[t[2]].z});
+          if (std::max(a.z, b.z) < low || std::min(a.z, b.z) > high) continue;
+          raise(found[bite + 2], find_crossing_mm(now, t, a, b), t[0]);
+        }
+      }
+  }
 }
 
 void measure_hairs(const PoseProbe& probe, const Drawing& drawing, PoseFindings& found) {
@@ -227,6 +275,7 @@ PoseFindings measure_pose(const PoseProbe& probe, const Pose& pose, DeformBuffer
   for (const bool is_right : {false, true}) measure_eye(probe, pose, now, is_right, found);
   measure_lips(probe, now, found);
   measure_bites(probe, drawing, found);
+  measure_tongue(probe, drawing, found);
   measure_hairs(probe, drawing, found);
   return found;
 }

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <random>
 
 #include "config/ledger.hpp"
+#include "config/load_spec.hpp"
 #include "config/pose_mix.hpp"
 #include "core/data.hpp"
 #include "core/pool.hpp"
@@ -60,23 +62,66 @@ Pose build_sweep_pose(unsigned seed, bool is_exaggerated) {
   std::mt19937_64 random(seed);
   const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
   Pose pose;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
-    const auto [low, high] = std::pair{kMoves[i].low, kMoves[i].high};
-    const double value = low + (high - low) * share(), dice = share();
-    if (seed % 3 == 0)
-      pose.values[i] = dice < 0.65 ? 0 : value;
-    else if (seed % 3 == 1)
-      pose.values[i] = dice < 0.4 ? 0 : dice < 0.7 ? value : dice < 0.85 ? low : high;
-    else
-      pose.values[i] = value;
-  }
+  const auto throw_moves = [&](bool is_beyond) {
+    for (std::size_t i = 0; i < kMoveCount; ++i) {
+      if (kMoves[i].is_beyond != is_beyond) continue;
+      const auto [low, high] = std::pair{kMoves[i].low, kMoves[i].high};
+      const double value = low + (high - low) * share(), dice = share();
+      if (seed % 3 == 0)
+        pose.values[i] = dice < 0.65 ? 0 : value;
+      else if (seed % 3 == 1)
+        pose.values[i] = dice < 0.4 ? 0 : dice < 0.7 ? value : dice < 0.85 ? low : high;
+      else
+        pose.values[i] = value;
+    }
+  };
+  throw_moves(false);
   for (const Side side : {Side::left, Side::right})
     if (share() < 1.0 / 3) pose.values[*find_move(Area::lid, side, "upper")] = -1;
-  if (!is_exaggerated) return pose;
   PoseAsk ask;
-  ask.pose = pose;
   ask.exaggerate = 1 + share();
+  // One pose in five has nothing but the nine areas.
+  if (seed % 5 != 0) throw_moves(true);
+  if (!is_exaggerated) return pose;
+  ask.pose = pose;
   return hold_pose(ask).pose;
+}
+
+Pose build_speech_pose(unsigned seed) {
+  constexpr double kKept = 1.0 / 3;  // of the corners
+  std::mt19937_64 random(seed);
+  const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  const std::vector<Viseme>& visemes = shipped().stock.language->speech->visemes;
+  const auto pick = [&](std::size_t count) {
+    return std::min(count - 1, static_cast<std::size_t>(share() * static_cast<double>(count)));
+  };
+  Pose pose;
+  double sum = 0;
+  for (std::size_t i = 0, count = 1 + pick(3); i < count; ++i) {
+    const Viseme& viseme = visemes[pick(visemes.size())];
+    const double weight = 0.2 + 0.8 * share();
+    for (std::size_t m = 0; m < kMoveCount; ++m) pose.values[m] += weight * viseme.pose.values[m];
+    sum += weight;
+  }
+  for (double& value : pose.values) value /= sum;
+  if (share() < 0.5) return pose;
+  std::vector<const Expression*> feelings;
+  for (const Expression& expression : shipped().stock.language->libraries.expressions)
+    if (expression.library == "mien") feelings.push_back(&expression);
+  const Pose& feeling = feelings[pick(feelings.size())]->pose;
+  for (std::size_t m = 0; m < kMoveCount; ++m) switch (kMoves[m].of) {
+      case Area::brow:
+      case Area::lid:
+      case Area::eye:
+        pose.values[m] = feeling.values[m];
+        break;
+      case Area::corner:
+        pose.values[m] = kKept * feeling.values[m] + (1 - kKept) * pose.values[m];
+        break;
+      default:
+        break;
+    }
+  return pose;
 }
 
 std::string describe_pose(const Pose& pose) {
@@ -171,6 +216,32 @@ std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsig
     }
   }
   return tables;
+}
+
+std::vector<SweepHead> list_speech_heads() {
+  HeadSpec child;
+  child.age = {{"child", 1.0}};
+  const std::filesystem::path scan = find_data_folder() / "configs/scan.yaml";
+  return {{"adult", HeadSpec{}}, {"child", child}, {"scan", load_spec(scan, *shipped().stock.language).head}};
+}
+
+SweepTable run_speech_sweep(unsigned first, unsigned count) {
+  const auto jobs = static_cast<std::size_t>(count_workers());
+  std::vector<DeformBuffers> buffers(jobs);
+  std::vector<Drawing> drawings(jobs);
+  std::vector<PoseFindings> findings(count);
+  SweepTable table;
+  const std::vector<SweepHead> heads = list_speech_heads();
+  for (std::size_t head = 0; head < heads.size(); ++head) {
+    const Figure figure = build_figure(shipped().heads, heads[head].spec);
+    const PoseProbe probe = build_pose_probe(figure);
+    for_each_index(count, count_workers(), [&](std::size_t i, int worker) {
+      findings[i] = measure_pose(probe, build_speech_pose(first + static_cast<unsigned>(i)), buffers[worker],
+                                 drawings[worker]);
+    });
+    for (unsigned i = 0; i < count; ++i) keep_worst(table, findings[i], head, first + i, figure.head);
+  }
+  return table;
 }
 
 }  // namespace mien

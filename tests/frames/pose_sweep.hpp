@@ -25,6 +25,10 @@ std::vector<std::size_t> list_sweep_indices(bool is_drawn);
 // lets them.
 Pose build_sweep_pose(unsigned seed, bool is_exaggerated);
 
+// A face that speaks: one to three of the mouths of speech as they stand by each other, half of the time over
+// a feeling that leaves its brows, lids and a third of its corners.
+Pose build_speech_pose(unsigned seed);
+
 // "brow.left.up 0.93, lips.press 0.6": the values over a half.
 std::string describe_pose(const Pose& pose);
 
@@ -46,5 +50,11 @@ struct SweepSize {
 // limits, exaggerated.
 std::array<SweepTable, 2> run_sweep(const std::vector<std::size_t>& heads, unsigned first,
                                     const SweepSize& size);
+
+// An adult, a child, and a digitised head.
+std::vector<SweepHead> list_speech_heads();
+
+// Speaking poses of the seeds from `first` on, on each of those.
+SweepTable run_speech_sweep(unsigned first, unsigned count);
 
 }  // namespace mien

@@ -55,6 +55,18 @@ TEST(sound_pose, holds_on_drawn_heads) {
     }
 }
 
+TEST(sound_pose, holds_on_faces_that_speak) {
+  const SweepTable table = run_speech_sweep(kFirst, 150);
+  for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
+    const SweepWorst& worst = table[check];
+    RecordProperty(std::string(kPoseChecks[check].name) + ", speaking", std::to_string(worst.finding.value));
+    EXPECT_LE(worst.finding.value, kPoseChecks[check].bound)
+        << kPoseChecks[check].name << ", " << worst.count << " poses; "
+        << list_speech_heads()[worst.head].name << ", seed " << worst.seed << ", at " << worst.place << ": "
+        << describe_pose(build_speech_pose(worst.seed));
+  }
+}
+
 // The measures themselves: what is moved out of its place is found there.
 TEST(sound_pose, sees_teeth_that_are_moved_through_the_lips) {
   Figure figure = build_figure(shipped().heads, HeadSpec{});

@@ -28,13 +28,25 @@ std::vector<std::string> find_area_names(const std::string& line) {
 }
 
 // The files that read mien's own data take each key by its name, and such a file may call a part as an area
-// is called. Colours of a head's look have names of their own, which two areas happen to have, too; and a
-// guide line that ends the face below is called as what it touches.
+// is called. Colours of a head's look have names of their own, which two areas happen to have, too; so have
+// ink's; a landmark is the tip of the tongue; and a guide line that ends the face below is called as what it
+// touches.
 const std::set<std::pair<std::string, std::string>> kOtherThings{
-    {"src/config/words.hpp", "brow"},         {"src/config/words.hpp", "lips"},
-    {"src/config/load_people.cpp", "brow"},   {"src/config/load_head.cpp", "brow"},
-    {"src/config/head_words.cpp", "brow"},    {"src/config/head_words.cpp", "lips"},
-    {"src/config/language_head.cpp", "brow"}, {"src/config/language_head.cpp", "lips"},
+    {"src/config/words.hpp", "brow"},
+    {"src/config/words.hpp", "lips"},
+    {"src/config/load_people.cpp", "brow"},
+    {"src/config/load_head.cpp", "brow"},
+    {"src/config/head_words.cpp", "brow"},
+    {"src/config/head_words.cpp", "lips"},
+    {"src/config/language_head.cpp", "brow"},
+    {"src/config/language_head.cpp", "lips"},
+    {"src/config/language_file.cpp", "mouth"},
+    {"src/config/language_file.cpp", "tongue"},
+    {"src/config/load_render.cpp", "mouth"},
+    {"src/config/load_render.cpp", "tongue"},
+    {"src/config/area_data.hpp", "tongue"},
+    {"src/config/head_words.cpp", "tongue"},
+    {"src/config/load_landmark_data.cpp", "tongue"},
     {"src/sheet/camera.cpp", "chin"}};
 
 // The rooms that take areas from the table; the kernel, frames and scene speak of single ones.

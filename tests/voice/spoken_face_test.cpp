@@ -6,10 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "config/load_spec.hpp"
 #include "frames/figure.hpp"
 #include "frames/pose_soundness.hpp"
+#include "head/binding.hpp"
 #include "head/cage.hpp"
 #include "places.hpp"
 #include "shipped.hpp"
@@ -83,6 +85,54 @@ struct Probe {
   }
   // What is seen between the lips.
   double opening_mm() const { return at("M1_0").y - at("M1_12").y; }
+
+  // Vertices of a part as they are drawn.
+  std::vector<glm::vec3> places(std::string_view name) const {
+    std::vector<glm::vec3> all;
+    for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+      const Part& part = figure.model.parts[i];
+      if (part.name != name) continue;
+      if (!is_carried(part, drawing.parts[i])) return drawing.parts[i].positions;
+      for (const glm::vec3& rest : part.rest.positions)
+        all.emplace_back(drawing.parts[i].world_from_rest * glm::vec4(rest, 1));
+    }
+    return all;
+  }
+  // How high of the tongue's front is seen from before: between the edges of the teeth and of the lips, in
+  // the middle.
+  double seen_tongue_mm() const {
+    double above = at("M1_0").y, below = at("M1_12").y, back = -1e9;
+    for (const glm::vec3& p : places("teeth_upper"))
+      if (std::abs(p.x) < 4) above = std::min<double>(above, p.y);
+    for (const glm::vec3& p : places("teeth_lower"))
+      if (std::abs(p.x) < 4) {
+        below = std::max<double>(below, p.y);
+        back = std::max<double>(back, p.z);
+      }
+    double high = -1e9, low = 1e9;
+    for (const glm::vec3& p : places("tongue"))
+      if (std::abs(p.x) < 4 && p.z > back - 9) {
+        high = std::max<double>(high, p.y);
+        low = std::min<double>(low, p.y);
+      }
+    return std::min(high, above) - std::max(low, below);
+  }
+  // From the edge of the upper teeth to the skin of the lower lip.
+  double bite_mm() const {
+    double edge = 1e9, least = 1e9;
+    const std::vector<glm::vec3> teeth = places("teeth_upper");
+    for (const glm::vec3& p : teeth)
+      if (std::abs(p.x) < 6) edge = std::min<double>(edge, p.y);
+    const Mesh skin{drawing.parts[0].positions, drawing.parts[0].normals, figure.head.skin.triangles};
+    const glm::vec3 lip = at("M1_12");
+    const SkinPatch patch = build_skin_patch(skin, {lip - glm::vec3(14, 10, 12), lip + glm::vec3(14, 4, 8)});
+    for (const glm::vec3& p : teeth) {
+      if (std::abs(p.x) > 6 || p.y > edge + 1) continue;
+      const SkinPlace place = find_nearest_place(patch, p);
+      least = std::min<double>(least, glm::distance(p, place.point));
+    }
+    return least;
+  }
 };
 
 const Figure& adult() {
@@ -92,6 +142,15 @@ const Figure& adult() {
 
 bool is_bilabial(const std::string& ipa) { return ipa == "p" || ipa == "b" || ipa == "m"; }
 bool is_labiodental(const std::string& ipa) { return ipa == "f" || ipa == "v"; }
+
+// Whether lips that shut or bite stand right beside a sound: they hide what the tongue does.
+bool is_hidden(const ClipSpec& clip, const SpokenWord& sound) {
+  constexpr double kBeside_s = 0.03;
+  return std::ranges::any_of(clip.phonemes, [&](const SpokenWord& other) {
+    return (is_bilabial(other.text) || is_labiodental(other.text) || other.text == "β") &&
+           other.to_s > sound.from_s - kBeside_s && other.from_s < sound.to_s + kBeside_s;
+  });
+}
 
 // Does `work(performance, sound, where)` for each sound of all sentences that `is_wanted`.
 template <typename Wanted, typename Work>
@@ -132,6 +191,64 @@ TEST(spoken_face, shows_its_teeth_over_the_lower_lip) {
                    EXPECT_GE(probe.over_teeth_mm(), 0.5) << where;
                    EXPECT_GE(probe.opening_mm(), 1.5) << where << ": the teeth are to be seen";
                  });
+}
+
+bool is_tongues(const std::string& ipa) { return ipa == "l" || ipa == "θ" || ipa == "ð" || ipa == "n"; }
+
+TEST(spoken_face, shows_the_tongue_where_it_speaks) {
+  constexpr double kSeen_mm = 0.8;
+  Probe probe{adult()};
+  std::map<std::string, std::pair<int, double>> sums;
+  int all = 0;
+  for_each_sound(
+      is_tongues, [&](const Performance& performance, const SpokenWord& sound, const std::string& where) {
+        double seen_mm = -1e9;
+        for (int step = 1; step <= 7; ++step) {
+          probe.pose(sample_performance(performance, std::lerp(sound.from_s, sound.to_s, step / 8.0)).pose);
+          seen_mm = std::max(seen_mm, probe.seen_tongue_mm());
+        }
+        if (!is_hidden(performance.clip, sound)) {
+          EXPECT_GE(seen_mm, kSeen_mm) << where;
+          ++all;
+        }
+        auto& [count, sum] = sums[sound.text];
+        ++count;
+        sum += seen_mm;
+      });
+  EXPECT_GE(all, 30);
+  for (const auto& [sound, sum] : sums)
+    RecordProperty("seen of the tongue at " + sound + ", mm", std::to_string(sum.second / sum.first));
+}
+
+TEST(spoken_face, bites_its_lower_lip) {
+  constexpr double kNear_mm = 1;
+  Probe probe{adult()};
+  double most = 0;
+  for_each_sound(is_labiodental,
+                 [&](const Performance& performance, const SpokenWord& sound, const std::string& where) {
+                   probe.pose(sample_performance(performance, (sound.from_s + sound.to_s) / 2).pose);
+                   EXPECT_LE(probe.bite_mm(), kNear_mm) << where;
+                   most = std::max(most, probe.bite_mm());
+                 });
+  RecordProperty("from the teeth to the lip at f and v, mm at most", std::to_string(most));
+}
+
+// In a file that keeps to the nine areas, speech does without what is beyond them.
+TEST(spoken_face, keeps_to_the_nine_areas) {
+  Spec spec = load_spec(
+      "said.yaml",
+      "mien: 1\nhead: {areas: nine}\nclip:\n  keys: [{at: 0s, express: smile}]\n  say: [{at: 0s, text: "
+      "\"five thin lilies\"}]\n",
+      *shipped().stock.language);
+  add_speech(spec, *shipped().stock.language->speech);
+  const Performance performance = build_performance(spec.clip);
+  for (int frame = 0; frame < count_frames(spec.clip); ++frame) {
+    const Pose pose = sample_performance(performance, frame / 24.0).pose;
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (kMoves[i].is_beyond) {
+        EXPECT_EQ(pose.values[i], 0) << name_move(i);
+      }
+  }
 }
 
 TEST(spoken_face, never_jumps) {
