@@ -46,6 +46,16 @@ TimeTable build_take_table(const TakeMoves& moves, Between between) {
   return table;
 }
 
+// Shut lids are shut, and lips that press press: what was at its limit stays there, where noise is not seen.
+void keep_limits(const std::vector<float>& before, const TakeReach& reach, TakeMoves& moves) {
+  constexpr double kAtLimit = 0.98;  // of it
+  for (std::size_t at = 0; at < before.size(); ++at) {
+    const auto& [low, high] = reach.ranges[at % moves.width];
+    const double value = static_cast<double>(before[at]), limit = value < 0 ? low : high;
+    if (limit != 0 && value / limit >= kAtLimit) moves.values[at] = before[at];
+  }
+}
+
 }  // namespace
 
 std::optional<TakeKind> find_take_key(std::string_view key) {
@@ -61,7 +71,9 @@ TakeMoves build_take_moves(const Take& take, const TakeReading& reading, const M
   TakeMoves moves = retarget_take(take, find_mapping(data, take.mapping), data.moves);
   SmoothSpec smooth;
   smooth.cutoff_hz = reading.smooth_hz;
+  const std::vector<float> before = moves.values;
   smooth_rows(moves.at_s, moves.width, smooth, moves.values);
+  keep_limits(before, data.moves, moves);
   smooth_angles(moves.at_s, smooth, kTurnUnit_deg, moves.turn_deg);
   return moves;
 }

@@ -44,7 +44,7 @@ TEST(import_take, a_puffed_cheek_is_told_with_its_time) {
   for (const auto& loss : report["losses"])
     if (loss["unit"] == "cheekPuff") {
       is_told = true;
-      EXPECT_GT(loss["lost_mm2"], 0.5);
+      EXPECT_GT(loss["lost_mm2"], 0.02);
       EXPECT_NEAR(loss["at_s"].get<double>(), 23.0 / 60, 0.001);
     }
   EXPECT_TRUE(is_told) << run.out;
