@@ -98,7 +98,7 @@ TEST(head_data, names_of_points_areas_and_anchors_are_those_that_there_are) {
   EXPECT_EQ(find_mistake("landmarks.yaml", "  g: p_g ", "  g: p_q "),
             "landmarks.yaml:7:6: error: unknown point 'p_q'; did you mean 'p_g'?");
   EXPECT_EQ(find_mistake("landmarks.yaml", "needed: [n,", "needed: [nn,"),
-            "landmarks.yaml:67:10: error: 'nn' is no code of 'middle' or 'sided'; expected one");
+            "landmarks.yaml:68:10: error: 'nn' is no code of 'middle' or 'sided'; expected one");
   EXPECT_EQ(find_mistake("fields.csv", "\ninfant,", "\ninfant,x"), "fields.csv:5: unknown point 'xp_F4'");
 }
 
