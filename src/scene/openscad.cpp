@@ -228,7 +228,7 @@ std::string build_openscad_bust(const PosableBust& bust, const Templates& templa
       {"mouth_line", number(bust.mouth.line_mm, kScadFine)},
       {"jaw_axis", pair(bust.mouth.jaw_axis)},
       {"jaw_open_rad", number(bust.mouth.jaw_open_rad, 6)},
-      {"jaw_forward", pair(bust.mouth.jaw_forward)},
+      {"jaw_open_shift", pair(bust.mouth.jaw_forward)},
       {"teeth_reach", number(bust.mouth.reach_mm)},
       {"teeth", fmt::format("[{}],\n  [{}]", list_teeth_row(bust.mouth.upper_edge, bust.mouth.upper_front),
                             list_teeth_row(bust.mouth.lower_edge, bust.mouth.lower_front))},

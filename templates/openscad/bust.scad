@@ -140,7 +140,7 @@ module body() {
 
   // A place of the mid-plane as [height, forward] with the jaw moved.
   function with_jaw(p) = let (a = jaw_open * jaw_open_rad * 180 / PI, arm = p - jaw_axis)
-    jaw_axis + [arm[0] * cos(a) - arm[1] * sin(a), arm[0] * sin(a) + arm[1] * cos(a)] + jaw_open * jaw_forward;
+    jaw_axis + [arm[0] * cos(a) - arm[1] * sin(a), arm[0] * sin(a) + arm[1] * cos(a)] + jaw_open * jaw_open_shift;
 
   // Teeth: [height and forward of the edge, of a place of the front] at samples from side to side; [] where there is none.
   upper_teeth = teeth_rows[0];
@@ -274,7 +274,7 @@ mouth = [{{mouth}}];
 mouth_line = {{mouth_line}};
 jaw_axis = {{jaw_axis}};
 jaw_open_rad = {{jaw_open_rad}};
-jaw_forward = {{jaw_forward}};
+jaw_open_shift = {{jaw_open_shift}};
 teeth_reach = {{teeth_reach}};
 teeth_rows = [{{teeth}}];
 tongue = {{tongue}};
