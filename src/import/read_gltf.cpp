@@ -135,13 +135,15 @@ Numbers find_numbers(GltfFile& gltf, std::size_t index, const std::string& type,
   const Json& view = find_item(gltf, "bufferViews", find_count(gltf, accessor, "bufferView", {}));
   const std::string& buffer = find_buffer(gltf, find_count(gltf, view, "buffer", {}));
   numbers.step = find_count(gltf, view, "byteStride", width * size->second);
-  const std::size_t from =
-      find_count(gltf, view, "byteOffset", 0) + find_count(gltf, accessor, "byteOffset", 0);
+  const std::size_t view_from = find_count(gltf, view, "byteOffset", 0);
+  const std::size_t within = find_count(gltf, accessor, "byteOffset", 0);
+  const std::size_t length = find_count(gltf, view, "byteLength", {});
   const std::size_t item = width * size->second;
-  if (numbers.count > kMaxGeometryBytes || numbers.step > kMaxGeometryBytes || from > buffer.size() ||
-      numbers.step < item ||
-      (numbers.count > 0 && (numbers.count - 1) * numbers.step + item > buffer.size() - from))
+  if (numbers.count > kMaxGeometryBytes || numbers.step > kMaxGeometryBytes || view_from > buffer.size() ||
+      length > buffer.size() - view_from || within > length || numbers.step < item ||
+      (numbers.count > 0 && (numbers.count - 1) * numbers.step + item > length - within))
     fail_file(gltf.file, fmt::format("accessor {} ends behind its buffer; expected the whole file", index));
+  const std::size_t from = view_from + within;
   numbers.bytes = std::string_view(buffer).substr(from);
   return numbers;
 }

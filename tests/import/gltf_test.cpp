@@ -76,6 +76,7 @@ TEST(gltf, reads_text_with_its_numbers_inside) {
                         {"uri",
                          "data:application/octet-stream;base64,"
                          "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}};
+  json["bufferViews"][0]["byteLength"] = 36;
   json["meshes"][0]["primitives"][0].erase("indices");
   json["accessors"][0]["count"] = 3;
   const Polygons mesh = read_gltf("head.gltf", json.dump());
