@@ -118,6 +118,34 @@ std::vector<glm::vec3> compute_plain_normals(const Part& part) {
   return mesh.normals;
 }
 
+// What the tongue does in an open mouth, freed of the jaw that carries it: in a shut one it stays where it
+// is.
+void add_tongue_target(const Figure& figure, std::size_t move, double value, Rig& rig) {
+  constexpr double kOpen = 0.6;  // of the jaw's way
+  if (kMoves[move].of != Area::tongue) return;
+  Pose pose;
+  pose.values[move] = value;
+  pose.values[find_move(Area::chin, Side::none, "down").value()] = kOpen;
+  DeformBuffers buffers;
+  Drawing drawing;
+  deform_figure(figure, pose, TurnKey{}, buffers, drawing);
+  for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
+    const Part& part = figure.model.parts[i];
+    const PartShape& shape = drawing.parts[i];
+    if (!part.may_bend || is_carried(part, shape)) continue;
+    const glm::dmat4 rest_from_world = glm::inverse(glm::dmat4(shape.world_from_rest));
+    RigTarget target{rig.targets.size() - 1, {}, {}};
+    for (std::uint32_t v = 0; v < shape.positions.size(); ++v) {
+      const glm::vec3 offset =
+          glm::vec3(rest_from_world * glm::dvec4(shape.positions[v], 1)) - part.rest.positions[v];
+      if (glm::length(offset) <= kSlight_mm) continue;
+      target.places.vertices.push_back(v);
+      target.places.offsets.push_back(offset);
+    }
+    if (!target.places.vertices.empty()) rig.parts[i].targets.push_back(std::move(target));
+  }
+}
+
 void add_move_targets(const Figure& figure, const FigureRigRequest& request, FigureRig& built) {
   if (!request.has_moves || !request.poses.empty()) return;
   const PlaceVertices place = place_bent_parts(figure, true);
@@ -130,6 +158,7 @@ void add_move_targets(const Figure& figure, const FigureRigRequest& request, Fig
     for (MoveShape& shape : move.shapes) {
       built.rig.targets.push_back(name_move_target(move.move, shape.value));
       add_target(figure, bent, normals, neutral, shape.positions, false, built.rig);
+      add_tongue_target(figure, move.move, shape.value, built.rig);
       shape.positions = {};
     }
   }
