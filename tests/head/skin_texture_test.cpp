@@ -34,7 +34,9 @@ TEST(skin_texture, paints_the_skin_and_keeps_its_gloss) {
   EXPECT_EQ(after.rest.positions, before.rest.positions);
   for (std::size_t v = 0; v < after.shade.size(); ++v) {
     const Shade& shade = after.palette[after.shade[v]];
-    if (std::abs(atlas.places[v].x - 0.5f) < 0.06f) continue;  // the edge is soft
+    // Soft edges: down the middle, and where both ends of the picture meet behind.
+    const float off = std::abs(atlas.places[v].x - 0.5f);
+    if (off < 0.06f || off > 0.48f) continue;
     EXPECT_EQ(shade.srgb, after.rest.positions[v].x > 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1)) << v;
     EXPECT_NEAR(shade.gloss, before.palette[before.shade[v]].gloss, 0.1);
   }
