@@ -123,9 +123,10 @@ TEST(speaker, has_the_sounds_of_the_program_itself) {
     const SpokenText spoken = speak_text(text, voice, 1);
     std::string all;
     for (const SpeechSound& sound : spoken.sounds) all += sound.ipa;
-    ASSERT_EQ(run_shell(folder, fmt::format("espeak-ng -v {} --ipa -w whole.wav '{}' >ipa.txt", voice, text))
-                  .status,
-              0);
+    ASSERT_EQ(
+        run_shell(folder, fmt::format("espeak-ng -s 165 -v {} --ipa -w whole.wav '{}' >ipa.txt", voice, text))
+            .status,
+        0);
     EXPECT_EQ(take_bare_ipa(all), take_bare_ipa(read_file(folder / "ipa.txt"))) << text;
     EXPECT_NEAR(find_end_s(*spoken.wav), find_end_s(read_file(folder / "whole.wav")), 0.01) << text;
   }
