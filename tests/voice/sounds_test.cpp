@@ -11,6 +11,7 @@
 #include "core/text.hpp"
 #include "end_to_end/program.hpp"
 #include "shipped.hpp"
+#include "voice/sentences.hpp"
 #include "voice/sounds.hpp"
 #include "voice/speaker.hpp"
 #include "voice/text.hpp"
@@ -113,22 +114,16 @@ double find_end_s(const std::string& wav) {
 TEST(speaker, has_the_sounds_of_the_program_itself) {
   if (std::system("espeak-ng --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "no espeak-ng on the PATH";
   const auto folder = make_folder("speaker_itself");
-  for (const auto& [voice, text] :
-       std::vector<std::pair<std::string, std::string>>{{"en-us", "Bob may pump the map back up"},
-                                                        {"en-us", "Five very brave foxes leave the village"},
-                                                        {"en-gb", "Perhaps we had better begin before noon"},
-                                                        {"de", "Papa und Mama bauen am Abend ein Boot"},
-                                                        {"fr-fr", "Un bon vin blanc pour ma famille"},
-                                                        {"es", "Por favor vamos a comer"}}) {
-    const SpokenText spoken = speak_text(text, voice, 1);
+  for (const Sentence& sentence : kSentences) {
+    const SpokenText spoken = speak_text(sentence.text, sentence.voice, 1);
     std::string all;
     for (const SpeechSound& sound : spoken.sounds) all += sound.ipa;
-    ASSERT_EQ(
-        run_shell(folder, fmt::format("espeak-ng -s 165 -v {} --ipa -w whole.wav '{}' >ipa.txt", voice, text))
-            .status,
-        0);
-    EXPECT_EQ(take_bare_ipa(all), take_bare_ipa(read_file(folder / "ipa.txt"))) << text;
-    EXPECT_NEAR(find_end_s(*spoken.wav), find_end_s(read_file(folder / "whole.wav")), 0.01) << text;
+    write_file(folder / "said.txt", sentence.text);
+    const std::string program =
+        fmt::format("espeak-ng -s 165 -v {} --ipa -w whole.wav -f said.txt >ipa.txt", sentence.voice);
+    ASSERT_EQ(run_shell(folder, program).status, 0);
+    EXPECT_EQ(take_bare_ipa(all), take_bare_ipa(read_file(folder / "ipa.txt"))) << sentence.text;
+    EXPECT_NEAR(find_end_s(*spoken.wav), find_end_s(read_file(folder / "whole.wav")), 0.01) << sentence.text;
   }
 }
 
