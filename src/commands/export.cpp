@@ -38,7 +38,10 @@ fs::path take_output(const Options& options, const Clip& clip) {
     files.push_back({"--uv", *options.uv});
     check_ending(files.back(), "picture", {".png"});
   }
-  if (!is_layout_alone(options)) check_ending(output, "export", list_export_endings());
+  if (!is_layout_alone(options)) {
+    check_ending(output, "export", list_export_endings());
+    check_export_options(find_ending(output.path), options);
+  }
   if (!is_layout_alone(options) && !is_sequence(find_ending(output.path))) files.push_back(output);
   if (!is_layout_alone(options) && !find_companion(output.path).empty())
     files.push_back({"-o", find_companion(output.path)});

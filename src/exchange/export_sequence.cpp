@@ -20,7 +20,7 @@ ExportNotes export_sequence(const ExportWork& work, const std::filesystem::path&
                build_mesh_file(ending, work.figure.model, drawing,
                                fmt::format("{}, frame {}", work.title(), frame)));
   });
-  return {fmt::format("{} files, {} to {}", work.frame_count(),
+  return {fmt::format("{} file{}, {} to {}", work.frame_count(), work.frame_count() == 1 ? "" : "s",
                       name_frame_file(path, work.first).filename().string(),
                       name_frame_file(path, work.last).filename().string())};
 }

@@ -64,6 +64,21 @@ std::filesystem::path name_frame_file(const std::filesystem::path& pattern, int 
   return pattern.parent_path() / fmt::format("{}{:0{}}{}", found.prefix().str(), frame, width, rest);
 }
 
+void check_export_options(const std::string& ending, const Options& options) {
+  const std::vector<std::string> rigs{".glb", ".gltf", ".usda", ".py"};
+  const bool is_rig = std::ranges::find(rigs, ending) != rigs.end();
+  if (options.is_exact && !is_rig)
+    throw InputError(fmt::format("--exact is not for {}; expected a name that ends in one of: {}", ending,
+                                 join_names(rigs)));
+  if (options.targets == "moves") return;
+  if (options.is_exact) throw InputError("--targets and --exact are two kinds of targets; give one of them");
+  if (is_rig || (ending == ".csv" && options.targets == "arkit") ||
+      (ending == ".vrm" && options.targets == "vrm"))
+    return;
+  throw InputError(fmt::format("--targets {} is not for {}; expected a name that ends in one of: {}",
+                               options.targets, ending, join_names(rigs)));
+}
+
 std::filesystem::path find_companion(const std::filesystem::path& path) {
   if (find_ending(path) != ".py") return {};
   return std::filesystem::path(path).replace_extension(".glb");

@@ -41,6 +41,10 @@ bool is_sequence(const std::string& ending);
 // "face_%04d.obj" of frame 7: "face_0007.obj". Throws InputError unless there is one such place in its name.
 std::filesystem::path name_frame_file(const std::filesystem::path& pattern, int frame);
 
+// Throws InputError for --targets or --exact where files of this ending have nothing of the kind, and for
+// both at once.
+void check_export_options(const std::string& ending, const Options& options);
+
 // The file that is written beside one of this name: "setup.glb" of "setup.py"; empty if there is none.
 std::filesystem::path find_companion(const std::filesystem::path& path);
 

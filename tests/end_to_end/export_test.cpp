@@ -58,6 +58,13 @@ TEST(export_command, refuses_what_it_cannot_write_and_writes_nothing) {
   EXPECT_EQ(
       tell("tiny.yaml -o face.glb --targets faces"),
       "error: --targets faces: unknown set of targets; expected one of: moves, expressions, arkit, vrm\n");
+  EXPECT_EQ(
+      tell("tiny.yaml -o moves.csv --targets vrm"),
+      "error: --targets vrm is not for .csv; expected a name that ends in one of: .glb, .gltf, .usda, .py\n");
+  EXPECT_EQ(tell("tiny.yaml -o face.vrm --exact"),
+            "error: --exact is not for .vrm; expected a name that ends in one of: .glb, .gltf, .usda, .py\n");
+  EXPECT_EQ(tell("tiny.yaml -o face.glb --exact --targets arkit"),
+            "error: --targets and --exact are two kinds of targets; give one of them\n");
   EXPECT_THAT(tell("growing.yaml -o face.glb"),
               HasSubstr("the head changes in time, and one that is exported stays as it is"));
   EXPECT_THAT(list_files(folder), ElementsAre("growing.yaml", "tiny.yaml"));
