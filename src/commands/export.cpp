@@ -29,6 +29,23 @@ std::pair<int, int> find_frames(const Options& options, const Clip& clip) {
 
 bool is_layout_alone(const Options& options) { return options.uv && !options.output; }
 
+// The files that -o stands for: one, one a frame, or two.
+void add_export_files(const Options& options, const Clip& clip, const OutputFile& output,
+                      std::vector<OutputFile>& files) {
+  check_ending(output, "export", list_export_endings());
+  const std::string ending = find_ending(output.path);
+  check_export_options(ending, options);
+  if (is_sequence(ending)) {
+    const auto [first, last] = find_frames(options, clip);
+    for (int frame = first; frame <= last; ++frame)
+      files.push_back({output.option, name_frame_file(output.path, frame)});
+    return;
+  }
+  files.push_back(output);
+  if (const fs::path companion = find_companion(output.path); !companion.empty())
+    files.push_back({"-o", companion});
+}
+
 // All files of it, judged before anything is computed.
 fs::path take_output(const Options& options, const Clip& clip) {
   const OutputFile output =
@@ -38,18 +55,7 @@ fs::path take_output(const Options& options, const Clip& clip) {
     files.push_back({"--uv", *options.uv});
     check_ending(files.back(), "picture", {".png"});
   }
-  if (!is_layout_alone(options)) {
-    check_ending(output, "export", list_export_endings());
-    check_export_options(find_ending(output.path), options);
-  }
-  if (!is_layout_alone(options) && !is_sequence(find_ending(output.path))) files.push_back(output);
-  if (!is_layout_alone(options) && !find_companion(output.path).empty())
-    files.push_back({"-o", find_companion(output.path)});
-  if (!is_layout_alone(options) && is_sequence(find_ending(output.path))) {
-    const auto [first, last] = find_frames(options, clip);
-    for (int frame = first; frame <= last; ++frame)
-      files.push_back({output.option, name_frame_file(output.path, frame)});
-  }
+  if (!is_layout_alone(options)) add_export_files(options, clip, output, files);
   check_output_files(files, clip.spec);
   for (const OutputFile& file : files) remove_left_parts_of(file.path);
   return output.path;
