@@ -122,18 +122,20 @@ std::vector<glm::vec2> flip_places(const std::vector<glm::vec2>& places) {
   return flipped;
 }
 
-// Of a drawn vertex the joints and their shares: 255 is all.
+// Of a drawn vertex the joints and their shares.
 void add_skin_weights(tinygltf::Model& model, const std::vector<JointShare>& shares,
                       tinygltf::Primitive& primitive) {
-  std::vector<glm::u8vec4> joints, weights;
+  constexpr int kAll = 65535;
+  std::vector<glm::u8vec4> joints;
+  std::vector<glm::u16vec4> weights;
   for (const JointShare& share : shares) {
-    const auto second = static_cast<std::uint8_t>(std::lround(255 * share.share));
+    const auto second = static_cast<int>(std::lround(kAll * share.share));
     // A joint without a share is told as 0.
-    joints.emplace_back(second < 255 ? share.first : 0, second > 0 ? share.second : 0, 0, 0);
-    weights.emplace_back(255 - second, second, 0, 0);
+    joints.emplace_back(second < kAll ? share.first : 0, second > 0 ? share.second : 0, 0, 0);
+    weights.emplace_back(kAll - second, second, 0, 0);
   }
   primitive.attributes["JOINTS_0"] = add_bytes(model, joints, false, kVertices);
-  primitive.attributes["WEIGHTS_0"] = add_bytes(model, weights, true, kVertices);
+  primitive.attributes["WEIGHTS_0"] = add_shares(model, weights, kVertices);
 }
 
 // The same offsets at the drawn vertices, rising.

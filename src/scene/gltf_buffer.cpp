@@ -84,6 +84,14 @@ int add_bytes(tinygltf::Model& model, const std::vector<glm::u8vec4>& bytes, boo
   return accessor;
 }
 
+int add_shares(tinygltf::Model& model, const std::vector<glm::u16vec4>& shares, int target) {
+  const int view = add_raw_view(model, shares.data(), shares.size() * sizeof(glm::u16vec4), target);
+  const int accessor =
+      add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_VEC4, shares.size());
+  model.accessors[accessor].normalized = true;
+  return accessor;
+}
+
 int add_indices(tinygltf::Model& model, const std::vector<Triangle>& triangles) {
   const int view = add_raw_view(model, triangles.data(), triangles.size() * sizeof(Triangle),
                                 TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);

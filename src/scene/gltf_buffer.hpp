@@ -15,6 +15,7 @@ namespace mien {
 int add_vectors(tinygltf::Model& model, const std::vector<glm::vec3>& vectors, bool has_bounds, int target);
 int add_pairs(tinygltf::Model& model, const std::vector<glm::vec2>& pairs, int target);
 int add_bytes(tinygltf::Model& model, const std::vector<glm::u8vec4>& bytes, bool is_normalized, int target);
+int add_shares(tinygltf::Model& model, const std::vector<glm::u16vec4>& shares, int target);  // of 65535
 int add_indices(tinygltf::Model& model, const std::vector<Triangle>& triangles);
 int add_scalars(tinygltf::Model& model, const std::vector<float>& scalars, bool has_bounds);
 int add_turns(tinygltf::Model& model, const std::vector<glm::quat>& turns);

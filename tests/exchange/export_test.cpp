@@ -107,7 +107,7 @@ TEST(exports, exact_gltf_has_no_error_at_frames) {
   options.is_exact = true;
   const tinygltf::Model model = read_gltf(write_to(made, options, folder / "face.gltf"));
   for (const int frame : {0, 5, 9, 19, 28, 36})
-    EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.05) << frame;
+    EXPECT_LT(measure_worst(made, model, frame / 24.0), 0.02) << frame;
 }
 
 TEST(exports, gltf_names_its_targets_and_keeps_their_weights_in_range) {

@@ -25,6 +25,11 @@ double read_component(const unsigned char* at, int type) {
       std::memcpy(&number, at, 4);
       return number;
     }
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+      std::uint16_t number;
+      std::memcpy(&number, at, 2);
+      return number;
+    }
     case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
       return *at;
     default:
@@ -62,7 +67,8 @@ Numbers read_numbers(const tinygltf::Model& model, int index) {
       for (int k = 0; k < width; ++k) numbers.at(std::size_t(at[i]) * width + k) = values[i * width + k];
   }
   if (accessor.normalized)
-    for (double& number : numbers) number /= 255;
+    for (double& number : numbers)
+      number /= accessor.componentType == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 65535 : 255;
   return numbers;
 }
 
