@@ -23,9 +23,11 @@ std::string describe_head(const HeadSpec& head) {
   for (const auto& [name, length] : head.limit_lengths)
     all += fmt::format("{} {}{} {}:{};", name, length.value, length.unit, length.place.line,
                        length.place.column);
+  if (head.match_level) all += fmt::format("level {}{};", head.match_level->value, head.match_level->unit);
+  if (head.follows_thesis) all += "rules thesis;";
   for (const SculptStroke& stroke : head.sculpt)
-    all += fmt::format("{} {} {} {} {};", stroke.at, stroke.move_mm.x, stroke.move_mm.y, stroke.move_mm.z,
-                       stroke.radius_mm);
+    all += fmt::format("{} {} {} {} {} {} {}{};", stroke.at, stroke.move_mm.x, stroke.move_mm.y,
+                       stroke.move_mm.z, stroke.radius_mm, stroke.scale, stroke.turn_deg, stroke.about);
   const Look& look = head.look;
   all += fmt::format("{}{}{};", look.is_brow_given, look.is_hair_given, look.are_age_spots_given);
   if (look.texture) all += "texture " + describe_file(*look.texture);

@@ -57,7 +57,8 @@ void draw_actors(const Heads& heads, const DrawnTime& drawn, const RenderSpec& r
 
 void append_actors(const Heads& heads, SceneBuffers& buffers) {
   for (std::size_t i = 0; i < heads.figures.size(); ++i)
-    append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawings[i]);
+    if (!buffers.drawings[i].is_away)
+      append_povray_figure(buffers.text, heads.figures[i]->get_drawn_model(), buffers.drawings[i]);
 }
 
 std::vector<std::vector<bool>> list_all_castable(const Heads& heads) {
@@ -76,6 +77,7 @@ void append_cast_actors(const Heads& heads, const std::vector<std::vector<bool>>
   append_povray_start(text, start);
   const SketchStage lamps = build_sketch_stage(stage, text, render.width_px, render.height_px);
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
+    if (buffers.drawings[i].is_away) continue;
     const Model& model = heads.figures[i]->get_drawn_model();
     const std::vector<Mesh> casters = build_casters(lamps, model, buffers.drawings[i], castable[i]);
     append_povray_figure(buffers.text, model, buffers.drawings[i], &casters);

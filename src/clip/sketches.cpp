@@ -101,10 +101,12 @@ DrawnMoment draw_moment(const Clip& clip, const std::string& include, const Fram
       fmt::format("{}x{} {} {}", render.width_px, render.height_px, hash_hex(include), bench.start), {}};
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
     draw_actor(heads, i, time_s, pose, view, bench.draw, bench.drawings[i]);
+    if (bench.drawings[i].is_away) continue;
     drawn.key += find_look(heads.figures[i]->get_drawn_model(), bench).key + hash_drawing(bench.drawings[i]);
   }
   drawn.key = hash_hex(drawn.key);
   for (std::size_t i = 0; i < heads.figures.size(); ++i) {
+    if (bench.drawings[i].is_away) continue;
     const Model& model = heads.figures[i]->get_drawn_model();
     drawn.figures.push_back({&model, &find_look(model, bench).look, &bench.drawings[i]});
   }

@@ -52,12 +52,17 @@ void draw_actor(const Heads& heads, std::size_t actor, const Moment& asked, cons
                 DrawBuffers& buffers, Drawing& drawing) {
   const DrawnFigure& figure = *heads.figures[actor];
   Moment moment = asked;
+  drawing.is_away = !moment.is_there;
+  glm::dmat4 place = heads.places[actor];
+  if (moment.place) {
+    const PlaceKey& first = heads.performances[actor].clip.place.front();
+    place = find_motion({first.to_mm, first.turn_deg}, {moment.place->to_mm, moment.place->turn_deg}) * place;
+  }
   if (figure.ink)
     moment.pose = turn_gaze_to_camera(
-        figure, moment.pose, heads.places[actor] * compute_turn(figure.face.turn_pivot, moment.turn, 1),
-        view.camera_mm);
+        figure, moment.pose, place * compute_turn(figure.face.turn_pivot, moment.turn, 1), view.camera_mm);
   deform_figure(figure, moment.pose, moment.turn, buffers.deform, drawing);
-  place_drawing(heads.places[actor], drawing);
+  place_drawing(place, drawing);
   if (figure.ink) draw_ink(*figure.ink, moment.pose, view, buffers.ink, drawing);
 }
 

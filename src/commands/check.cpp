@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "clip/cast.hpp"
@@ -14,6 +15,7 @@
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "face/thesis_rules.hpp"
 #include "head/form.hpp"
 #include "import/mesh_faults.hpp"
 #include "render/terminal.hpp"
@@ -33,6 +35,30 @@ void report_advice(const Options& options, const Performance& performance, const
                    const Figure& figure) {
   for (const Diagnostic& advice : advise_clip(performance.clip, rehearsal, compute_reach(figure)))
     report_warning(options, advice);
+}
+
+// What the brows' rectangles hold, the worst of each brow and limit with its moment.
+void report_brow_holds(const Options& options, const ClipSpec& clip, const Rehearsal& rehearsal,
+                       const Figure& figure) {
+  std::map<std::pair<Side, bool>, std::pair<BrowHold, std::size_t>> worst;
+  for (std::size_t i = 0; i < rehearsal.shown.size(); ++i)
+    for (const BrowHold& hold : find_brow_holds(figure.face, figure.limits, rehearsal.shown[i].pose)) {
+      const auto [at, is_new] = worst.try_emplace({hold.side, hold.is_top}, hold, i);
+      const BrowHold& known = at->second.first;
+      if (!is_new && std::abs(hold.asked_up - hold.held_up) > std::abs(known.asked_up - known.held_up))
+        at->second = {hold, i};
+    }
+  for (const auto& [limit, found] : worst) {
+    const double at_s = static_cast<double>(found.second) / clip.fps;
+    const std::string text = fmt::format("at {:.4g} s {}", at_s, describe_hold(found.first));
+    if (options.is_json)
+      fmt::print("{}\n", format_object(nlohmann::ordered_json{{"kind", "note"},
+                                                              {"file", options.file.string()},
+                                                              {"at_s", round_to(at_s, 6)},
+                                                              {"message", text}}));
+    else
+      fmt::print("{}: note: {}\n", options.file.string(), text);
+  }
 }
 
 // What scans do not show, a line each; of mixed heads, of each.
@@ -164,8 +190,10 @@ void run_check(const Options& options) {
   for (const Actor& actor : clip.actors) report_kept(options, actor.head, stock);
   report_starts(options, list_heads(clip), stock);
   for (const Actor& actor : clip.actors) report_mesh_faults(options, actor.head);
-  for (std::size_t i = 0; i < figures.size(); ++i)
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    report_brow_holds(options, performances[i].clip, rehearsals[i], *figures[i]);
     report_advice(options, performances[i], rehearsals[i], *figures[i]);
+  }
   report_summary(options, clip);
   if (options.is_json) return;
   for (std::size_t i = 0; i < performances.size(); ++i) {

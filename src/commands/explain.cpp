@@ -11,6 +11,7 @@
 #include "commands/table.hpp"
 #include "config/load_areas.hpp"
 #include "core/data.hpp"
+#include "face/thesis_rules.hpp"
 #include "frames/resources.hpp"
 #include "head/landmarks.hpp"
 #include "timeline/blinks.hpp"
@@ -34,6 +35,7 @@ struct Story {
   double reach = 1;      // `exaggerate`
   Pose pose;
   std::vector<Held> held;
+  std::vector<BrowHold> brows;  // that their rectangles hold
 };
 
 // One move of one area.
@@ -55,13 +57,14 @@ Story build_story(const Spec& spec, const std::string& name) {
               0,
               expression.reach,
               expression.pose,
-              expression.held};
+              expression.held,
+              {}};
   return story;
 }
 
 // `performance` has the eyes of whoever is asked for.
 Story build_story(const Spec& spec, const Performance& performance, double at_s) {
-  Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 0, 1, {}, {}};
+  Story story{fmt::format("{} at {:.4g}s", spec.file.string(), at_s), {}, 0, 0, 1, {}, {}, {}};
   const Moment moment = sample_performance(performance, at_s);
   story.pose = moment.pose;
   story.breath_mm = moment.turn.breath_mm;
@@ -163,8 +166,9 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
     landmark = row.landmark;
   }
   const std::vector<HeldNote> notes = build_notes(story.held);
-  if (!notes.empty()) fmt::print("\n");
+  if (!notes.empty() || !story.brows.empty()) fmt::print("\n");
   for (const HeldNote& note : notes) fmt::print("{}\n", format_note(note));
+  for (const BrowHold& hold : story.brows) fmt::print("note: {}\n", describe_hold(hold));
 }
 
 Json build_json(const Row& row) {
@@ -183,6 +187,18 @@ Json build_json(const Row& row) {
   json["landmark"] = row.landmark;
   json["moved_mm"] = {round_to(row.moved_mm.x, 3), round_to(row.moved_mm.y, 3), round_to(row.moved_mm.z, 3)};
   return json;
+}
+
+Json build_json(const BrowHold& hold) {
+  const MoveInfo& up = kMoves[*find_move("brow", hold.side, "up")];
+  return {{"kind", "note"},
+          {"area", "brow"},
+          {"side", hold.side == Side::left ? "left" : "right"},
+          {"move", up.move},
+          {"asked", round_to(hold.asked_up, 6)},
+          {"held", round_to(hold.held_up, 6)},
+          {"point", kBrowPointWords[hold.point]},
+          {"message", describe_hold(hold)}};
 }
 
 void print_json(const Story& story, const std::vector<Row>& rows) {
@@ -204,6 +220,7 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
                                         {"exaggerate", story.reach}}));
   for (const Row& row : rows) fmt::print("{}\n", format_object(build_json(row)));
   for (const HeldNote& note : build_notes(story.held)) fmt::print("{}\n", format_json(note));
+  for (const BrowHold& hold : story.brows) fmt::print("{}\n", format_object(build_json(hold)));
 }
 
 void run_explain(const Options& options) {
@@ -219,6 +236,8 @@ void run_explain(const Options& options) {
   performance.idle.eyes = compute_eyes(figure, spec.render);
   Story story = options.express ? build_story(spec, *options.express)
                                 : build_story(spec, performance, compute_time_s(clip, options));
+  if (!options.area || options.area->starts_with("brow"))
+    story.brows = find_brow_holds(figure.face, figure.limits, story.pose);
   const auto limits = measure_limits(figure.head, figure.face, figure.limits);
   const auto landmarks = find_landmarks(figure.head);
   sort_ledger(story.held);

@@ -28,6 +28,9 @@ Still stage_still(const Options& options, Clip& clip, std::vector<Held>& held) {
       still.stage = {};
     }
     actor.place = {};
+    actor.performance.clip.place.clear();
+    actor.performance.clip.enters_s = 0;
+    actor.performance.clip.leaves_s = kForever_s;
     still.stage.aims.clear();
     clip.actors = {std::move(actor)};
   }

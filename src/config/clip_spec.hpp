@@ -118,6 +118,16 @@ struct TurnKey {
   Place place = {};      // in the file
 };
 
+// Where an actor stands, as the place of spec.hpp.
+struct PlaceKey {
+  double at_s = 0;
+  Ease ease;
+  glm::dvec3 to_mm{0};
+  double turn_deg = 0;
+  Between between = Between::ease;
+  Place place = {};  // in the file
+};
+
 // What an author may write for the camera's and the head's numbers, and where curves and formulas are held.
 struct Bounds {
   double low, high;
@@ -238,7 +248,9 @@ struct ClipSpec {
   std::vector<CueSpec> cues = {};    // by layer, then by time
   LeadSpec lead = {};                // of a file that says nothing of it kNaturalLead
   std::vector<HeadKey> head = {};    // by time; none: one head for the whole clip
-  std::vector<LightKey> light = {};  // by time; none: the studio
+  std::vector<PlaceKey> place = {};  // by time; none: the actor stays where it stands
+  double enters_s = 0, leaves_s = kForever_s;  // when an actor is there: from the one until before the other
+  std::vector<LightKey> light = {};            // by time; none: the studio
   std::vector<BackgroundKey> background = {};  // by time; none: as `render:` says
   std::vector<double> blinks_s;                // blinks asked for at exact times (their shut moment)
   BlinkSpec blink;

@@ -12,6 +12,7 @@
 
 #include "config/findings.hpp"
 #include "config/language.hpp"
+#include "config/series.hpp"
 
 namespace mien {
 
@@ -233,7 +234,9 @@ double evaluate(const Formula& formula, double time_s) {
     if (!formula.is_used[i])
       values[i] = 0;
     else
-      values[i] = input.formula ? evaluate_input(*input.formula, time_s, values) : input.value;
+      values[i] = input.formula  ? evaluate_input(*input.formula, time_s, values)
+                  : input.series ? sample_series(*input.series, time_s)
+                                 : input.value;
   }
   return evaluate_with(formula, time_s, std::move(reader)) + formula.more;
 }

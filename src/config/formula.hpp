@@ -12,13 +12,15 @@
 namespace mien {
 
 struct Formula;
+struct Series;  // series.hpp
 using FormulaPointer = std::shared_ptr<const Formula>;
 
 // A name that formulas may use.
 struct Input {
   std::string name;
   double value = 0;
-  FormulaPointer formula = {};  // instead of the value
+  FormulaPointer formula = {};                // instead of the value
+  std::shared_ptr<const Series> series = {};  // the same
 };
 using Inputs = std::vector<Input>;  // each may use those before it
 

@@ -42,11 +42,18 @@ struct Look {
 // The same with brow, hair and age spots as they are at an age.
 Look compute_aged_look(const Look& look, const Mix& age);
 
-// One local edit: the skin within `radius_mm` of a landmark follows `move_mm`, less and less outward.
+// One local edit: the skin within `radius_mm` of a landmark is scaled about it, turned about it, and follows
+// `move_mm`, all less and less outward.
 struct SculptStroke {
   std::string at;  // a landmark ("chin" and other plain names are aliases of codes)
   glm::dvec3 move_mm{0};
   double radius_mm = 20;
+  double scale = 1;
+  double turn_deg =
+      0;  // counter-clockwise, seen with the axis toward the eye; of the left side, if there are two
+  std::string about = "x";  // the axis: x, y or z of conventions.hpp
+
+  bool operator==(const SculptStroke&) const = default;
 };
 
 // How far an area goes, as a length.
@@ -54,6 +61,7 @@ struct LimitLength {
   double value = 0;
   std::string unit = "mm";  // or a face unit (kFaceUnits)
   Place place = {};
+  bool is_shared = false;  // told by a name that several moves have: each goes that far or as far as it can
 };
 
 struct HeadShare;
@@ -73,6 +81,8 @@ struct HeadSpec {
   std::map<std::string, double> features;      // feature -> -1..1
   std::map<std::string, double> limits;        // limit of an area -> share of the head's own, 0..2
   std::map<std::string, LimitLength> limit_lengths;  // the same as a length; stands above a share
+  std::optional<LimitLength> match_level;            // LIPS_MATCH_LEVEL above where the lips meet at rest
+  bool follows_thesis = false;  // `rules: thesis`: the areas move as 5.3 says, to the letter
   Look look;
   std::optional<int> random;   // a seed: whatever the file says nothing of was drawn from it (people.hpp)
   std::set<std::string> said;  // what the file said: "skull", "features.nose_length", "look.iris"

@@ -24,18 +24,15 @@ std::vector<const Section*> list_sections() {
                                    &all.sculpt, &all.limits, &all.areas,  &all.live_areas};
   for (const auto* moves : {&all.moves, &all.live_moves})
     for (const Section& section : *moves) list.push_back(&section);
-  for (const Section* section : {&all.expression,  &all.dominance,      &all.growth,
-                                 &all.clip,        &all.pose_key,       &all.release,
-                                 &all.camera_key,  &all.turn_key,       &all.head_key,
-                                 &all.light_key,   &all.background_key, &all.draw_change,
-                                 &all.lead,        &all.wait,           &all.cue,
-                                 &all.law,         &all.track,          &all.include,
-                                 &all.script,      &all.blink,          &all.gaze,
-                                 &all.gaze_key,    &all.direction,      &all.drift,
-                                 &all.asymmetry,   &all.sound,          &all.say,
-                                 &all.actor,       &all.place,          &all.render,
-                                 &all.ink,         &all.bust,           &all.bust_set,
-                                 &all.library_file})
+  for (const Section* section :
+       {&all.expression,     &all.dominance,   &all.growth,   &all.clip,        &all.pose_key,
+        &all.release,        &all.camera_key,  &all.turn_key, &all.head_key,    &all.light_key,
+        &all.background_key, &all.draw_change, &all.input,    &all.input_point, &all.lead,
+        &all.wait,           &all.cue,         &all.law,      &all.track,       &all.include,
+        &all.script,         &all.blink,       &all.gaze,     &all.gaze_key,    &all.direction,
+        &all.drift,          &all.asymmetry,   &all.sound,    &all.say,         &all.actor,
+        &all.place,          &all.place_key,   &all.render,   &all.ink,         &all.bust,
+        &all.bust_set,       &all.library_file})
     list.push_back(section);
   return list;
 }

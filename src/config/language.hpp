@@ -94,9 +94,10 @@ struct Sections {
   std::array<Section, kAreas.size()> moves, live_moves;  // of an area
   Section expression, dominance, growth;
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;
+  Section input, input_point;  // of `inputs`
   Section lead, wait, cue, law, track, include, script;
   Section blink, gaze, gaze_key, direction, drift, asymmetry, sound, say;
-  Section actor, place, render, ink, bust, bust_set;
+  Section actor, place, place_key, render, ink, bust, bust_set;
 
   Sections();  // fills them; forms point at sections of the same object
   Sections(const Sections&) = delete;

@@ -168,8 +168,37 @@ void fill_head_key(Sections& all) {
   head.keys = copy_keys(all.head, {"age", "skull", "character", "design", "guides", "features", "look"});
   for (Key& key : head.keys) key.otherwise.clear();
   head.keys.insert(head.keys.begin(), build_at(all.wait));
+  Key file = {
+      "file", {as_file(kYamlEndings)}, "Another file's head; what stands beside it is changed of it."};
+  Key mix = *std::ranges::find(all.head.keys, "mix", &Key::name);
+  mix.help = "Heads of other files, mixed, as under `head`; what stands beside it is changed of them.";
+  head.keys.push_back(file);
+  head.keys.push_back(mix);
+  head.rules = {{KeyRule::Kind::apart, {"file", "mix"}}};
   head.keys.push_back(build_ease());
   head.keys.push_back(build_name_key());
+}
+
+void fill_inputs(Sections& all) {
+  Section& point = all.input_point;
+  point.name = "input_point";
+  point.help = "One point of an input that changes with time.";
+  point.expected = "a point such as {at: 1s, value: 0.5}";
+  point.keys = {build_at(all.wait), {"value", {as_number(-1e6, 1e6)}, "The number there.", "", true}};
+  Section& input = all.input;
+  input.name = "input";
+  input.help = "A number that changes with time: a ramp, a curve, or what a device recorded.";
+  input.expected = "an input such as {points: [{at: 0s, value: 0}, {at: 1s, value: 1}]}";
+  input.keys = {
+      {"points", {as_list({as_section(point)}, 1)}, "The number at some times, by rising time."},
+      {"csv",
+       {as_file({".csv", ".tsv", ".txt"})},
+       "A table whose first line names its columns, one of them time or frame."},
+      {"column", {as_line(kMaxTitleLength)}, "The table's column."},
+      build_between("What the way from one number to the next is.", std::string(kBetweenWords[1].name))};
+  input.rules = {{KeyRule::Kind::one_of, {"points", "csv"}},
+                 {KeyRule::Kind::apart, {"points", "csv"}},
+                 {KeyRule::Kind::needs, {"column", "csv"}}};
 }
 
 void fill_sound(Section& sound) {
@@ -227,7 +256,8 @@ void fill_clip(Sections& all) {
   clip.name = "clip";
   clip.help = "The performance.";
   clip.expected = "a mapping such as {fps: 24, keys: [...]}";
-  Form inputs = as_map("^[A-Za-z_][A-Za-z0-9_]*$", {as_number(-1e6, 1e6), as_formula()});
+  Form inputs =
+      as_map("^[A-Za-z_][A-Za-z0-9_]*$", {as_number(-1e6, 1e6), as_formula(), as_section(all.input)});
   clip.keys = {
       {"fps", {as_whole(1, kMaxFps, "frames a second")}, "Frames a second.", say(ClipSpec{}.fps)},
       {"draw", draws,
@@ -291,6 +321,7 @@ void fill_clip(Sections& all) {
 void fill_clip_sections(Sections& all) {
   fill_pose_keys(all);
   fill_stage_keys(all);
+  fill_inputs(all);
   fill_head_key(all);
   fill_idle_sections(all);
   fill_layer_sections(all);

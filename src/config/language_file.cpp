@@ -25,14 +25,27 @@ void fill_actors(Sections& all) {
                  "x to the left of who looks out of the picture, y up, z toward the camera.",
                  "[0, 0, 0]"},
                 {"turn", {as_angle({-360, 360})}, "About the upright axis; + to the character's left.", "0"}};
+  Section& step = all.place_key;
+  step.name = "place_key";
+  step.help = "One key of an actor's place; what it leaves out stays as it was.";
+  step.expected = "a key such as {at: 1s, to: [100mm, 0, 0]}";
+  step.keys = copy_keys(all.turn_key, {"at", "ease", "between"});
+  Key to = place.keys[0], turned = place.keys[1];
+  to.name = "to";
+  step.keys.insert(step.keys.begin() + 1, {to, turned});
   Section& actor = all.actor;
   actor.name = "actor";
   actor.help = "One of several who play together.";
   actor.expected = "a mapping such as {head: {age: child}}";
-  actor.keys = {{"head", {as_section(all.head), as_file(kYamlEndings)}, "A head, or a file with one."},
-                {"place", {as_section(place)}, "Where the actor stands."},
-                {"clip", {as_section(all.clip)}, "What this one does."}};
-  actor.keys[2].forms[0].excluded = kSharedClipKeys;
+  actor.keys = {
+      {"head", {as_section(all.head), as_file(kYamlEndings)}, "A head, or a file with one."},
+      {"place",
+       {as_section(place), as_list({as_section(step)}, 1)},
+       "Where the actor stands, or keys of it. The camera frames everybody where they stand first."},
+      {"from", as_waiting_time(all.wait), "When the actor comes in: nobody is there before.", "0"},
+      {"to", as_waiting_time(all.wait), "When the actor has gone.", "the end"},
+      {"clip", {as_section(all.clip)}, "What this one does."}};
+  actor.keys.back().forms[0].excluded = kSharedClipKeys;
 }
 
 constexpr double kThinnestLine = 0.3, kThickestLine = 3;
@@ -188,6 +201,11 @@ void fill_file(Sections& all) {
   library.keys = copy_keys(file, {"mien", "library"});
   library.keys.push_back(
       {"source", {as_line(kMaxTitleLength)}, "Where its expressions come from, in one line."});
+  library.keys.push_back(
+      {"rules",
+       {as_word("choice of rules", kAreaRuleWords)},
+       "By which rules heads move whose file has it as its `library`, and do not say themselves.",
+       std::string(kAreaRuleWords[0].name)});
   library.keys.push_back(*std::ranges::find(file.keys, "expressions", &Key::name));
   library.keys[1] = {"library", {as_data_word("library", "libraries")}, "The file's own name.", "", true};
   library.keys.back().is_required = true;

@@ -63,20 +63,34 @@ void fill_sculpt(Section& sculpt) {
   sculpt.help =
       "A local edit. The head stays its own mirror image: what is done to one side is done to both.";
   sculpt.expected = "a mapping such as {at: chin, move: [0, -2mm, 3mm], radius: 25mm}";
-  sculpt.keys = {{"at",
-                  {as_data_word("place", "places")},
-                  "A place: a landmark of `mien list landmarks`, or an everyday word such as chin or cheek.",
-                  "",
-                  true},
-                 {"move",
-                  {as_lengths(kMostMove_mm)},
-                  "How far the place goes: x outward (0 in the middle), y up, z forward.",
-                  "",
-                  true},
-                 {"radius",
-                  {as_length(kLeastRadius_mm, kMostRadius_mm)},
-                  "How far along the skin the edit reaches.",
-                  say(SculptStroke{}.radius_mm, "mm")}};
+  sculpt.keys = {
+      {"at",
+       {as_data_word("place", "places")},
+       "A place: a landmark of `mien list landmarks`, or an everyday word such as chin or cheek.",
+       "",
+       true},
+      {"move",
+       {as_lengths(kMostMove_mm)},
+       "How far the place goes: x outward (0 in the middle), y up, z forward."},
+      {"scale",
+       {as_number(0.3, 3)},
+       "How many times as large the place becomes; it stays where it is itself.",
+       say(SculptStroke{}.scale)},
+      {"turn",
+       {as_angle({-90, 90})},
+       "How far it is turned about itself, on the character's left; the other side turns as its mirror "
+       "image.",
+       say(SculptStroke{}.turn_deg, "deg")},
+      {"about",
+       {as_word("axis", kAxisWords)},
+       "The axis of `turn`, counter-clockwise where it points at you; a place in the middle turns about x.",
+       SculptStroke{}.about},
+      {"radius",
+       {as_length(kLeastRadius_mm, kMostRadius_mm)},
+       "How far along the skin the edit reaches.",
+       say(SculptStroke{}.radius_mm, "mm")}};
+  sculpt.rules = {{KeyRule::Kind::one_of, {"move", "scale", "turn"}},
+                  {KeyRule::Kind::needs, {"about", "turn"}}};
 }
 
 void fill_guides(Section& guides) {
@@ -123,6 +137,14 @@ void fill_limits(Section& limits) {
   for (const LimitName& limit : list_limits())
     add(limit.thesis,
         "The thesis's name of it; where several have it, all of them. Our own names override it.");
+  Key& level = *std::ranges::find(limits.keys, kMatchLevel, &Key::name);
+  level.forms[1] = as_length(-kMaxMatchLevel_mm, kMaxMatchLevel_mm);
+  level.help =
+      "Where both lips and the chin stop. A length is the height of that level over where the lips meet at "
+      "rest: "
+      "the upper lip goes no lower and the lower lip and the chin no higher, and lips that both go past it "
+      "meet "
+      "there. A plain number is a share of each of their limits.";
 }
 
 }  // namespace
@@ -184,7 +206,16 @@ void fill_head_sections(Sections& all) {
        "Which areas may move: a file with a head of nine refuses the tongue and all else that is beyond "
        "them, and its "
        "speech does without.",
-       std::string(kAreasWords[0].name)}};
+       std::string(kAreasWords[0].name)},
+      {"rules",
+       {as_word("choice of rules", kAreaRuleWords)},
+       "By which rules the areas move. `thesis`: a brow turns about its end and its highest and lowest "
+       "points "
+       "stay in its rectangle, lids end where the lower one rests, the eyeballs keep to the lids' outline at "
+       "rest, one level stops both lips and the chin. The default where the file's `library` is one that "
+       "says "
+       "so, as tezuka is.",
+       std::string(kAreaRuleWords[0].name)}};
   head.keys[9].forms[0].pattern = build_file_pattern(kYamlEndings);
   head.keys[11].forms[0].data = "hair";
   head.rules = {{KeyRule::Kind::apart, {"mesh", "scan", "mix"}}, {KeyRule::Kind::apart, {"scan", "mix"}}};

@@ -28,6 +28,11 @@ const std::vector<LimitName>& list_limits();
 inline constexpr double kMaxLimit = 2;      // times the head's own; further the skin folds over
 inline constexpr double kMaxLimit_mm = 60;  // as a length
 
+// The level where both lips and the chin stop: as a length it is a height, up (+) or down from where the lips
+// meet at rest.
+inline constexpr std::string_view kMatchLevel = "LIPS_MATCH_LEVEL";
+inline constexpr double kMaxMatchLevel_mm = 15;  // the lips of a shut mouth go no further up or down
+
 // The lengths of a face that limits are stored in, so that one performance reads the same on every head
 // (after the facial animation parameter units of MPEG-4).
 inline constexpr std::array<std::string_view, 5> kFaceUnits{"eye_separation", "eye_nose", "mouth_nose",

@@ -5,6 +5,7 @@
 
 #include "config/load_clip.hpp"
 #include "config/load_spec.hpp"
+#include "config/load_track.hpp"
 #include "config/sections.hpp"
 #include "core/conventions.hpp"
 
@@ -29,6 +30,31 @@ void load_place(const YamlValue& value, PlaceSpec& place) {
   const YamlMapping entries = load_section(value);
   if (const YamlValue* at = find_value(entries, "at")) load_lengths(*at, place.at_mm);
   if (const YamlValue* turn = find_value(entries, "turn")) load_angle(*turn, place.turn_deg);
+}
+
+// Keys instead of one place.
+std::vector<PlaceKey> load_place_keys(const YamlMapping& entries, const ClipClock& clock, Between between) {
+  ClipReader reader;
+  reader.clock = clock;
+  reader.between = between;
+  std::vector<PlaceKey> keys = load_track<PlaceKey>(entries, "place", "{at: 1s, to: [100mm, 0, 0]}", reader,
+                                                    [&](const YamlMapping& own, PlaceKey& key) {
+                                                      if (const YamlValue* to = find_value(own, "to"))
+                                                        load_lengths(*to, key.to_mm);
+                                                      if (const YamlValue* turn = find_value(own, "turn"))
+                                                        load_angle(*turn, key.turn_deg);
+                                                    });
+  return keys;
+}
+
+// When the actor is there.
+void load_presence(const YamlMapping& entries, const ClipClock& clock, ClipSpec& clip) {
+  const YamlValue* from = find_value(entries, "from");
+  const YamlValue* to = find_value(entries, "to");
+  if (from != nullptr) load_time(*from, clock, clip.enters_s);
+  if (to != nullptr && load_time(*to, clock, clip.leaves_s) && clip.leaves_s <= clip.enters_s)
+    add_mistake(*to, fmt::format("the actor leaves at {:.4g}s and enters at {:.4g}s; expected a later 'to'",
+                                 clip.leaves_s, clip.enters_s));
 }
 
 // `head: {age: child}` or `head: ann.yaml`.
@@ -96,9 +122,23 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
   actor.name = part.name;
   if (const YamlValue* head = find_value(part.entries, "head"))
     actor.head = load_actor_head(*head, source.head);
-  if (const YamlValue* place = find_value(part.entries, "place")) load_place(*place, actor.place);
+  const ClipClock clock = build_clip_clock(shared.fps, &times);
+  const YamlValue* place = find_value(part.entries, "place");
+  const bool is_track = place != nullptr && find_node(*place).kind == NodeKind::list;
+  std::vector<PlaceKey> steps;
+  if (is_track) {
+    Between between = Between::ease;
+    load_between(part.clip, between);
+    steps = load_place_keys(part.entries, clock, between);
+    if (!steps.empty()) actor.place = {steps.front().to_mm, steps.front().turn_deg};
+  } else if (place != nullptr) {
+    load_place(*place, actor.place);
+  }
   actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others, &counts});
   load_head_track(part.clip, source.head, actor.head, times, actor.clip);
+  if (!steps.empty()) actor.clip.length_s = std::max(actor.clip.length_s, steps.back().at_s);
+  actor.clip.place = std::move(steps);
+  load_presence(part.entries, clock, actor.clip);
   actor.clip.camera = shared.camera;  // for looks into it: as seen by one who is turned
   for (CameraKey& key : actor.clip.camera) {
     key.angle_deg -= actor.place.turn_deg;

@@ -126,6 +126,7 @@ JawData read_jaw(const DataTable& table, const PointNames& points) {
   JawData jaw;
   table.read("axis", jaw.axis);
   table.read("degrees", jaw.degrees);
+  table.read("straight", jaw.straight);
   table.read("forward", jaw.forward);
   table.read("aside", jaw.aside);
   table.read("protruded", jaw.protruded);

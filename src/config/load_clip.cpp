@@ -331,7 +331,8 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   load_between(entries, reader.between);
   reader.lead = load_lead(entries, reader.clock);
   load_includes(entries, reader, clip);
-  if (const YamlValue* inputs = find_value(entries, "inputs")) load_inputs(*inputs, {}, reader.formulas);
+  if (const YamlValue* inputs = find_value(entries, "inputs"))
+    load_inputs(*inputs, {}, reader.clock, reader.formulas);
   load_scripts(entries, reader);
   load_layers(entries, reader, clip);
   load_idle(entries, reader.clock, clip);

@@ -38,6 +38,12 @@ bool load_duration(const YamlValue& value, const ClipClock& clock, double& into)
 void load_key_time(const YamlMapping& entries, const YamlValue& key, const ClipClock& clock,
                    std::optional<double>& before_s, double& into);
 
+// The column `name` of a table of times, into `series`. Mistakes are told at their lines; that there is no
+// such column at `asked`.
+struct Series;
+void load_series_table(const std::filesystem::path& path, const std::string& name, const YamlValue& asked,
+                       const ClipClock& clock, Series& series);
+
 // Without `attack` and `release`. Outside its rows a table gives the areas back within these: shorter is a
 // jump, longer blurs the first word. A law fades within its time, at both its ends: with 0 the area would
 // jump. A face goes more slowly than it comes, 1.5 to 2 times: one that goes as it came looks played

@@ -64,7 +64,7 @@ void load_own_inputs(const YamlValue& value, const fs::path& path, ClipReader& r
   Names& own = reader.library->inputs[path];
   std::erase_if(inputs, [&](const Input& input) { return std::ranges::find(own, input.name) != own.end(); });
   const std::size_t before = inputs.size();
-  load_inputs(value, {}, reader.formulas);
+  load_inputs(value, {}, reader.clock, reader.formulas);
   own.clear();
   for (std::size_t i = before; i < inputs.size(); ++i) own.push_back(inputs[i].name);
 }

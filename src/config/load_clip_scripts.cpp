@@ -23,7 +23,7 @@ std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::s
   const YamlMapping entries = load_section(text.body);
   load_between(entries, reader.between);
   if (const YamlValue* parameters = find_value(entries, "parameters"))
-    load_inputs(*parameters, given, reader.formulas);
+    load_inputs(*parameters, given, reader.clock, reader.formulas);
   auto clip = std::make_shared<ClipSpec>();
   load_layers(entries, reader, *clip);
   // Without keys it begins and ends at rest.

@@ -6,6 +6,7 @@
 #include "config/load_clip.hpp"
 #include "config/load_takes.hpp"
 #include "config/named_file.hpp"
+#include "config/series.hpp"
 #include "core/ticks.hpp"
 
 namespace mien {
@@ -201,6 +202,92 @@ std::shared_ptr<const TimeTable> load_move_table(const std::filesystem::path& pa
     report(file, {1, 0}, "there are no rows; expected a line of names and a line for each time");
   if (findings.mistakes.size() + findings.untold != before) return {};
   return std::make_shared<const TimeTable>(std::move(table));
+}
+
+namespace {
+
+// Of any table with a time: its columns are what a device calls them.
+const NamedKind kSeriesFile{
+    [](std::string_view text) { return text.find_first_of(",;\t") != text.npos; },
+    "is no table: its first line has no columns; expected time or frame and others",
+    "the file is empty; expected a line of names such as time,joyz and a line for each "
+    "time"};
+
+// Which columns of the first line are the time and the one that is asked for.
+struct SeriesColumns {
+  std::size_t time = 0, value = 0;
+  bool is_frames = false;
+};
+
+std::optional<SeriesColumns> find_series_columns(const CsvFile& file, const std::vector<Cell>& head,
+                                                 const std::string& name, const YamlValue& asked) {
+  SeriesColumns columns;
+  bool has_time = false, has_value = false;
+  Names others;
+  for (std::size_t i = 0; i < head.size(); ++i) {
+    const std::string& word = head[i].text;
+    if ((word == "time" || word == "frame") && !has_time) {
+      has_time = true;
+      columns.time = i;
+      columns.is_frames = word == "frame";
+    } else {
+      others.push_back(word);
+    }
+    if (word == name && !has_value) {
+      has_value = true;
+      columns.value = i;
+    }
+  }
+  if (!has_time)
+    report(file, {head.front().spot.line, 0},
+           "no column is the time; expected 'time' in seconds, or 'frame'");
+  if (!has_value) add_mistake(asked, describe_unknown("column", name, others));
+  return has_time && has_value ? std::optional(columns) : std::nullopt;
+}
+
+}  // namespace
+
+void load_series_table(const std::filesystem::path& path, const std::string& name, const YamlValue& asked,
+                       const ClipClock& clock, Series& series) {
+  constexpr double kMostValue = 1e9;
+  auto source = load_named_source(path, kSeriesFile, *asked.findings);
+  if (!source) return;
+  const double fps = clock.measure.units[2].over;
+  const CsvFile file{std::move(*source), asked.findings};
+  std::vector<Cell> head;
+  std::optional<SeriesColumns> columns;
+  char separator = ',';
+  for (int number = 1; number <= static_cast<int>(file.source.line_starts.size()); ++number) {
+    const std::string_view line = find_line(file.source, number);
+    if (line.find_first_not_of(" \t,;") == std::string_view::npos) continue;
+    if (head.empty()) {
+      separator = find_separator(line);
+      head = split(line, number, separator);
+      columns = find_series_columns(file, head, name, asked);
+      if (!columns) return;
+      continue;
+    }
+    const std::vector<Cell> cells = split(line, number, separator);
+    double at_s = 0, value = 0;
+    if (cells.size() != head.size()) {
+      report(file, cells.front().spot,
+             fmt::format("this line has {} cell{}; expected {} as in the first line", cells.size(),
+                         cells.size() == 1 ? "" : "s", head.size()));
+      return;
+    }
+    if (!load_cell(file, cells[columns->time], 0, columns->is_frames ? kMaxTime_s * fps : kMaxTime_s,
+                   head[columns->time].text, at_s) ||
+        !load_cell(file, cells[columns->value], -kMostValue, kMostValue, head[columns->value].text, value))
+      return;
+    if (columns->is_frames) at_s /= fps;
+    if (!series.at_s.empty() && at_s <= series.at_s.back())
+      return report(file, cells[columns->time].spot,
+                    "this time is not after the one of the line before; expected rising times");
+    series.at_s.push_back(at_s);
+    series.values.push_back(value);
+  }
+  if (series.at_s.empty())
+    report(file, {1, 0}, "there are no rows; expected a line of names and a line for each time");
 }
 
 namespace {

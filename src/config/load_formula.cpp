@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/load_clip.hpp"
+#include "config/series.hpp"
+
 namespace mien {
 
 namespace {
@@ -81,7 +84,7 @@ void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
               0);
 }
 
-void load_inputs(const YamlValue& value, const Inputs& given, FormulaReader& reader) {
+void load_inputs(const YamlValue& value, const Inputs& given, const ClipClock& clock, FormulaReader& reader) {
   for (const YamlEntry& entry : load_free_mapping(value, "names and numbers such as {mood: 0.5}")) {
     if (!is_input_name(entry.key)) {
       add_mistake(
@@ -92,7 +95,9 @@ void load_inputs(const YamlValue& value, const Inputs& given, FormulaReader& rea
       continue;
     }
     Input input{entry.key, 0, {}};
-    if (is_formula(entry.value))
+    if (find_node(entry.value).kind == NodeKind::mapping)
+      input.series = load_series(entry.value, clock);
+    else if (is_formula(entry.value))
       input.formula = load_formula(entry.value, reader);
     else
       load_number(entry.value, input.value);

@@ -31,7 +31,9 @@ FormulaPointer load_formula(const YamlValue& value, const FormulaReader& reader)
 void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
                    const std::vector<double>& times_s);
 
+struct ClipClock;
+
 // `inputs:` and `parameters:`, after those that are known. `given` replaces the values of those named in it.
-void load_inputs(const YamlValue& value, const Inputs& given, FormulaReader& reader);
+void load_inputs(const YamlValue& value, const Inputs& given, const ClipClock& clock, FormulaReader& reader);
 
 }  // namespace mien

@@ -154,7 +154,8 @@ std::optional<LimitLength> parse_limit_length(std::string_view text) {
 }
 
 // A share or a length of this limit, which stands above what was said of it before.
-void load_limit(const YamlValue& value, const std::vector<std::string>& names, HeadSpec& head) {
+void load_limit(const YamlValue& value, const std::vector<std::string>& names, bool is_shared,
+                HeadSpec& head) {
   const YamlNode& node = find_node(value);
   const Form& range = find_form(value, FormKind::number);
   const auto length = node.kind == NodeKind::text ? parse_limit_length(node.text) : std::nullopt;
@@ -168,11 +169,26 @@ void load_limit(const YamlValue& value, const std::vector<std::string>& names, H
     head.limits.erase(name);
     head.limit_lengths.erase(name);
     if (length)
-      head.limit_lengths[name] = {length->value, length->unit,
-                                  find_place(value.document->source, value.spot)};
+      head.limit_lengths[name] = {length->value, length->unit, find_place(value.document->source, value.spot),
+                                  is_shared};
     else
       head.limits[name] = *share;
   }
+}
+
+// "-1mm" as a height; false if it is no length.
+bool load_match_level(const YamlValue& value, HeadSpec& head) {
+  const YamlNode& node = find_node(value);
+  const auto level = node.kind == NodeKind::text ? parse_limit_length(node.text) : std::nullopt;
+  if (!level) return false;
+  const double most = level->unit == "mm" ? kMaxMatchLevel_mm : 1;
+  if (std::abs(level->value) > most)
+    add_unexpected(value,
+                   fmt::format("a height from {0:g}mm to {1:g}mm, or from -1 to 1 of a unit of the face",
+                               -kMaxMatchLevel_mm, kMaxMatchLevel_mm));
+  else
+    head.match_level = {level->value, level->unit, find_place(value.document->source, value.spot)};
+  return true;
 }
 
 // `brow.left.up: 0.8`, or `brows.up` for both sides, which a sided name overrides; both override the
@@ -184,7 +200,10 @@ void load_limits(const YamlValue& value, HeadSpec& head) {
       std::vector<std::string> names;
       for (const LimitName& limit : list_limits())
         if (entry.key == limit.*name_of) names.push_back(limit.name);
-      if (!names.empty()) load_limit(entry.value, names, head);
+      if (entry.key == kMatchLevel && name_of == &LimitName::thesis && load_match_level(entry.value, head))
+        continue;
+      if (!names.empty())
+        load_limit(entry.value, names, name_of == &LimitName::thesis && names.size() > 1, head);
     }
 }
 
@@ -238,6 +257,9 @@ HeadSpec load_head(const YamlValue& value, const HeadSource& source) {
   if (const YamlValue* hair = find_value(entries, "hair")) load_name(*hair, head.hair);
   std::string areas;  // understood before all else: load_spec.cpp
   if (const YamlValue* choice = find_value(entries, "areas")) load_name(*choice, areas);
+  std::string rules;
+  if (const YamlValue* choice = find_value(entries, "rules"); choice != nullptr && load_name(*choice, rules))
+    head.follows_thesis = rules == kAreaRuleWords[1].name;
   if (const YamlValue* limits = find_value(entries, "limits")) load_limits(*limits, head);
   if (const YamlValue* sculpt = find_value(entries, "sculpt")) load_sculpt(*sculpt, source, head.sculpt);
   head.said = find_said(entries);

@@ -94,7 +94,10 @@ void mix_limits(HeadSpec& head) {
     }
   // Lengths are those of whoever has most of it.
   const auto most = std::ranges::max_element(head.mix, {}, &HeadShare::weight);
-  if (most != head.mix.end()) head.limit_lengths = most->head.limit_lengths;
+  if (most != head.mix.end()) {
+    head.limit_lengths = most->head.limit_lengths;
+    head.match_level = most->head.match_level;
+  }
 }
 
 // "ch_l" to "ch"; false if no such place is known.
@@ -196,7 +199,11 @@ void load_sculpt(const YamlValue& value, const HeadSource& source, std::vector<S
     const YamlMapping entries = load_section(item);
     SculptStroke stroke;
     const YamlValue* at = find_required(entries, "at", item, "a place of the head such as chin");
-    const YamlValue* move = find_required(entries, "move", item, "three lengths such as [0, -2mm, 3mm]");
+    const YamlValue* move = find_value(entries, "move");
+    const YamlValue* turn = find_value(entries, "turn");
+    const YamlValue* about = find_value(entries, "about");
+    if (move == nullptr && turn == nullptr && find_value(entries, "scale") == nullptr)
+      add_mistake(item, "the stroke does nothing; expected one of move, scale and turn");
     bool is_middle = false;
     if (at != nullptr && load_text(*at, "a place of the head such as chin", stroke.at) &&
         !find_bare_place(words, stroke.at, is_middle))
@@ -206,6 +213,17 @@ void load_sculpt(const YamlValue& value, const HeadSource& source, std::vector<S
                   fmt::format("'{}' lies in the middle and moves {:.7g}mm aside; expected 0, as one half "
                               "is the mirror image of the other",
                               stroke.at, stroke.move_mm.x));
+    if (const YamlValue* scale = find_value(entries, "scale")) load_number(*scale, stroke.scale);
+    if (turn != nullptr) load_angle(*turn, stroke.turn_deg);
+    if (about != nullptr && turn == nullptr)
+      add_mistake(*about, "'about' stands without 'turn'; expected both");
+    if (about != nullptr && load_name(*about, stroke.about) && is_middle && stroke.about != "x")
+      add_mistake(
+          *about,
+          fmt::format(
+              "'{}' lies in the middle and turns about {}; expected x, as one half is the mirror image "
+              "of the other",
+              stroke.at, stroke.about));
     if (const YamlValue* radius = find_value(entries, "radius")) load_length(*radius, stroke.radius_mm);
     into.push_back(std::move(stroke));
   }

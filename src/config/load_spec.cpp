@@ -56,6 +56,10 @@ void load_library(const YamlValue& root, const std::string& name, ExpressionBook
   if (const YamlValue* expressions =
           find_required(entries, "expressions", root, "a mapping of names to areas"))
     load_drafts(*expressions, name, book, drafts);
+  std::string rules;
+  if (const YamlValue* choice = find_value(entries, "rules")) load_name(*choice, rules);
+  for (Expression& expression : book.expressions)
+    if (expression.library == name) expression.follows_thesis = rules == kAreaRuleWords[1].name;
 }
 
 // What the file does not say of how it is drawn: heads that are mostly of a drawn design are in ink, and ink
@@ -71,6 +75,23 @@ void settle_style(const HeadWords& words, Spec& spec) {
     spec.render.style = Style::ink;
   if (!spec.render.is_background_given && spec.render.style == Style::ink)
     spec.render.background = kInkGround;
+}
+
+// Heads that do not say their rules have those of the file's library.
+void settle_rules(const ExpressionBook& book, Spec& spec) {
+  const auto is_thesis = [&](const Expression& expression) {
+    return expression.library == spec.library && expression.follows_thesis;
+  };
+  if (std::ranges::none_of(book.expressions, is_thesis)) return;
+  const auto settle = [](HeadSpec& head) {
+    if (!head.said.contains("rules")) head.follows_thesis = true;
+  };
+  settle(spec.head);
+  for (HeadKey& key : spec.clip.head) settle(key.head);
+  for (ActorSpec& actor : spec.actors) {
+    settle(actor.head);
+    for (HeadKey& key : actor.clip.head) settle(key.head);
+  }
 }
 
 // Whether a head of the file keeps to the nine areas: then all of the file does.
@@ -117,6 +138,7 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
           "background: none is for the whole clip, whose `background` has keys; expected one of both");
   }
   settle_style(words, spec);
+  settle_rules(book, spec);
   if (const YamlValue* busts = find_value(entries, "busts")) load_busts(*busts, book, spec);
   check_version(root, entries);
 }

@@ -75,6 +75,27 @@ bool has_few_keys(const YamlMapping& entries, HeadCounts& counts) {
   return true;
 }
 
+// The head of another file, or one mixed of several, in place of what was before. Hair, limits and rules stay
+// those of the one who plays.
+void load_other_start(const YamlMapping& entries, const HeadSource& source, const HeadSpec& first,
+                      HeadSpec& head) {
+  const YamlValue* file = find_value(entries, "file");
+  const YamlValue* mix = find_value(entries, "mix");
+  if (file == nullptr && mix == nullptr) return;
+  if (file != nullptr && mix != nullptr)
+    add_mistake(*mix, "'mix' stands beside 'file'; expected one of both");
+  HeadSpec other;
+  if (file != nullptr && !load_head_file(*file, source, other)) return;
+  if (file == nullptr) load_head_mix(*mix, source, other);
+  other.hair = first.hair;
+  other.limits = first.limits;
+  other.limit_lengths = first.limit_lengths;
+  other.match_level = first.match_level;
+  other.follows_thesis = first.follows_thesis;
+  other.said = first.said;
+  head = std::move(other);
+}
+
 // Without `length:` a clip lasts until its last key.
 template <typename Key>
 void stretch_clip(const YamlMapping& entries, const std::vector<Key>& keys, ClipSpec& clip) {
@@ -92,6 +113,7 @@ void load_head_track(const YamlMapping& entries, const HeadSource& source, const
   clip.head = load_track<HeadKey>(
       entries, "head", "{at: 1s, age: child}", build_reader(clip, times),
       [&](const YamlMapping& key_entries, HeadKey& key) {
+        load_other_start(key_entries, source, first, key.head);
         load_growth(key_entries, *source.words, key.head);
       },
       start);

@@ -28,6 +28,7 @@ struct Expression {
   std::vector<Held> held = {};                // what the limits held back of it
   double attack_s = kDefaultAttack_s;         // how long it takes to come, as a cue
   std::shared_ptr<const Manner> manner = {};  // plain without it
+  bool follows_thesis = false;                // its library says `rules: thesis`
 };
 
 struct BustSpec {

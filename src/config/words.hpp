@@ -122,6 +122,11 @@ inline constexpr std::array kLightSetWords{
     Word{"rim", "a silhouette: light from behind on either side"}};  // of templates/povray
 inline constexpr std::array kAreasWords{Word{"all", "what people's faces do"},
                                         Word{"nine", "Tezuka's nine, with what he moves in them"}};
+inline constexpr std::array kAxisWords{Word{"x", "from ear to ear: as one nods"},
+                                       Word{"y", "upright: as one shakes the head"},
+                                       Word{"z", "from back to front: as a head tilts"}};
+inline constexpr std::array kAreaRuleWords{Word{"house", "as skin moves: the default"},
+                                           Word{"thesis", "as the thesis writes them in 5.3"}};
 inline constexpr std::array kAsymmetryWords{Word{"none", "both sides alike"},
                                             Word{"natural", "0.2: as much as is seen in people"}};
 inline constexpr std::array kBaseWords{Word{"round", "a disc"}, Word{"square", "a block"},

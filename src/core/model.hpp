@@ -56,6 +56,7 @@ inline bool is_carried(const Part& part, const PartShape& shape) {
 
 struct Drawing {
   std::vector<PartShape> parts;  // in the order of Model::parts
+  bool is_away = false;          // nothing of it is to be seen, whatever the parts are
 };
 
 }  // namespace mien

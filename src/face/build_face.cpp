@@ -65,15 +65,6 @@ bool is_sided_area(const std::string& area) {
                      [&](const MoveInfo& info) { return info.area == area && info.side != Side::none; });
 }
 
-// What a move of the left side drags of the middle ends on the right before the far corner of the mouth and
-// the far eye: smoothly, and then it is nothing to the last bit.
-void fade_far_side(const Cage& cage, Field& field) {
-  constexpr double kFrom_mm = 12,
-                   kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
-  for (std::size_t i = 0; i < field.size(); ++i)
-    field[i] *= 1 - smooth_step(kFrom_mm, kTo_mm, -cage.points[i].x);
-}
-
 DrivenField build_sided_field(const Cage& cage, std::vector<SignedMove> left, std::vector<SignedMove> right,
                               Field field) {
   fade_far_side(cage, field);
@@ -285,6 +276,7 @@ JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const AreaD
   rig.open_rad = jaw.degrees * kRadiansPerDegree;
   rig.forward = jaw.forward * (scales.here.mouth_nose / scales.adult.mouth_nose);
   rig.aside = jaw.aside * (scales.here.mouth_width / scales.adult.mouth_width);
+  rig.straight_mm = jaw.straight * (scales.here.mouth_nose / scales.adult.mouth_nose);
   rig.protruded = jaw.protruded * (scales.here.mouth_width / scales.adult.mouth_width);
   return rig;
 }
@@ -374,6 +366,13 @@ std::vector<double> build_turn_weights(const Cage& cage, const AreaData& data) {
 }
 
 }  // namespace
+
+void fade_far_side(const Cage& cage, Field& field) {
+  constexpr double kFrom_mm = 12,
+                   kTo_mm = 22;  // nearer: a crease beside the nose; further: a mouth corner shakes
+  for (std::size_t i = 0; i < field.size(); ++i)
+    field[i] *= 1 - smooth_step(kFrom_mm, kTo_mm, -cage.points[i].x);
+}
 
 FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, const Eye& eye) {
   const auto at = [&](const char* name) { return points[find_point(cage, name)]; };

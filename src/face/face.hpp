@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "config/areas.hpp"
@@ -50,9 +51,10 @@ struct DrivenField {
 };
 
 struct JawRig {
-  glm::dvec3 axis{0};     // a point of the axis, which is parallel to x
-  double open_rad = 0;    // at chin.down 1
-  glm::dvec3 forward{0};  // mm at chin.down 1
+  glm::dvec3 axis{0};      // a point of the axis, which is parallel to x
+  double open_rad = 0;     // at chin.down 1
+  glm::dvec3 forward{0};   // mm at chin.down 1
+  double straight_mm = 0;  // straight down at chin.straight 1
   glm::dvec3 aside{0},
       protruded{0};             // at jaw.side and jaw.forward 1: of teeth and tongue, the skin has its fields
   std::vector<double> weights;  // of each control point
@@ -96,6 +98,15 @@ struct GiveWay {
   std::vector<GiveWayLine> lines;
 };
 
+// The rectangle of one brow, and how high its points are on the skin. Heights are y in mm.
+struct BrowBox {
+  static constexpr std::size_t kPoints = 5;  // from the inner end to the outer one
+  using Heights = std::array<double, kPoints>;
+  Heights rest_mm{};
+  std::vector<Heights> rises_mm, mirror_rises_mm;  // by each of Face::fields and its mirror image at 1
+  double top_mm = 0, bottom_mm = 0;
+};
+
 struct Face {
   FaceUnits units;
   std::vector<DrivenField> fields;  // of the moves, one driver each, then correctives
@@ -109,6 +120,9 @@ struct Face {
   LipSheet upper_lip, lower_lip;
   double seal_until_mm = 4;
   double tongue_out_mm = 34, tongue_up_mm = 20;  // of its tip at its limits
+  bool follows_thesis = false;
+  std::vector<BrowBox> brow_boxes;       // left and right, by `rules: thesis`; else none
+  std::optional<double> match_level_mm;  // LIPS_MATCH_LEVEL above where the lips meet at rest
   glm::dvec3 turn_pivot{0};
   std::vector<double> turn_weights;  // of each control point
 };
@@ -121,6 +135,20 @@ FaceUnits measure_face(const Cage& cage, const std::vector<glm::dvec3>& points, 
 // Solves templates/head/areas.yaml for this head. About 0.1 s. Throws RunError for data that cannot be
 // solved.
 Face build_face(const NeutralHead& head);
+
+// What a move of the left side drags of the middle ends on the right before the far corner of the mouth and
+// the far eye: smoothly, and then it is nothing to the last bit.
+void fade_far_side(const Cage& cage, Field& field);
+
+// What a field is multiplied by in a pose: the product of its drivers, less what yields take of it.
+double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,
+                     const Pose& pose);
+
+// Where the jaw takes a point of the head at these shares of its turn and of its way straight down.
+glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double turned, double straight);
+
+// How much of chin.straight a pose has: what chin.down leaves of the chin's one limit.
+double compute_straight(const Pose& pose);
 
 // What a pose's values come to where `exaggerate` or `head.limits` lift them past their limits: skin that is
 // stretched or pressed together gets stiff. Within the limits it is the pose itself.

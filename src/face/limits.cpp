@@ -40,6 +40,14 @@ Ways compute_ways(const NeutralHead& head, const Face& face, const Pose& pose, c
   return {glm::distance(points[i], head.cage.points[i]), glm::length(skin)};
 }
 
+}  // namespace
+
+double compute_length_mm(const FaceUnits& units, const LimitLength& length) {
+  return length.unit == "mm" ? length.value : length.value * compute_unit_mm(units, length.unit);
+}
+
+namespace {
+
 double compute_angle_deg(const Face& face, const LimitName& name) {
   const MoveInfo& info = kMoves[name.move];
   double angle = face.jaw.open_rad;
@@ -83,6 +91,15 @@ Limit measure_limit(const NeutralHead& head, const Face& face, const LimitName& 
             place.axis};
   }
   if (place.axis < 0) return measure_turn(head, face, name, share, lifted, point);
+  if (face.follows_thesis && info.area == "brow" && info.move == "turn") {
+    // About its end, whose other end goes furthest.
+    const std::string end =
+        (info.side == Side::right ? "R:" : "") + std::string(name.sign > 0 ? "E5_2" : "E5_6");
+    const Ways ways = compute_ways(head, face, lifted, end);
+    return {&name,         place.unit,   ways.point_mm / compute_unit_mm(face.units, place.unit),
+            ways.point_mm, ways.skin_mm, end,
+            place.axis};
+  }
   const double adult_mm = (name.sign > 0 ? place.plus_mm : place.minus_mm) *
                           get_gain(head.design, info.area, info.move, name.sign);
   const double value = share * adult_mm / compute_unit_mm(adult, place.unit);
@@ -132,10 +149,10 @@ void fit_limit_lengths(const NeutralHead& head, const Face& face,
     const auto found = lengths.find(name.name);
     if (found == lengths.end()) continue;
     const LimitLength& length = found->second;
-    const double asked_mm =
-        length.unit == "mm" ? length.value : length.value * compute_unit_mm(face.units, length.unit);
+    const double asked_mm = compute_length_mm(face.units, length);
     double low = 0, high = kMaxLimit;
-    if (const double most_mm = measure_limit(head, face, name, high).mm; asked_mm > most_mm)
+    if (const double most_mm = measure_limit(head, face, name, high).mm;
+        asked_mm > most_mm && !length.is_shared)
       throw InputError(
           {Diagnostic{length.place,
                       fmt::format("'{}' goes {:.1f} mm at most on this head; expected no more than that",

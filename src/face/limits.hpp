@@ -20,6 +20,9 @@ struct LimitShares {
 // `limits` by the names of config/limits.hpp.
 LimitShares compute_limit_shares(const std::map<std::string, double>& limits);
 
+// A length told in a unit of this face.
+double compute_length_mm(const FaceUnits& units, const LimitLength& length);
+
 // The same with limits that are told as lengths, on this head: what share each is. Throws InputError at the
 // place of one that the head cannot reach: "'brow.left.up' goes 21.4 mm at most on this head; expected no
 // more than that".

@@ -7,28 +7,11 @@
 #include "core/smooth.hpp"
 #include "core/sums.hpp"
 #include "face/face.hpp"
+#include "face/thesis_rules.hpp"
 
 namespace mien {
 
 namespace {
-
-double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,
-                     const Pose& pose) {
-  double product = drivers.empty() ? 0 : 1, most = 1;
-  for (const auto& [move, sign] : drivers) {
-    const double value = std::max(0.0, sign * pose.values[move]);
-    product *= std::min(1.0, value);
-    most = std::max(most, value);
-  }
-  if (product == 0) return 0;
-  for (const Yield& yield : yields) {
-    double kept = 1;  // of two sides first: the mirrored pose has the same to the last bit
-    for (const auto& [move, sign] : yield.to)
-      kept *= 1 - yield.share * std::clamp(sign * pose.values[move], 0.0, 1.0);
-    product *= kept;
-  }
-  return product * most;  // past the limits no steeper than the drivers themselves
-}
 
 void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dvec3>& points) {
   const double here = compute_drive(driven.drivers, driven.yields, pose),
@@ -63,12 +46,6 @@ LidPose compute_lid_pose(const Face& face, const Pose& pose, Side side) {
   const double yaw = gaze_yaw_rad(face, pose, side), pitch = gaze_pitch_rad(face, pose, side);
   return {value_of(pose, "lid", side, "upper"), value_of(pose, "lid", side, "lower"), pitch,
           build_gaze(side == Side::left ? yaw : -yaw, pitch)};
-}
-
-glm::dvec3 turn_jaw_point(const JawRig& jaw, const glm::dvec3& point, double share) {
-  const double angle = share * jaw.open_rad, c = std::cos(angle), s = std::sin(angle);
-  const glm::dvec3 arm = point - jaw.axis;
-  return jaw.axis + glm::dvec3(arm.x, arm.y * c - arm.z * s, arm.y * s + arm.z * c) + share * jaw.forward;
 }
 
 // How near skin comes to what stops it, of a room at rest of 1, where it asks for `room`: all the way down to
@@ -124,21 +101,44 @@ double compute_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& po
                    skin + compute_lean_mm(column, points) - column.rest_leaning_gap_mm});
 }
 
-// LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
-// leaves open.
-void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
+// No lip goes past its stop.
+void stop_at_level(const Face& face, const std::vector<LipStop>& stops, std::vector<glm::dvec3>& points) {
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const LipColumn& column = face.lips[i];
+    const double raise = std::max(0.0, stops[i].upper_mm - points[column.upper_contact].y),
+                 lower = std::max(0.0, points[column.lower_contact].y - stops[i].lower_mm);
+    for (const auto& [point, share] : column.upper) points[point].y += raise * share;
+    for (const auto& [point, share] : column.lower) points[point].y -= lower * share;
+  }
+}
+
+// Of lips that overlap, the upper one's share of what they are pushed apart: half, or what brings both to the
+// level.
+double compute_upper_share(const LipColumn& column, const LipStop& stop,
+                           const std::vector<glm::dvec3>& points) {
+  const double upper = points[column.upper_contact].y, lower = points[column.lower_contact].y;
+  if (lower - upper < 1e-6) return 0.5;
+  return (std::clamp(stop.level_mm, upper, lower) - upper) / (lower - upper);
+}
+
+// LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half, or to their level; pressed lips close
+// what a shut jaw leaves open.
+void match_lips(const Face& face, const Pose& pose, const std::vector<LipStop>& stops,
+                std::vector<glm::dvec3>& points) {
   const double press = value_of(pose, "lips", Side::none, "press");
   const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
-  for (const LipColumn& column : face.lips) {
+  for (std::size_t i = 0; i < face.lips.size(); ++i) {
+    const LipColumn& column = face.lips[i];
     const double gap = compute_gap_mm(column, points);
-    double closing = 0;
+    double closing = 0, aside = 0;  // each lip's own way, and what both go the same way
     if (gap < 0) closing = part * gap / 2;
+    if (gap < 0 && !stops.empty()) aside = (compute_upper_share(column, stops[i], points) - 0.5) * -gap;
     const double seal = press * compute_seal(std::max(0.0, gap) / face.seal_until_mm);
     if (gap > 0) closing = seal * gap / 2;
     closing += seal * kSlit * column.rest_skin_gap_mm / 2;
     if (closing == 0) continue;
-    for (const auto& [point, share] : column.upper) points[point].y -= closing * share;
-    for (const auto& [point, share] : column.lower) points[point].y += closing * share;
+    for (const auto& [point, share] : column.upper) points[point].y -= (closing - aside) * share;
+    for (const auto& [point, share] : column.lower) points[point].y += (closing + aside) * share;
   }
 }
 
@@ -175,6 +175,36 @@ void part_skin(const Face& face, std::vector<glm::dvec3>& points) {
 
 }  // namespace
 
+double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,
+                     const Pose& pose) {
+  double product = drivers.empty() ? 0 : 1, most = 1;
+  for (const auto& [move, sign] : drivers) {
+    const double value = std::max(0.0, sign * pose.values[move]);
+    product *= std::min(1.0, value);
+    most = std::max(most, value);
+  }
+  if (product == 0) return 0;
+  for (const Yield& yield : yields) {
+    double kept = 1;  // of two sides first: the mirrored pose has the same to the last bit
+    for (const auto& [move, sign] : yield.to)
+      kept *= 1 - yield.share * std::clamp(sign * pose.values[move], 0.0, 1.0);
+    product *= kept;
+  }
+  return product * most;  // past the limits no steeper than the drivers themselves
+}
+
+glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double turned, double straight) {
+  const double angle = turned * jaw.open_rad, c = std::cos(angle), s = std::sin(angle);
+  const glm::dvec3 arm = point - jaw.axis;
+  return jaw.axis + glm::dvec3(arm.x, arm.y * c - arm.z * s, arm.y * s + arm.z * c) + turned * jaw.forward -
+         glm::dvec3(0, straight * jaw.straight_mm, 0);
+}
+
+double compute_straight(const Pose& pose) {
+  return std::min(value_of(pose, "chin", Side::none, "straight"),
+                  std::max(0.0, 1 - value_of(pose, "chin", Side::none, "down")));
+}
+
 double compute_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
   // The limit of a cubic spline at the middle one of three points.
   const auto height = [&](const std::array<std::uint32_t, 3>& row) {
@@ -206,21 +236,23 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
                std::vector<glm::dvec3>& points) {
   points = head.cage.points;
   if (asked == Pose{}) return;
-  const Pose pose = stiffen_pose(face, asked);
+  const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
   for (const DrivenField& driven : face.fields)
     if (!driven.is_late) add_field(driven, pose, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
   give_way(face.give_way, points);
-  const double open = value_of(pose, "chin", Side::none, "down");
-  if (open != 0)
+  const double open = value_of(pose, "chin", Side::none, "down"), straight = compute_straight(pose);
+  if (open != 0 || straight != 0)
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (face.jaw.weights[i] != 0)
-        points[i] = turn_jaw_point(face.jaw, points[i], open * face.jaw.weights[i]);
+      if (const double weight = face.jaw.weights[i]; weight != 0)
+        points[i] = move_jaw_point(face.jaw, points[i], open * weight, straight * weight);
   for (const DrivenField& driven : face.fields)
     if (driven.is_late) add_field(driven, pose, points);
   stop_under_nose(face, points);
-  match_lips(face, pose, points);
+  const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
+  stop_at_level(face, stops, points);
+  match_lips(face, pose, stops, points);
   part_skin(face, points);
 }
 
@@ -232,7 +264,8 @@ glm::dmat4 compute_jaw(const Face& face, const Pose& pose) {
   const Pose stiff = stiffen_pose(face, pose);
   const double open = value_of(stiff, "chin", Side::none, "down");
   const glm::dvec3 slide = value_of(stiff, "jaw", Side::none, "side") * face.jaw.aside +
-                           value_of(stiff, "jaw", Side::none, "forward") * face.jaw.protruded;
+                           value_of(stiff, "jaw", Side::none, "forward") * face.jaw.protruded -
+                           glm::dvec3(0, compute_straight(stiff) * face.jaw.straight_mm, 0);
   glm::dmat4 world = glm::translate(glm::dmat4(1), face.jaw.axis + open * face.jaw.forward + slide);
   world = glm::rotate(world, open * face.jaw.open_rad, glm::dvec3(1, 0, 0));
   return glm::translate(world, -face.jaw.axis);

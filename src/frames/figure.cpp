@@ -8,6 +8,7 @@
 #include "core/float4.hpp"
 #include "core/pool.hpp"
 #include "face/fold_ground.hpp"
+#include "face/thesis_rules.hpp"
 #include "frames/figure_atlas.hpp"
 #include "head/beard.hpp"
 #include "head/dental_arch.hpp"
@@ -287,7 +288,10 @@ Figure build_figure(const HeadStock& stock, const HeadSpec& asked, FigureUse use
         made[1] = is_ink ? build_ink_eyes(figure.head, spec.look) : build_eyes(figure.head, spec.look);
       }};
   for_each_index(works.size(), count_workers(), [&](std::size_t i, int) { works[i](); });
+  if (spec.match_level) figure.face.match_level_mm = compute_length_mm(figure.face.units, *spec.match_level);
+  if (spec.follows_thesis) follow_thesis(figure.head, figure.face);
   fit_limit_lengths(figure.head, figure.face, spec.limit_lengths, figure.limits);
+  if (spec.follows_thesis) figure.face.brow_boxes = build_brow_boxes(figure.head, figure.face, figure.limits);
   tints.push_back({std::move(scalp), 0.8f * spec.look.hair});
   for (const SkinTint& tint : tints) tint_skin(made[0].front().part, tint.covers, tint.srgb);
   for (std::vector<HeadPart>& parts : made)

@@ -11,6 +11,10 @@ glm::dmat4 find_place(const PlaceSpec& place) {
                      glm::dvec3(0, 1, 0));
 }
 
+glm::dmat4 find_motion(const PlaceSpec& first, const PlaceSpec& now) {
+  return find_place(now) * glm::inverse(find_place(first));
+}
+
 void place_drawing(const glm::dmat4& world, Drawing& drawing) {
   if (world == glm::dmat4(1)) return;
   const glm::mat4 moved(world);

@@ -5,8 +5,10 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 #include <queue>
 
+#include "core/conventions.hpp"
 #include "core/error.hpp"
 #include "head/eye_fit.hpp"
 #include "head/landmarks.hpp"
@@ -46,6 +48,29 @@ std::vector<double> compute_distances(const NeutralHead& head, const std::vector
   return distances;
 }
 
+// How far a point goes that is scaled and turned about `at` by a share of what the stroke says: a point half
+// way out turns half as far.
+glm::dvec3 reshape_about(const SculptStroke& stroke, const glm::dvec3& at, const glm::dvec3& point,
+                         double share) {
+  const glm::dvec3 axis = stroke.about == "x"   ? glm::dvec3(1, 0, 0)
+                          : stroke.about == "y" ? glm::dvec3(0, 1, 0)
+                                                : glm::dvec3(0, 0, 1);
+  const glm::dvec3 arm = (1 + share * (stroke.scale - 1)) * (point - at);
+  const glm::dmat4 turned = glm::rotate(glm::dmat4(1), share * stroke.turn_deg * kRadiansPerDegree, axis);
+  return at + glm::dmat3(turned) * arm - point;
+}
+
+// The same of a stroke and its mirror image, whose shares are `here` and `there`: where they meet they are
+// one.
+glm::dvec3 reshape_point(const SculptStroke& stroke, const glm::dvec3& at, const glm::dvec3& point,
+                         double here, double there) {
+  if (here + there == 0) return glm::dvec3(0);
+  const glm::dvec3 mirror(-1, 1, 1);
+  const glm::dvec3 own = reshape_about(stroke, at, point, here),
+                   other = mirror * reshape_about(stroke, at, mirror * point, there);
+  return (here * own + there * other) / (here + there);
+}
+
 void apply_stroke(const HeadStock& stock, const std::vector<PointRing>& rings, const SculptStroke& stroke,
                   HeadForm& form) {
   NeutralHead head = build_bare_head(stock, form.points);
@@ -68,6 +93,9 @@ void apply_stroke(const HeadStock& stock, const std::vector<PointRing>& rings, c
     shares[i] = {share * aside, share, share};
   }
   const glm::dvec3 reached = sample_row(place, shares);
+  if (stroke.scale != 1 || stroke.turn_deg != 0)
+    for (std::size_t i = 0; i < shares.size(); ++i)
+      form.points[i] += reshape_point(stroke, at, form.points[i], falloff(i), falloff(stock.adult.mirror[i]));
   for (std::size_t i = 0; i < shares.size(); ++i)
     for (int axis = 0; axis < 3; ++axis)
       if (stroke.move_mm[axis] != 0 && reached[axis] > 0)

@@ -152,6 +152,8 @@ LiveAnswer answer_shapes(LiveSession& session, const Json& asked) {
   Drawing drawing;
   for (std::size_t i = 0; i < scene->models.size(); ++i) {
     draw_actor(*moment.heads, i, moments[i], ink, *borrowed.buffers, drawing);
+    if (drawing.is_away)
+      for (PartShape& shape : drawing.parts) std::ranges::fill(shape.positions, glm::vec3(0));  // to a point
     for (std::size_t k = 0; k < scene->models[i].parts.size(); ++k) {
       const ViewPart& part = scene->models[i].parts[k];
       const PartShape& shape = drawing.parts[scene->models[i].of[k]];

@@ -94,6 +94,9 @@ SheetSubject load_sheet_subject(const Options& options, const Stock& stock) {
   check_library(word, subject.sources);
   subject.spec.library = word;
   subject.spec.title = "The faces of " + word;
+  subject.spec.head.follows_thesis =
+      std::ranges::any_of(subject.spec.expressions,
+                          [&](const Expression& one) { return one.library == word && one.follows_thesis; });
   return subject;
 }
 

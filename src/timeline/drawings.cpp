@@ -24,6 +24,11 @@ std::string key_of(const Moment& moment) {
        {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg, moment.turn.breath_mm,
         moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})
     append_bytes(bytes, value);
+  if (moment.place)
+    for (const double value :
+         {moment.place->to_mm.x, moment.place->to_mm.y, moment.place->to_mm.z, moment.place->turn_deg})
+      append_bytes(bytes, value);
+  if (!moment.is_there) bytes = "away";
   return hash_hex(bytes);  // 64 bits: two of 100,000 moments fall together by chance once in 10^9 clips
 }
 

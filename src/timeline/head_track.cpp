@@ -1,5 +1,6 @@
 #include "timeline/head_track.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/text.hpp"
@@ -67,6 +68,38 @@ Look mix_looks(const Look& from, const Look& to, double share) {
   return mixed;
 }
 
+std::string get_path(const std::optional<FileReference>& file) { return file ? file->path.string() : ""; }
+
+// Whether one becomes the other by growing alone.
+bool has_same_start(const HeadSpec& one, const HeadSpec& other) {
+  return get_path(one.mesh) == get_path(other.mesh) && get_path(one.scan) == get_path(other.scan) &&
+         std::ranges::equal(one.sculpt, other.sculpt) &&
+         std::ranges::equal(one.mix, other.mix, [](const HeadShare& a, const HeadShare& b) {
+           return a.weight == b.weight && compute_head_key(a.head) == compute_head_key(b.head);
+         });
+}
+
+// Two persons on the way from one to the other: their forms are mixed as those of `mix` are, and their looks.
+HeadSpec mix_starts(const HeadSpec& from, const HeadSpec& to, double share) {
+  HeadSpec mixed;
+  mixed.hair = from.hair;
+  mixed.limits = from.limits;
+  mixed.limit_lengths = from.limit_lengths;
+  mixed.match_level = from.match_level;
+  mixed.follows_thesis = from.follows_thesis;
+  mixed.said = from.said;
+  mixed.look = mix_looks(compute_aged_look(from.look, from.age), compute_aged_look(to.look, to.age), share);
+  mixed.look.brow_old = mixed.look.hair_old = std::nullopt;
+  mixed.look.age_spots_old = std::nullopt;
+  if (share >= 0.5) mixed.look.texture = to.look.texture;
+  mixed.mix = {{from, 1 - share}, {to, share}};
+  return mixed;
+}
+
+void append_file(std::string& bytes, const std::optional<FileReference>& file) {
+  bytes += get_path(file) + ';';
+}
+
 void append_values(std::string& bytes, const Values& values) {
   for (const auto& [name, value] : values) {
     bytes += name;
@@ -81,6 +114,7 @@ void append_values(std::string& bytes, const Values& values) {
 HeadSpec mix_heads(const HeadSpec& from, const HeadSpec& to, double share) {
   if (share == 0) return from;
   if (share == 1) return to;
+  if (!has_same_start(from, to)) return mix_starts(from, to, share);
   HeadSpec mixed = from;
   mixed.age = mix_values(from.age, to.age, share);
   mixed.skull = mix_values(from.skull, to.skull, share);
@@ -114,6 +148,17 @@ std::string compute_head_key(const HeadSpec& head) {
   for (const double value :
        {look.lips_share, look.freckles, look.age_spots, look.age_spots_old.value_or(look.age_spots)})
     append_bytes(bytes, value);
+  append_file(bytes, head.mesh);
+  append_file(bytes, head.scan);
+  for (const SculptStroke& stroke : head.sculpt) {
+    bytes += stroke.at + stroke.about;
+    append_bytes(bytes, stroke.move_mm);
+    for (const double value : {stroke.radius_mm, stroke.scale, stroke.turn_deg}) append_bytes(bytes, value);
+  }
+  for (const HeadShare& share : head.mix) {
+    append_bytes(bytes, share.weight);
+    bytes += compute_head_key(share.head);
+  }
   return hash_hex(bytes);
 }
 

@@ -49,6 +49,10 @@ TrackKey build_track_key(const CameraKey& key) {
   return {key.at_s, key.ease, key.between, values, build_law(key.live, values)};
 }
 
+TrackKey build_track_key(const PlaceKey& key) {
+  return {key.at_s, key.ease, key.between, {key.to_mm.x, key.to_mm.y, key.to_mm.z, key.turn_deg}};
+}
+
 // A track without keys rests.
 template <typename Key>
 std::vector<TrackKey> build_track_keys(const std::vector<Key>& keys) {
@@ -107,6 +111,7 @@ std::shared_ptr<const KeyTrack> share_table(const std::shared_ptr<const TimeTabl
 
 Layers build_layers(const ClipSpec& clip, LayerStore& store) {
   Layers layers;
+  if (!clip.place.empty()) layers.place = build_track(build_track_keys(clip.place), 4);
   layers.pose = build_track(build_track_keys(clip.keys), kMoveCount, build_lead(clip.lead));
   for (std::size_t i = 1; i < layers.pose.keys.size(); ++i) {
     const auto pose_of = [&](std::size_t key) {

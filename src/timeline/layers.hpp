@@ -16,6 +16,7 @@ struct LayerStore {
 
 struct Layers {
   KeyTrack pose, turn, camera;
+  KeyTrack place;  // x, y, z in mm and the turn in degrees; without keys the actor stays where it stands
   KeyTrack reach;  // of the pose's keys: of those areas that are the first or the last to move
   double most_reach = 1;
   CueStack cues;

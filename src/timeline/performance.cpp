@@ -69,6 +69,19 @@ Moment sample_performance(const Performance& performance, double time_s) {
 
 Pose hold_face(const FaceState& asked) { return hold_moves(asked, Moves().set()); }
 
+namespace {
+
+void add_standing(const Performance& performance, double time_s, Moment& moment) {
+  const ClipSpec& clip = performance.clip;
+  moment.is_there = time_s >= clip.enters_s && time_s < clip.leaves_s;
+  if (clip.place.empty()) return;
+  std::array<double, 4> numbers;
+  sample_track(performance.layers->place, compute_ticks(time_s), numbers);
+  moment.place = PlaceKey{time_s, {}, {numbers[0], numbers[1], numbers[2]}, numbers[3]};
+}
+
+}  // namespace
+
 Moment sample_unlooking(const Performance& performance, double time_s, const FaceState& asked) {
   const Layers& layers = *performance.layers;
   const auto sample_pose = [&](double at_s, const Moves& only) {
@@ -77,6 +90,7 @@ Moment sample_unlooking(const Performance& performance, double time_s, const Fac
   Moment moment{sample_leaning(performance.idle.asymmetry, time_s, sample_pose), build_turn(asked, time_s),
                 sample_camera(layers, time_s)};
   add_drift(performance.idle.drift, time_s, moment.pose, moment.turn);
+  add_standing(performance, time_s, moment);
   return moment;
 }
 

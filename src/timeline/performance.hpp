@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "config/clip_spec.hpp"
@@ -15,6 +16,8 @@ struct Moment {
   Pose pose;
   TurnKey turn;
   CameraKey camera;
+  bool is_there = true;                // has entered and not left
+  std::optional<PlaceKey> place = {};  // where the actor stands now; empty: where it stood first
 };
 
 // A clip ready to be sampled.

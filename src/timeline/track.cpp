@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "timeline/curves.hpp"
+#include "core/curves.hpp"
 #include "timeline/easing.hpp"
 
 namespace mien {

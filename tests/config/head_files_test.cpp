@@ -57,6 +57,27 @@ TEST(head_files, limits_are_mixed_and_can_be_changed) {
       (std::map<std::string, double>{{"brow.left.up", 0.625}, {"chin.down", 0.25}, {"lips.press", 0.75}}));
 }
 
+TEST(head_files, are_keys_of_a_head_that_changes) {
+  const auto folder = make_test_folder();
+  write_head(folder / "otto.yaml", "{age: old, features: {nose_length: 0.5}, hair: crop}");
+  write_head(folder / "anna.yaml", "{character: female}");
+  write_file(folder / "face.yaml",
+             "mien: 1\nhead: {hair: bun, limits: {chin.down: 0.5}}\nclip:\n  head:\n    - {at: 0s}\n"
+             "    - {at: 1s, file: otto.yaml}\n    - {at: 2s, file: otto.yaml, age: child}\n"
+             "    - {at: 3s, mix: {otto.yaml: 1, anna.yaml: 3}}\n");
+  const Spec spec = load_spec(folder / "face.yaml", *find_language());
+  const std::vector<HeadKey>& keys = spec.clip.head;
+  ASSERT_EQ(keys.size(), 4u);
+  EXPECT_EQ(keys[1].head.age, (Mix{{"old", 1}}));
+  EXPECT_EQ(keys[1].head.hair, "bun") << "cuts and limits stay those of the one who plays";
+  EXPECT_EQ(keys[1].head.limits, spec.head.limits);
+  EXPECT_EQ(keys[2].head.age, (Mix{{"child", 1}}));
+  EXPECT_EQ(keys[2].head.features.at("nose_length"), 0.5);
+  ASSERT_EQ(keys[3].head.mix.size(), 2u);
+  EXPECT_EQ(keys[3].head.mix[1].weight, 0.75);
+  EXPECT_EQ(spec.files.size(), 5u) << "each time that one is read";
+}
+
 TEST(head_files, heads_mix_no_circle) {
   const auto folder = make_test_folder();
   write_head(folder / "a.yaml", "{mix: {b.yaml: 1}}");

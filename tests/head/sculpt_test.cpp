@@ -63,6 +63,46 @@ TEST(sculpt, reaches_no_further_than_its_radius_and_keeps_the_mirror) {
   }
 }
 
+TEST(sculpt, scales_about_the_place) {
+  for (const char* name : {"nose_tip", "cheek"}) {
+    HeadSpec spec;
+    spec.sculpt = {{name, {0, 0, 0}, 30, 1.3}};
+    const NeutralHead head = build(spec);
+    const SkinSpot place = find_place(adult(), name);
+    const glm::dvec3 at = find_at(adult(), place);
+    EXPECT_LT(glm::distance(find_at(head, place), at), 0.3) << name;
+    double least = 10, most = 0;
+    for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
+      const glm::dvec3 then(adult().skin.positions[v]), now(head.skin.positions[v]);
+      const double far = glm::distance(then, at);
+      if (far > 8 || far < 3) continue;
+      least = std::min(least, glm::distance(now, at) / far);
+      most = std::max(most, glm::distance(now, at) / far);
+    }
+    EXPECT_GT(least, 1.05) << name;  // all around it everything has grown, never by more than was said
+    EXPECT_LT(most, 1.35) << name;
+  }
+}
+
+TEST(sculpt, turns_about_the_place_and_its_mirror_image_the_other_way) {
+  HeadSpec spec;
+  spec.sculpt = {{"brow_mid", {0, 0, 0}, 40, 1, 20, "z"}};
+  const NeutralHead head = build(spec);
+  const auto way = [&](const char* name) {
+    const SkinSpot place = find_place(adult(), name);
+    return find_at(head, place) - find_at(adult(), place);
+  };
+  // Counter-clockwise for who sees the face: of the character's left brow the outer end goes up.
+  EXPECT_GT(way("brow_outer").y, 1);
+  EXPECT_LT(way("brow_inner").y, -1);
+  for (std::size_t v = 0; v < head.skin.positions.size(); ++v) {
+    const glm::vec3 now = head.skin.positions[v], image = head.skin.positions[head.surface->mirror[v]];
+    if (head.surface->mirror[v] != v) {
+      ASSERT_EQ(now, image * glm::vec3(-1, 1, 1));
+    }
+  }
+}
+
 TEST(sculpt, one_lip_does_not_drag_the_other) {
   HeadSpec spec;
   spec.sculpt = {{"lower_lip", {0, -3, 2}, 20}};

@@ -33,6 +33,20 @@ TEST(head_track, has_its_keys_heads_exactly) {
   EXPECT_TRUE(sample_head(keys, 3).guide_shares.empty());
 }
 
+TEST(head_track, mixes_the_forms_of_two_persons) {
+  HeadSpec from = of_age("infant"), to = of_age("adult");
+  to.sculpt = {{"chin", {0, -3, 0}, 25}};
+  const std::vector<HeadKey> keys{key_at(0, from), key_at(2, to)};
+  const HeadSpec between = sample_head(keys, 0.5);
+  ASSERT_EQ(between.mix.size(), 2u);
+  EXPECT_EQ(between.mix[0].weight, 0.75);
+  EXPECT_EQ(between.mix[0].head.age, from.age);
+  EXPECT_EQ(between.mix[1].head.sculpt, to.sculpt);
+  EXPECT_TRUE(between.sculpt.empty()) << "it is in the form that is mixed";
+  EXPECT_NE(compute_head_key(between), compute_head_key(sample_head(keys, 1)));
+  EXPECT_EQ(compute_head_key(sample_head(keys, 2)), compute_head_key(to));
+}
+
 TEST(head_track, mixes_what_lies_between) {
   HeadSpec from = of_age("infant"), to = of_age("adult");
   from.features["nose_length"] = 0.4;

@@ -1,4 +1,4 @@
-#include "timeline/curves.hpp"
+#include "core/curves.hpp"
 
 #include <algorithm>
 #include <cmath>
