@@ -44,8 +44,17 @@ struct TakeOptions {
   std::optional<double> fps;             // --fps 59.94: of a file that does not say its rate
 };
 
+// What a line drawing shows.
+struct WireOptions {
+  bool is_on = false;       // --wire, for still: instead of a picture
+  bool has_cage = false;    // --cage: the control cage instead of the skin
+  bool has_guides = false;  // --guides: Loomis' guide lines
+  bool has_limits = false;  // --limits: how far each area may go
+};
+
 struct Options {
   std::string kind;            // the word before the file: what `list` lists, which sheet
+  std::filesystem::path other;  // the second FILE of `sheet compare`
   std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
   std::optional<std::filesystem::path>
       output;  // -o: a folder for render, frames and bust; a file for still and mesh
@@ -69,6 +78,7 @@ struct Options {
   FarmOptions farm;                           // for render
   VideoOptions video;                         // for render
   TakeOptions take;                           // for import
+  WireOptions wire;                           // for still and sheet wire
   std::optional<int> nice;                    // --nice, for render: as nice(1) has it
   std::optional<int> every;                   // --every N, for sheet contact: of so many drawings one
   std::optional<std::filesystem::path> landmarks;                   // --landmarks face.json, for mesh

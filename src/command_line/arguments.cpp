@@ -110,10 +110,17 @@ void find_wrong_words(const Typed& typed, std::vector<Diagnostic>& mistakes) {
   // What follows an unknown option may be its value: more words are no mistake of their own then.
   if (!typed.command || !typed.unknown.empty()) return;
   const std::string_view argument = typed.command->argument;
-  const std::size_t most = argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ');
+  const std::string_view of_two = typed.command->kind_of_two;
+  const bool needs_two = !of_two.empty() && !typed.words.empty() && typed.words.front() == of_two;
+  if (needs_two && typed.words.size() < 3)
+    return add(fmt::format("'mien {0} {1}' needs two FILEs, as in: mien {0} {1} anna.yaml@smile otto.yaml",
+                           typed.command->name, of_two));
+  const std::size_t most =
+      argument.empty() ? 0 : 1 + std::count(argument.begin(), argument.end(), ' ') + (needs_two ? 1 : 0);
   const std::size_t wanted = argument.starts_with('[') ? 0 : most;
-  const std::string_view alone = typed.command->kind_without_file;
-  const bool needs_no_file = !alone.empty() && !typed.words.empty() && typed.words.front() == alone;
+  const std::string alone = fmt::format(" {} ", typed.command->kinds_without_file);
+  const bool needs_no_file =
+      !typed.words.empty() && alone.find(fmt::format(" {} ", typed.words.front())) != alone.npos;
   if (typed.words.size() + (needs_no_file ? 1 : 0) < wanted) add(describe_missing_argument(*typed.command));
   for (std::size_t i = most; i < typed.words.size(); ++i)
     add(fmt::format("'{}' is one word too many for 'mien {}'", typed.words[i], typed.command->name));
@@ -147,6 +154,7 @@ Request read_arguments(int argc, const char* const* argv) {
     words.erase(words.begin());
   }
   if (!words.empty()) request.options.file = words.front();
+  if (words.size() > 1) request.options.other = words[1];
   return request;
 }
 

@@ -293,6 +293,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "preview") options.has_preview = true;
   if (name == "openscad") options.has_openscad = true;
   if (name == "half") options.is_half = true;
+  if (name == "wire") options.wire.is_on = true;
+  if (name == "cage") options.wire.has_cage = true;
+  if (name == "guides") options.wire.has_guides = true;
+  if (name == "limits") options.wire.has_limits = true;
   if (name == "exact") options.is_exact = true;
   if (name == "keep-scenes") options.has_scenes = true;
   if (name == "boomerang") options.video.is_boomerang = true;
@@ -303,7 +307,8 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "no-wait") options.farm.has_wait = false;
   if (name == "dry-run") options.farm.is_dry_run = true;
   for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "exact", "stl", "no-stl", "3mf",
-                           "preview", "openscad", "open", "read-only", "keep-scenes", "boomerang", "slate"})
+                           "preview", "openscad", "open", "read-only", "keep-scenes", "boomerang", "slate",
+                           "wire", "cage", "guides", "limits"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

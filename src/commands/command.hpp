@@ -23,7 +23,8 @@ struct CommandInfo {
   // (exit 130).
   void (*run)(const Options& options);
   std::vector<std::string> (*list_kinds)() = nullptr;  // what KIND may be
-  std::string_view kind_without_file = {};             // the KIND that needs no FILE
+  std::string_view kinds_without_file = {};            // each KIND that needs no FILE, with spaces between
+  std::string_view kind_of_two = {};                   // the KIND that needs two FILEs
 };
 
 }  // namespace mien

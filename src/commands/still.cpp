@@ -1,4 +1,6 @@
 // `mien still`.
+#include <fmt/format.h>
+
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
 #include "clip/scenes.hpp"
@@ -9,6 +11,7 @@
 #include "core/text.hpp"
 #include "render/process.hpp"
 #include "render/work_folder.hpp"
+#include "sheet/wire_sheet.hpp"
 
 namespace mien {
 
@@ -68,11 +71,32 @@ void write_sketch(const Options& options, const Clip& clip, const Cast& cast, co
   write_file(picture, build_png(sketched.picture));
 }
 
+void check_wire_options(const WireOptions& wire) {
+  for (const auto& [is_given, name] :
+       {std::pair(wire.has_cage, "cage"), {wire.has_guides, "guides"}, {wire.has_limits, "limits"}})
+    if (is_given && !wire.is_on)
+      throw InputError(fmt::format("--{} is of a line drawing; expected it with --wire", name));
+}
+
+void write_wire(const Options& options, Clip& clip, const Still& still, const Resources& resources,
+                std::vector<Held> held) {
+  const std::vector<std::filesystem::path> paths = list_wire_files(options, clip.spec, "still_wire");
+  clip.spec.render.style = Style::studio;  // ink's flat eyes are no solids
+  const Cast cast = build_cast(clip, resources.heads);
+  const Heads heads = build_heads(clip, cast, still.time_s, resources.heads);
+  report_still(options, clip, resources, std::move(held), list_still_held(heads, still));
+  write_papers(draw_wire_still(options, clip, cast, still, resources.heads), paths,
+               resources.stock.templates);
+  for (const std::filesystem::path& path : paths) report_result(options, "drawing", path);
+}
+
 void run_still(const Options& options) {
+  check_wire_options(options.wire);
   const Resources resources = load_resources(find_data_folder());
   Clip clip = open_clip(options, *resources.stock.language);
   std::vector<Held> held;
   const Still still = stage_still(options, clip, held);
+  if (options.wire.is_on) return write_wire(options, clip, still, resources, std::move(held));
   const OutputFile output =
       find_output_file(options, std::filesystem::path("out") / clip.spec.name /
                                     (is_sketch(clip.spec.render) ? "still_sketch.png" : "still.png"));
@@ -95,10 +119,12 @@ const CommandInfo command_still{"still",
                                 "Pictures",
                                 "FILE",
                                 "one picture, of a time or of an expression",
-                                "Renders one picture: the clip at a time, or the head with one expression.",
-                                "at express actor angle",
+                                "Renders one picture: the clip at a time, or the head with one expression. With "
+                                "--wire it is a\nline drawing, without hair, as .svg and as .png, or as -o ends.",
+                                "at express actor angle wire cage guides limits",
                                 "mien still configs/hello.yaml --at 1.2s -o face.png\n"
-                                "mien still configs/hello.yaml --express surprise --angle 30 -o face.png",
+                                "mien still configs/hello.yaml --express surprise --angle 30 -o face.png\n"
+                                "mien still configs/hello.yaml --wire --guides -o face.svg",
                                 run_still};
 
 }  // namespace mien

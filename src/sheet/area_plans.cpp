@@ -134,6 +134,14 @@ SheetTable build_limit_table(Area area) {
 
 }  // namespace
 
+std::vector<SheetMark> list_limit_marks() {
+  std::vector<SheetMark> marks;
+  for (const AreaInfo& area : kAreas)
+    for (SheetMark& mark : build_limit_cell(area).marks)
+      if (!mark.is_rest && mark.shape != MarkShape::level) marks.push_back(std::move(mark));
+  return marks;
+}
+
 SheetPlan plan_areas(const SheetSubject& subject, const HeadData&) {
   SheetPlan plan;
   plan.cell_px = {360, 300};

@@ -53,11 +53,12 @@ SheetPlan plan_views(const SheetSubject& subject, const HeadData&) {
     SheetCell cell{view.caption};
     cell.angle_deg = view.angle_deg;
     cell.framing.wide = kWide;
+    cell.pose = subject.pose;
     plan.blocks[0].cells.push_back(cell);
     cell.has_guides = cell.has_frame = true;
     plan.blocks[1].cells.push_back(cell);
   }
-  plan.blocks[0].heading = "From all sides";
+  plan.blocks[0].heading = subject.words.empty() ? "From all sides" : "From all sides: " + subject.words;
   plan.blocks[1].heading = "With its guide lines";
   return plan;
 }

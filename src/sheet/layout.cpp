@@ -1,13 +1,18 @@
 #include "sheet/layout.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
+#include "core/error.hpp"
 #include "sheet/table.hpp"
 
 namespace mien {
 
 namespace {
+
+constexpr int kMaxPage_px = 20000;  // a side; what holds the page in memory and reads it is sized for this
 
 // Lengths in hundredths of a cell's size (SheetRuler). Nearer than these the page looks crowded, farther it
 // falls apart into single pictures.
@@ -97,6 +102,20 @@ void append_title(const SheetPlan& plan, const std::string& title, int margin_px
 }
 
 }  // namespace
+
+std::string find_sheet_title(const Spec& spec) {
+  const std::string title = simplify_letters(spec.title);
+  return title.find_first_not_of(' ') == title.npos ? spec.name : title;
+}
+
+void check_sheet_page(const SheetLayout& layout) {
+  const auto [width, height] = std::pair(layout.plate.width_px, layout.plate.height_px);
+  if (std::max(width, height) > kMaxPage_px)
+    throw InputError(
+        fmt::format("--size: the sheet would have {}x{} pixels; expected cells so small that no "
+                    "side has more than {}",
+                    width, height, kMaxPage_px));
+}
 
 SheetLayout build_sheet_layout(const SheetPlan& plan, const std::string& title, std::pair<int, int> cell_px) {
   const Grid grid = build_grid(plan, cell_px);

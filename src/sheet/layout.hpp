@@ -20,6 +20,12 @@ struct SheetLayout {
   std::vector<SheetPlace> places;  // of each cell, block after block
 };
 
+// The file's title in letters that can be drawn, else its name.
+std::string find_sheet_title(const Spec& spec);
+
+// Throws InputError for a page that is too large, naming --size.
+void check_sheet_page(const SheetLayout& layout);
+
 // Pure. All sizes follow the cells' size; a block is as wide as the widest.
 SheetLayout build_sheet_layout(const SheetPlan& plan, const std::string& title, std::pair<int, int> cell_px);
 

@@ -30,5 +30,7 @@ SheetPlan plan_mouths(const SheetSubject& subject, const HeadData& data);
 // area_plans.cpp: each move of each area with arrows; the limits of the areas.
 SheetPlan plan_areas(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_limits(const SheetSubject& subject, const HeadData& data);
+// All that the sheet of limits draws where areas end, but for levels and words.
+std::vector<SheetMark> list_limit_marks();
 
 }  // namespace mien

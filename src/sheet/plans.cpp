@@ -56,13 +56,16 @@ std::string build_caption(std::string word) {
 std::vector<std::string> list_sheet_kinds() {
   std::vector<std::string> names;
   for (const SheetKind& kind : kKinds) names.emplace_back(kind.name);
+  names.insert(names.end(), {std::string(kWireSheet), std::string(kCompareSheet), std::string(kProofsSheet)});
   names.insert(names.end(), kClipSheets.begin(), kClipSheets.end());
   return names;
 }
 
+bool is_of_face(const std::string& kind) { return kind == "views" || kind == kWireSheet; }
+
 void check_sheet_kind(const std::string& kind) {
-  if (find_kind(kind)) return;
   const std::vector<std::string> names = list_sheet_kinds();
+  if (std::ranges::find(names, kind) != names.end()) return;
   const std::string near = find_nearest(kind, names);
   throw InputError(near.empty() ? fmt::format("unknown kind '{}'; expected {}", kind, join_kinds(names))
                                 : fmt::format("unknown kind '{}'; did you mean '{}'?", kind, near));
@@ -70,9 +73,10 @@ void check_sheet_kind(const std::string& kind) {
 
 SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject, const HeadData& data) {
   check_sheet_kind(kind);
-  const SheetKind& known = *find_kind(kind);
-  SheetPlan plan = known.plan(subject, data);
-  plan.subject = known.subject;
+  const SheetKind* known = find_kind(kind);
+  if (!known) throw RunError(fmt::format("internal: the sheet '{}' has no plan", kind));
+  SheetPlan plan = known->plan(subject, data);
+  plan.subject = known->subject;
   return plan;
 }
 

@@ -97,13 +97,20 @@ SheetPlan build_sheet_plan(const std::string& kind, const SheetSubject& subject,
 // Kinds that are made elsewhere (clip_sheets.hpp): suggested like the others.
 inline constexpr std::array<std::string_view, 3> kClipSheets{"strip", "exposure", "contact"};
 
+// Lines instead of pictures (wire_sheet.hpp), two faces (compare_sheet.hpp), a page that is read
+// (proofs_sheet.hpp).
+inline constexpr std::string_view kWireSheet = "wire", kCompareSheet = "compare", kProofsSheet = "proofs";
+
 // The one that needs no file.
 inline constexpr std::string_view kPeopleSheet = "people";
 
 // All kinds, those of the clip too.
 std::vector<std::string> list_sheet_kinds();
 
-// Throws InputError as build_sheet_plan does for a word that is no kind.
+// Whether it shows one face, which --express and --at may ask for.
+bool is_of_face(const std::string& kind);
+
+// Throws InputError as build_sheet_plan does for a word that is no kind, wherever it is made.
 void check_sheet_kind(const std::string& kind);
 
 }  // namespace mien

@@ -18,6 +18,7 @@
 #include "render/process.hpp"
 #include "render/progress.hpp"
 #include "render/work_folder.hpp"
+#include "sheet/asked_face.hpp"
 #include "sheet/cell_drawing.hpp"
 #include "sheet/layout.hpp"
 #include "sheet/plans.hpp"
@@ -29,7 +30,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr int kMaxPage_px = 20000;     // a side; what holds the page in memory and reads it is sized for this
 constexpr double kLargeTitle_px = 50;  // the captions' letters are half as large
 constexpr const char* kGround = "paper";  // templates/povray/background_paper.inc
 
@@ -40,21 +40,6 @@ fs::path find_sheet_path(const std::string& kind, const Options& options, const 
   check_ending(file, "picture", {".png"});
   check_output_files({file}, spec);
   return file.path;
-}
-
-// The file's title in letters that can be drawn, else its name.
-std::string find_title(const Spec& spec) {
-  const std::string title = simplify_letters(spec.title);
-  return title.find_first_not_of(' ') == title.npos ? spec.name : title;
-}
-
-void check_page(const SheetLayout& layout) {
-  const auto [width, height] = std::pair(layout.plate.width_px, layout.plate.height_px);
-  if (std::max(width, height) > kMaxPage_px)
-    throw InputError(
-        fmt::format("--size: the sheet would have {}x{} pixels; expected cells so small that no "
-                    "side has more than {}",
-                    width, height, kMaxPage_px));
 }
 
 std::vector<SheetCell*> list_cells(SheetPlan& plan) {
@@ -168,8 +153,16 @@ Pixels render_page(const SheetLayout& layout, const fs::path& work, const Templa
 
 }  // namespace
 
-std::filesystem::path write_sheet(const Options& options, const Resources& resources) {
-  const SheetSubject subject = load_sheet_subject(options, resources.stock);
+SheetFiles write_sheet(const Options& options, const Resources& resources) {
+  SheetSubject subject = load_sheet_subject(options, resources.stock);
+  SheetFiles files;
+  if (is_of_face(options.kind) && (options.express || options.at_s || options.at_frames)) {
+    const AskedFace face = find_asked_face(options, open_clip(options, *resources.stock.language), resources);
+    subject.spec.head = face.head;
+    subject.pose = face.pose;
+    subject.words = face.words;
+    files.held = face.held;
+  }
   const Spec& spec = subject.spec;
   const fs::path path = find_sheet_path(options.kind, options, spec);
   SheetPlan plan = build_sheet_plan(options.kind, subject, *resources.stock.head);
@@ -177,8 +170,8 @@ std::filesystem::path write_sheet(const Options& options, const Resources& resou
   render.background = kGround;
   const std::pair<int, int> cell_px = options.size_px.value_or(plan.cell_px);
   std::tie(render.width_px, render.height_px) = cell_px;
-  const std::string title = find_title(spec);
-  check_page(build_sheet_layout(plan, title, cell_px));
+  const std::string title = find_sheet_title(spec);
+  check_sheet_page(build_sheet_layout(plan, title, cell_px));
   require_programs({{"povray", "povray"}});
   check_heads(plan, options, resources.heads);
 
@@ -196,7 +189,8 @@ std::filesystem::path write_sheet(const Options& options, const Resources& resou
     paste_pixels(page, is_sketch(render) ? pictures[i] : read_pixels(find_cell_picture(work.path, i)),
                  layout.places[i].left_px, layout.places[i].top_px);
   write_file(path, build_png(page));
-  return path;
+  files.paths = {path};
+  return files;
 }
 
 }  // namespace mien

@@ -15,6 +15,8 @@ struct SheetSubject {
   std::map<std::string, std::string> sources;  // of the libraries: in one line, where each is from
   int seed = 1;                                // of the first head of `sheet people`
   SpeechDataPointer speech = {};               // of `sheet mouths`
+  Pose pose = {};                              // of a sheet of one face: what --express or --at asks for
+  std::string words = {};                      // that, in words; empty: at rest
 };
 
 // `options.file` is the word: a FILE if there is one or if it ends as files do, else a name. A library may

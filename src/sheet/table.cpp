@@ -9,12 +9,12 @@ namespace {
 
 // Hundredths of a cell's size.
 constexpr double kRow = 4.3, kTallRow = 13.5;
-constexpr double kWords = 2.85, kTallWords = 4.8, kSmallWords = 3.3;
+constexpr double kTableWords = 2.85, kTallWords = 4.8, kSmallWords = 3.3;
 constexpr double kAir = 4;  // below the table
 constexpr double kPen = 0.75;
-constexpr double kHairline = 0.15, kRule = 0.25;
+constexpr double kHairline = 0.15, kTableRule = 0.25;
 
-constexpr double kPale = 0.62, kHairlineStrength = 0.22;
+constexpr double kTablePale = 0.62, kHairlineStrength = 0.22;
 constexpr double kWordsLine = 0.7;        // of a row's height: where its words stand
 constexpr double kSmallWordsLine = 0.88;  // and those below strokes
 constexpr double kStrokesMiddle = 0.38;   // and where strokes have their middle
@@ -48,8 +48,8 @@ void append_table(const SheetTable& table, int left_px, int top_px, int width_px
   double top = top_px;
   const auto add_rule = [&](double y, bool is_strong) {
     plate.rules.push_back({static_cast<double>(left_px), y, static_cast<double>(width_px),
-                           static_cast<double>(ruler.px(is_strong ? kRule : kHairline)),
-                           is_strong ? kPale : kHairlineStrength});
+                           static_cast<double>(ruler.px(is_strong ? kTableRule : kHairline)),
+                           is_strong ? kTablePale : kHairlineStrength});
   };
   for (std::size_t row = 0; row < table.rows.size(); ++row) {
     const bool is_header = row == 0 && table.has_header;
@@ -60,11 +60,11 @@ void append_table(const SheetTable& table, int left_px, int top_px, int width_px
       const double width = share * width_px;
       const SheetField& field = table.rows[row].at(i);
       const bool is_small = table.is_tall && i > 0 && !is_header;
-      double size = is_small ? kSmallWords : table.is_tall && !is_header ? kTallWords : kWords;
+      double size = is_small ? kSmallWords : table.is_tall && !is_header ? kTallWords : kTableWords;
       if (is_header && table.is_tall) size = kSmallWords;
       const double line = is_small ? kSmallWordsLine : kWordsLine;
       plate.words.push_back({field.words, left + width * align, top + height * line, ruler.unit_px * size,
-                             align, width * kRoom, is_header || is_small ? kPale : 1});
+                             align, width * kRoom, is_header || is_small ? kTablePale : 1});
       const double middle_x = left + width / 2, middle_y = top + height * kStrokesMiddle,
                    half = kStrokes * height / 2;
       for (PlateLine stroke : field.strokes) {

@@ -155,9 +155,39 @@ TEST(arguments, give_sheet_a_kind_and_a_file) {
   EXPECT_EQ(read_mistakes({"sheet"}), needs);
   EXPECT_EQ(read_mistakes({"sheet", "views"}), needs);
   EXPECT_EQ(read({"sheet", "heads", "a.yaml", "--express", "sly"}).options.express, "sly");
-  EXPECT_EQ(run_mistaken({"sheet", "views", "a.yaml", "--express", "sly"}),
-            "--express says nothing to 'mien sheet views'; expected it with 'mien sheet heads'");
+  EXPECT_EQ(
+      run_mistaken({"sheet", "ages", "a.yaml", "--express", "sly"}),
+      "--express says nothing to 'mien sheet ages'; expected it with 'mien sheet heads', 'views' or 'wire'");
+  EXPECT_EQ(run_mistaken({"sheet", "heads", "a.yaml", "--at", "1s"}),
+            "--at says nothing to 'mien sheet heads'; expected it with 'mien sheet views' or 'wire'");
   EXPECT_EQ(read_mistakes({"sheet", "views", "a", "b"}), "'b' is one word too many for 'mien sheet'\n");
+}
+
+TEST(arguments, give_line_drawings_what_they_show) {
+  const Request request = read({"sheet", "wire", "a.yaml", "--cage", "--guides", "--express", "sly"});
+  EXPECT_EQ(request.options.kind, "wire");
+  EXPECT_TRUE(request.options.wire.has_cage && request.options.wire.has_guides);
+  EXPECT_FALSE(request.options.wire.has_limits || request.options.wire.is_on);
+  EXPECT_TRUE(read({"still", "a.yaml", "--wire", "--limits"}).options.wire.is_on);
+  EXPECT_EQ(run_mistaken({"sheet", "views", "a.yaml", "--guides"}),
+            "--guides says nothing to 'mien sheet views'; expected it with 'mien sheet wire'");
+  EXPECT_EQ(run_mistaken({"still", "a.yaml", "--cage"}),
+            "--cage is of a line drawing; expected it with --wire");
+}
+
+TEST(arguments, give_compare_two_files) {
+  const Request request = read({"sheet", "compare", "a.yaml@smile", "b.yaml@1.2s"});
+  EXPECT_EQ(request.options.file, "a.yaml@smile");
+  EXPECT_EQ(request.options.other, "b.yaml@1.2s");
+  const std::string needs =
+      "'mien sheet compare' needs two FILEs, as in: mien sheet compare anna.yaml@smile otto.yaml\n";
+  EXPECT_EQ(read_mistakes({"sheet", "compare"}), needs);
+  EXPECT_EQ(read_mistakes({"sheet", "compare", "a.yaml"}), needs);
+  EXPECT_EQ(read_mistakes({"sheet", "compare", "a", "b", "c"}),
+            "'c' is one word too many for 'mien sheet'\n");
+  EXPECT_EQ(run_mistaken({"sheet", "compare", "a", "b", "--express", "sly"}),
+            "--express says nothing to 'mien sheet compare'; expected it with 'mien sheet heads', 'views' or "
+            "'wire'");
 }
 
 TEST(arguments, give_people_a_seed_and_no_file) {

@@ -114,9 +114,11 @@ TEST(sheet, writes_nothing_if_its_words_are_wrong) {
     return run.err;
   };
   EXPECT_EQ(find_mistake("vews child.yaml"), "error: unknown kind 'vews'; did you mean 'views'?\n");
-  EXPECT_EQ(find_mistake("poster child.yaml"),
-            "error: unknown kind 'poster'; expected views, details, ages, skulls, features, expressions, "
-            "libraries, designs, heads, people, mouths, areas, limits, strip, exposure or contact\n");
+  EXPECT_EQ(
+      find_mistake("poster child.yaml"),
+      "error: unknown kind 'poster'; expected views, details, ages, skulls, features, expressions, "
+      "libraries, designs, heads, people, mouths, areas, limits, wire, compare, proofs, strip, exposure or "
+      "contact\n");
   EXPECT_EQ(find_mistake("views child.yaml -o a.jpg"),
             "error: -o a.jpg: unknown kind of picture '.jpg'; expected a name that ends in .png\n");
   EXPECT_EQ(
@@ -130,6 +132,49 @@ TEST(sheet, writes_nothing_if_its_words_are_wrong) {
   EXPECT_NE(find_mistake("skulls crossed.yaml").find("guide line"), std::string::npos);
   EXPECT_EQ(list_files(folder), (std::vector<std::string>{"child.yaml", "crossed.yaml"}));
   EXPECT_FALSE(std::filesystem::exists(folder / "out"));
+}
+
+TEST(sheet, wire_writes_lines_as_svg_and_as_png) {
+  const auto folder = make_folder("sheet_wire");
+  write_file(folder / "child.yaml", kChild);
+  ProgramRun run = run_shell(folder, "mien sheet wire child.yaml --size 200x240 --guides");
+  EXPECT_EQ(run.status, 0) << run.err;
+  const std::string svg = read_file(folder / "out/child/sheet_wire.svg");
+  EXPECT_NE(svg.find("<path fill=\"none\""), svg.npos);
+  EXPECT_NE(svg.find(">brow line</text>"), svg.npos);
+  const Pixels page = read_pixels(folder / "out/child/sheet_wire.png");
+  EXPECT_GT(page.size.width_px, 600);
+  // The same bytes again, whatever the threads.
+  run = run_shell(folder, "mien sheet wire child.yaml --size 200x240 --guides --jobs 5 -o again.svg");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(read_file(folder / "again.svg"), svg);
+  run = run_shell(folder, "mien sheet wire child.yaml --size 200x240 --express laugh -o laugh.svg");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(read_file(folder / "laugh.svg").find("Lines: laugh"), std::string::npos);
+  run = run_shell(folder, "mien still child.yaml --wire --cage --limits --size 200x240 -o cage.png");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_EQ(read_picture_size(folder / "cage.png").width_px, 200);
+  run = run_shell(folder, "mien still child.yaml --wire -o face.jpg");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(
+      run.err,
+      "error: -o face.jpg: unknown kind of line drawing '.jpg'; expected a name that ends in .svg or .png\n");
+}
+
+TEST(sheet, compare_tells_how_far_two_faces_are_apart) {
+  const auto folder = make_folder("sheet_compare");
+  write_file(folder / "child.yaml", kChild);
+  ProgramRun run =
+      run_shell(folder, "mien sheet compare child.yaml child.yaml@tezuka/laugh --size 120x140 -o two.png");
+  EXPECT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(read_picture_size(folder / "two.png").width_px, 480);
+  run = run_shell(folder, "mien sheet compare child.yaml child.yaml@smlie -o three.png");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_EQ(run.err, "error: child.yaml@smlie: unknown expression 'smlie'; did you mean 'smile'?\n");
+  run = run_shell(folder, "mien sheet compare child.yaml nobody.yaml@2s -o three.png");
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.err.find("nobody.yaml"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(folder / "three.png"));
 }
 
 }  // namespace
