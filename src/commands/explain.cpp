@@ -242,7 +242,7 @@ void run_explain(const Options& options) {
   const auto landmarks = find_landmarks(figure.head);
   sort_ledger(story.held);
   if (options.area)
-    std::erase_if(story.held, [&](const Held& held) { return !is_asked(kMoves[held.move], *options.area); });
+    std::erase_if(story.held, [&](const Held& held) { return !is_asked(kChannels[held.move], *options.area); });
   const auto rows = build_rows(story, limits, measure_pose(figure, landmarks, {}),
                                measure_pose(figure, landmarks, story.pose), options.area);
   if (options.is_json)

@@ -18,7 +18,8 @@ ExportNotes export_table(const ExportWork& work, const std::filesystem::path& pa
   for (int frame = work.first; frame <= work.last; ++frame) {
     const Pose pose = sample_performance(work.performance, work.compute_time_s(frame)).pose;
     text += format_number(work.compute_time_s(frame) - work.compute_time_s(work.first), kSecondsDecimals);
-    for (const double value : pose.values) text += "," + format_number(value, kValueDecimals);
+    for (std::size_t move = 0; move < kMoveCount; ++move)
+      text += "," + format_number(pose.values[move], kValueDecimals);
     text += "\n";
   }
   write_file(path, text);
