@@ -41,13 +41,6 @@ void measure_poses() {
   constexpr unsigned kSpoken = 2000;
   fmt::print("\nposes of speech: {} on each of {} heads\n", kSpoken, list_speech_heads().size());
   print_table(run_speech_sweep(1, kSpoken), list_speech_heads(), build_speech_pose);
-  constexpr unsigned kOfDoctrine = 600;
-  for (const std::string_view doctrine : {kMusclesKey, kCandideKey}) {
-    fmt::print("\nposes of {}: {} on each of {} heads\n", doctrine, kOfDoctrine,
-               list_doctrine_heads().size());
-    print_table(run_doctrine_sweep(doctrine, 1, kOfDoctrine), list_doctrine_heads(),
-                [&](unsigned seed) { return build_doctrine_pose(doctrine, seed); });
-  }
   std::fflush(stdout);
 }
 

@@ -162,6 +162,11 @@ Pose stiffen_pose(const Face& face, const Pose& pose);
 // neutral pose gives the neutral cage bit for bit. Values past their limits are stiffened.
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& pose, std::vector<glm::dvec3>& points);
 
+// The same before lips are kept from crossing: what fields, lids and jaw alone come to. A doctrine that knows
+// of no contact is measured by it.
+void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& pose,
+                    std::vector<glm::dvec3>& points);
+
 // Where an eyeball looks: a rotation about its centre.
 glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side);
 

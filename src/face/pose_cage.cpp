@@ -253,6 +253,11 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   points = head.cage.points;
   if (asked == Pose{}) return;
   const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
+namespace {
+
+// All but what keeps the lips apart.
+void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
+                 std::vector<glm::dvec3>& points) {
   for (const DrivenField& driven : face.fields)
     if (!driven.is_late) add_field(driven, pose, points);
   add_doctrines(head, face, pose, points);
@@ -270,6 +275,23 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
   stop_at_level(face, stops, points);
   match_lips(face, pose, stops, points);
+}
+
+}  // namespace
+
+void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& asked,
+                    std::vector<glm::dvec3>& points) {
+  points = head.cage.points;
+  if (asked != Pose{}) pose_freely(head, face, stiffen_pose(face, asked), points);
+}
+
+void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
+               std::vector<glm::dvec3>& points) {
+  points = head.cage.points;
+  if (asked == Pose{}) return;
+  const Pose pose = stiffen_pose(face, asked);
+  pose_freely(head, face, pose, points);
+  match_lips(face, pose, points);
   part_skin(face, points);
 }
 
