@@ -13,14 +13,14 @@ namespace mien {
 namespace {
 
 // What each doctrine's library calls them; the first stands for joy.
-constexpr std::array kFeelings{"smile", "anger", "surprise", "fear", "sadness", "disgust"};
+constexpr std::array kSixFeelings{"smile", "anger", "surprise", "fear", "sadness", "disgust"};
 
 struct DoctrineColumn {
   const char* library;
   const char* caption;
 };
-constexpr std::array kColumns{DoctrineColumn{"mien", "areas"}, DoctrineColumn{"muscles", "muscles"},
-                              DoctrineColumn{"candide", "candide"}, DoctrineColumn{"parke", "parke"}};
+constexpr std::array kDoctrineColumns{DoctrineColumn{"mien", "areas"}, DoctrineColumn{"muscles", "muscles"},
+                                      DoctrineColumn{"candide", "candide"}, DoctrineColumn{"parke", "parke"}};
 
 // The face from hairline to chin.
 SheetCell build_doctrine_cell(const std::string& caption, const Pose& pose) {
@@ -43,15 +43,15 @@ SheetPlan plan_doctrines(const SheetSubject& subject, const HeadData&) {
   table.rows.push_back({{"feeling"}, {"by"}, {"numbers"}});
   for (SheetField& heading : list_motion_headings("as areas")) table.rows[0].push_back(std::move(heading));
   table.motions.emplace_back();
-  for (const char* feeling : kFeelings) {
+  for (const char* feeling : kSixFeelings) {
     SheetBlock& block = plan.blocks.emplace_back();
-    block.heading = feeling == kFeelings.front() ? "joy" : feeling;
-    block.columns = kColumns.size();
+    block.heading = feeling == kSixFeelings.front() ? "joy" : feeling;
+    block.columns = kDoctrineColumns.size();
     const Pose& ours = find_expression(subject.spec, "mien/" + std::string(feeling)).pose;
-    for (const auto& [library, caption] : kColumns) {
+    for (const auto& [library, caption] : kDoctrineColumns) {
       const Expression& expression = find_expression(subject.spec, fmt::format("{}/{}", library, feeling));
       block.cells.push_back(build_doctrine_cell(caption, expression.pose));
-      table.rows.push_back({{library == kColumns.front().library ? block.heading : ""},
+      table.rows.push_back({{library == kDoctrineColumns.front().library ? block.heading : ""},
                             {caption},
                             {std::to_string(expression.numbers)}});
       for (SheetField& field : list_motion_fields()) table.rows.back().push_back(std::move(field));
