@@ -152,11 +152,12 @@ AreaValues load_areas(const YamlMapping& entries, LiveAreas* live) {
 
 std::size_t count_area_numbers(const YamlMapping& entries) {
   std::size_t count = 0;
-  for (const YamlEntry& entry : entries)
-    if (const bool is_doctrine =
-            entry.key == kMusclesKey || entry.key == kCandideKey || entry.key == kParkeKey;
-        is_doctrine || std::ranges::find(kAreaKeys, entry.key, &AreaKey::key) != kAreaKeys.end())
+  for (const YamlEntry& entry : entries) {
+    const bool is_of_face = entry.key == kMusclesKey || entry.key == kCandideKey || entry.key == kParkeKey ||
+                            std::ranges::find(kAreaKeys, entry.key, &AreaKey::key) != kAreaKeys.end();
+    if (is_of_face && find_node(entry.value).kind == NodeKind::mapping)
       count += load_free_mapping(entry.value, "").size();
+  }
   return count;
 }
 

@@ -225,7 +225,8 @@ void apply_cues(const CueStack& stack, Ticks time, FaceState& face) {
 
 void apply_cues(const CueStack& stack, Ticks time, const Moves& only, FaceState& face) {
   for (std::size_t layer = 0; layer < count_layers(stack); ++layer)
-    if (is_whole(only) || (only & stack.layer_moves[layer]).any()) apply_layer(stack, layer, time, only, face);
+    if (is_whole(only) || (only & stack.layer_moves[layer]).any())
+      apply_layer(stack, layer, time, only, face);
 }
 
 std::size_t count_layers(const CueStack& stack) { return stack.layer_begins.size() - 1; }

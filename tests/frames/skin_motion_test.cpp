@@ -25,7 +25,7 @@ TEST(skin_motion, is_where_an_area_moves_and_nowhere_else) {
   const SkinMotion brows = measure_motion(adult(), pose_of(Area::brow, "up", 1));
   EXPECT_GT(brows.mean_mm[0], 5);
   EXPECT_LT(brows.mean_mm[3], 0.2);
-  EXPECT_EQ(brows.mean_mm[4], 0);
+  EXPECT_LT(brows.mean_mm[4], 0.001);
   const SkinMotion jaw = measure_motion(adult(), pose_of(Area::chin, "down", 1));
   EXPECT_LT(jaw.mean_mm[0], 0.01);
   EXPECT_GT(jaw.mean_mm[4], 20);
