@@ -20,7 +20,7 @@ namespace mien {
 double compute_pull(const glm::dvec3& to_point, const glm::dvec3& to_skin, double half_rad, double start,
                     double end);
 
-// One of each muscle and unit that moves skin, in the order of the data. About 2 ms, and 40 ms for the units.
+// One of each muscle and unit that moves skin, in the order of the data.
 std::vector<DrivenField> build_muscle_fields(const NeutralHead& head);
 std::vector<DrivenField> build_unit_fields(const NeutralHead& head, const FaceUnits& units);
 

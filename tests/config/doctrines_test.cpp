@@ -10,7 +10,7 @@ namespace mien {
 namespace {
 
 Pose express(const std::string& words) {
-  return load_text("mien: 1\nexpressions: {probe: {" + words + "}}\n").expressions.front().pose;
+  return find_expression(load_text("mien: 1\nexpressions: {probe: {" + words + "}}\n"), "probe").pose;
 }
 
 double value_of(const Pose& pose, std::string_view key, Side side, std::string_view name) {
@@ -81,7 +81,7 @@ TEST(doctrines, choose_whose_expression_a_plain_name_is) {
   EXPECT_EQ(find_expression(load_text("mien: 1\ndoctrine: areas\n"), "smile").library, "mien");
   const Spec spec = load_text("mien: 1\ndoctrine: muscles\nclip: {keys: [{at: 0s, express: smile}]}\n");
   EXPECT_EQ(find_expression(spec, "smile").library, "muscles");
-  EXPECT_EQ(find_expression(spec, "sleepy").library, "mien");
+  EXPECT_EQ(find_expression(spec, "sleepy").library, "extras");
   EXPECT_TRUE(has_doctrine(spec.clip.keys.front().pose));
   const Spec own =
       load_text("mien: 1\nexpressions: {glad: {from: smile, doctrine: candide, strength: 0.5}}\n");
@@ -106,9 +106,10 @@ TEST(doctrines, tell_what_is_wrong_where_it_stands) {
     return all.substr(0, all.find('\n'));  // without the line itself
   };
   EXPECT_EQ(mistakes("mien: 1\nexpressions: {a: {muscles: {zygomatik_major: 1}}}\n"),
-            "test.yaml:2:29: error: unknown muscle 'zygomatik_major'; did you mean 'zygomatic_major'?");
+            "test.yaml:2:29: error: unknown muscle 'zygomatik_major' in 'expressions.a.muscles'; did you "
+            "mean 'zygomatic_major'?");
   EXPECT_EQ(mistakes("mien: 1\nexpressions: {a: {candide: {AU12: 1}}}\n"),
-            "test.yaml:2:29: error: unknown unit 'AU12'; did you mean 'AU10'?");
+            "test.yaml:2:29: error: unknown unit 'AU12' in 'expressions.a.candide'; did you mean 'AU10'?");
   EXPECT_EQ(mistakes("mien: 1\nexpressions: {a: {doctrine: muscles}}\n"),
             "test.yaml:2:29: error: 'doctrine' chooses nothing here; expected 'from' beside it");
   EXPECT_EQ(mistakes("mien: 1\ndoctrine: muskles\n"),
