@@ -248,11 +248,6 @@ Pose stiffen_pose(const Face& face, const Pose& pose) {
   return stiff;
 }
 
-void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
-               std::vector<glm::dvec3>& points) {
-  points = head.cage.points;
-  if (asked == Pose{}) return;
-  const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
 namespace {
 
 // All but what keeps the lips apart.
@@ -272,9 +267,6 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
   for (const DrivenField& driven : face.fields)
     if (driven.is_late) add_field(driven, pose, points);
   stop_under_nose(face, points);
-  const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
-  stop_at_level(face, stops, points);
-  match_lips(face, pose, stops, points);
 }
 
 }  // namespace
@@ -282,16 +274,19 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
 void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& asked,
                     std::vector<glm::dvec3>& points) {
   points = head.cage.points;
-  if (asked != Pose{}) pose_freely(head, face, stiffen_pose(face, asked), points);
+  if (asked != Pose{})
+    pose_freely(head, face, hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked))), points);
 }
 
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
                std::vector<glm::dvec3>& points) {
   points = head.cage.points;
   if (asked == Pose{}) return;
-  const Pose pose = stiffen_pose(face, asked);
+  const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
   pose_freely(head, face, pose, points);
-  match_lips(face, pose, points);
+  const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
+  stop_at_level(face, stops, points);
+  match_lips(face, pose, stops, points);
   part_skin(face, points);
 }
 
