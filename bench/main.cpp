@@ -20,6 +20,7 @@
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
+#include "doctrines.hpp"
 #include "frames/figure.hpp"
 #include "frames/ink.hpp"
 #include "frames/resources.hpp"
@@ -228,8 +229,8 @@ void measure_ratio(const fs::path& data, const fs::path& folder) {
 
 }  // namespace
 
-// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `sketches`, `timeline`, `busts` or
-// `poses` a part of it.
+// `mien_bench` measures all; `mien_bench heads`, `memory`, `ratio`, `sketches`, `timeline`, `busts`,
+// `poses` or `doctrines` a part of it.
 int main(int argc, char** argv) {
   try {
     const std::string part = argc > 1 ? argv[1] : "all";
@@ -250,6 +251,7 @@ int main(int argc, char** argv) {
           print_row);
     if (part == "all" || part == "busts") measure_busts(folder, MIEN_BINARY, print_row);
     if (part == "all" || part == "poses") measure_poses();
+    if (part == "all" || part == "doctrines") measure_doctrines();
     fs::remove_all(folder);
     return 0;
   } catch (const std::exception& e) {

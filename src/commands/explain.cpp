@@ -138,6 +138,13 @@ std::string describe_limit(const Row& row) {
   return fmt::format("{:.3g} deg, {:.1f} mm", row.limit->value, row.limit->mm);
 }
 
+// Muscles and units, which have no limit of the head's and no landmark of their own.
+void print_doctrines(const Pose& pose) {
+  for (std::size_t i = kMoveCount; i < kChannelCount; ++i)
+    if (pose.values[i] != 0)
+      fmt::print("{}: {:+.2f}, {}\n", name_move(i), pose.values[i], kChannels[i].meaning);
+}
+
 void print_story(const Story& story, const std::vector<Row>& rows) {
   fmt::print("{}\n", story.title);
   for (const MomentPart& part : story.parts) {
@@ -150,6 +157,9 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
   if (story.breath_mm > 0) fmt::print("  a breath has lifted the shoulders by {:.1f} mm\n", story.breath_mm);
   if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
   if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
+  if (has_doctrine(story.pose)) fmt::print("\n");
+  print_doctrines(story.pose);
+  if (rows.empty() && has_doctrine(story.pose)) return;
   if (rows.empty()) return fmt::print("\nnothing moves: every area is at rest\n");
   constexpr std::size_t kAreaWidth = kLongestAreaKey + 1;
   fmt::print("\n{:<{}}{:<7}{:>6}  {:<17}{:<13}{}\n", "area", kAreaWidth, "move", "value", "limit", "held",
@@ -242,7 +252,8 @@ void run_explain(const Options& options) {
   const auto landmarks = find_landmarks(figure.head);
   sort_ledger(story.held);
   if (options.area)
-    std::erase_if(story.held, [&](const Held& held) { return !is_asked(kMoves[held.move], *options.area); });
+    std::erase_if(story.held,
+                  [&](const Held& held) { return !is_asked(kChannels[held.move], *options.area); });
   const auto rows = build_rows(story, limits, measure_pose(figure, landmarks, {}),
                                measure_pose(figure, landmarks, story.pose), options.area);
   if (options.is_json)

@@ -11,6 +11,7 @@
 #include "config/findings.hpp"
 #include "config/head_parts.hpp"
 #include "config/language.hpp"
+#include "config/parke.hpp"
 #include "config/words.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
@@ -93,13 +94,32 @@ Rows list_areas(const fs::path&) {
   return rows;
 }
 
+// Muscles, units and parameters, by the keys that they stand under.
+Rows list_doctrines(const fs::path&) {
+  Rows rows;
+  const auto add = [&](std::string_view key, const std::string& name, double low, double high,
+                       std::string_view meaning) {
+    rows.emplace_back(fmt::format("{}: {{{}: {}..{}}}", key, name, low, high), meaning);
+  };
+  const auto add_all = [&](std::string_view key, const auto& channels) {
+    for (const ChannelRow& row : channels)
+      add(key, row.alias.empty() ? std::string(row.name) : fmt::format("{} or {}", row.name, row.alias),
+          row.low, row.high, row.meaning);
+  };
+  add_all(kMusclesKey, kMuscleRows);
+  add_all(kCandideKey, kUnitRows);
+  for (const ParkeRow& row : kParkeRows)
+    add(kParkeKey, std::string(row.name), row.low, row.high, row.meaning);
+  return rows;
+}
+
 Rows list_expressions(const fs::path& data) {
   const LanguagePointer language = load_language(data);
   Rows rows;
   for (const Expression& expression : language->libraries.expressions) {
     std::string areas;
-    for (std::size_t i = 0; i < kMoveCount; ++i) {
-      const std::string area(kMoves[i].area);
+    for (std::size_t i = 0; i < kChannelCount; ++i) {
+      const std::string area(kChannels[i].area);
       if (expression.pose.values[i] != 0 && areas.find(area) == areas.npos)
         areas += (areas.empty() ? "" : ", ") + area;
     }
@@ -220,6 +240,7 @@ constexpr std::array kKinds{
     Kind{"hair", list_hair},
     Kind{"looks", list_looks},
     Kind{"areas", list_areas},
+    Kind{"doctrines", list_doctrines},
     Kind{"limits", list_limits_of_adult},
     Kind{"expressions", list_expressions},
     Kind{"landmarks", list_landmarks},
@@ -263,8 +284,9 @@ const CommandInfo command_list{
     "The file",
     "KIND",
     "the words of the language",
-    "Lists one kind of word: ages, skulls, designs, guides, features, hair, looks, areas, limits,\n"
-    "expressions, landmarks or qualities; people tells how far random heads differ and what of them goes "
+    "Lists one kind of word: ages, skulls, designs, guides, features, hair, looks, areas,\n"
+    "doctrines, limits, expressions, landmarks or qualities; people tells how far random heads differ and "
+    "what of them goes "
     "together.",
     "",
     "mien list expressions\nmien list areas --json",

@@ -13,7 +13,7 @@ namespace mien {
 namespace {
 
 std::string name_side(const HeldNote& note) {
-  const MoveInfo& info = kMoves[note.held.move];
+  const MoveInfo& info = kChannels[note.held.move];
   if (info.side == Side::none) return "none";
   if (note.name.starts_with(fmt::format("{}.", find_area(info.of).plural))) return "both";
   return info.side == Side::left ? "left" : "right";
@@ -73,9 +73,9 @@ std::string format_json(const HeldNote& note) {
                                               {"file", held.place.file},
                                               {"line", held.place.line},
                                               {"column", held.place.column},
-                                              {"area", kMoves[held.move].area},
+                                              {"area", kChannels[held.move].area},
                                               {"side", name_side(note)},
-                                              {"move", kMoves[held.move].move},
+                                              {"move", kChannels[held.move].move},
                                               {"asked", round_to(held.asked, 6)},
                                               {"held", round_to(held.held, 6)},
                                               {"by", held.by},

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "config/area_info.hpp"
+#include "config/doctrines.hpp"
 #include "core/error.hpp"
 
 namespace mien {
@@ -260,6 +261,49 @@ inline constexpr std::array<MoveInfo, kMoveCount> kMoves = [] {
   return moves;
 }();
 
+// All numbers of a pose: the moves of the areas, then the muscles and the units of doctrines.hpp, of a pair
+// the left one first.
+inline constexpr std::size_t kFirstMuscle = kMoveCount, kFirstUnit = kFirstMuscle + kMuscleCount;
+inline constexpr std::size_t kChannelCount = kFirstUnit + kUnitCount;
+
+inline constexpr std::array<MoveInfo, kChannelCount> kChannels = [] {
+  std::array<MoveInfo, kChannelCount> channels{};
+  std::ranges::copy(kMoves, channels.begin());
+  std::size_t at = kMoveCount;
+  const auto add = [&](std::string_view key, const ChannelRow& row, Side side) {
+    MoveInfo& info = channels[at++];
+    info = {key, side, row.name, row.low, row.high, row.meaning, row.of, {"full", "", row.stop}, {}, "", ""};
+    info.is_beyond = true;
+    if (row.low < 0) info.minus = {"reverse", "", row.stop};
+  };
+  const auto add_all = [&](std::string_view key, const auto& rows) {
+    for (const ChannelRow& row : rows) {
+      add(key, row, row.is_sided ? Side::left : Side::none);
+      if (row.is_sided) add(key, row, Side::right);
+    }
+  };
+  add_all(kMusclesKey, kMuscleRows);
+  add_all(kCandideKey, kUnitRows);
+  return channels;
+}();
+
+constexpr bool is_area_move(std::size_t channel) { return channel < kMoveCount; }
+
+// The index in kChannels of a muscle or a unit; empty if there is none such.
+constexpr std::optional<std::size_t> find_channel(std::string_view key, Side side, std::string_view name) {
+  for (std::size_t i = kMoveCount; i < kChannelCount; ++i)
+    if (kChannels[i].area == key && kChannels[i].side == side && kChannels[i].move == name) return i;
+  return std::nullopt;
+}
+
+// The same on the other side; itself without sides.
+constexpr std::size_t find_twin(std::size_t channel) {
+  const MoveInfo& info = kChannels[channel];
+  for (std::size_t i = 0; i < kChannelCount; ++i)
+    if (i != channel && kChannels[i].area == info.area && kChannels[i].move == info.move) return i;
+  return channel;
+}
+
 // Whether an area is none of Tezuka's nine.
 constexpr bool is_beyond(const AreaInfo& area) {
   return std::ranges::all_of(kMovesOfOneSide,
@@ -281,7 +325,8 @@ constexpr std::string_view find_area_key(const AreaInfo& area, Side side) {
   return side == Side::none ? area.name : side == Side::left ? area.left_key : area.right_key;
 }
 constexpr std::string_view find_area_key(const MoveInfo& info) {
-  return find_area_key(find_area(info.of), info.side);
+  const AreaInfo& area = find_area(info.of);
+  return info.area == area.name ? find_area_key(area, info.side) : info.area;  // "muscles"
 }
 
 // Which area keys the language knows, singular and plural: "brows" sets both sides, "brow.left" one.
@@ -332,17 +377,23 @@ constexpr std::string_view find_part_key(std::size_t part) {
   return area.has_sides() ? area.plural : area.name;
 }
 
-// All areas' values at one moment, indexed as kMoves.
+// All values at one moment, indexed as kChannels: those of the areas first, as kMoves.
 struct Pose {
-  std::array<double, kMoveCount> values{};
+  std::array<double, kChannelCount> values{};
 
   bool operator==(const Pose&) const = default;
 };
 
+// Whether any muscle or unit is not at rest.
+inline bool has_doctrine(const Pose& pose) {
+  return std::ranges::any_of(pose.values.begin() + kMoveCount, pose.values.end(),
+                             [](double value) { return value != 0; });
+}
+
 // What an author set: a value where the author wrote one, nothing elsewhere. A sided key has overridden a
 // plural one already, whatever their order in the file.
 struct AreaValues {
-  std::array<std::optional<double>, kMoveCount> values{};
+  std::array<std::optional<double>, kChannelCount> values{};
   std::map<std::size_t, Place> places;  // of the values past their limits
 };
 

@@ -167,7 +167,7 @@ struct CueSpec {
   Rule rule = Rule::over;
   bool has_lead = true;  // comes and goes area by area, as the clip's `lead` says
   double amount = 1;     // how much of it there is when it is all there
-  std::bitset<kMoveCount> owns;
+  std::bitset<kChannelCount> owns;
   PoseKey what;  // its time is not looked at
   std::shared_ptr<const ClipSpec> script = {};
   bool is_repeated = false;                     // begins anew whenever its length is over

@@ -31,9 +31,9 @@ std::vector<DataWord> list_looks(const std::vector<LookWord>& looks) {
 std::string describe_expression(const Expression& expression) {
   std::string areas;
   std::set<std::string_view> told;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    if (expression.pose.values[i] != 0 && told.insert(kMoves[i].area).second)
-      areas += fmt::format("{}{}", areas.empty() ? "" : ", ", kMoves[i].area);
+  for (std::size_t i = 0; i < kChannelCount; ++i)
+    if (expression.pose.values[i] != 0 && told.insert(kChannels[i].area).second)
+      areas += fmt::format("{}{}", areas.empty() ? "" : ", ", kChannels[i].area);
   return fmt::format("Of {}: {}; comes in {:.3g}s.", expression.library,
                      areas.empty() ? "all at rest" : "moves " + areas, expression.attack_s);
 }

@@ -127,6 +127,9 @@ ExpressionBook load_book(const YamlValue& root, const Language& language) {
   const YamlMapping file = load_section(root, find_sections().file);
   if (const YamlValue* library = find_value(file, "library"))
     load_name(*library, "library", book.libraries, book.library);
+  else if (const YamlValue* doctrine = find_value(file, "doctrine"))
+    if (std::string word; load_name(*doctrine, "doctrine", kDoctrines, word) && word != kDoctrines.front())
+      book.library = word;
   load_exaggerate(file, book.exaggerate);
   if (const YamlValue* expressions = find_value(file, "expressions")) {
     std::vector<ExpressionDraft> drafts;

@@ -41,6 +41,8 @@ std::optional<std::size_t> find_base(const ExpressionDraft& draft, const Express
   if (!draft.from) return std::nullopt;
   const std::string& name = find_node(*draft.from).text;
   const std::string& library = book.expressions[draft.expression].library;
+  if (!draft.doctrine.empty() && name.find('/') == std::string::npos)
+    if (const auto own = find_expression(book, draft.doctrine + "/" + name)) return own;
   const auto base = find_expression(book, name, library);
   if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book, library);
   return base;
@@ -51,7 +53,7 @@ std::shared_ptr<const Manner> build_manner(const ExpressionDraft& draft,
                                            const std::shared_ptr<const Manner>& base) {
   Manner manner = base ? *base : Manner{};
   bool is_plain = base == nullptr;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     is_plain = is_plain && !draft.dominance[i] && !draft.growth[i];
     manner.dominance[i] = draft.dominance[i].value_or(manner.dominance[i]);
     manner.growth[i] = draft.growth[i].value_or(manner.growth[i]);
@@ -154,6 +156,11 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
       if (find_value(body, "from") == nullptr)
         add_mistake(*strength, "'strength' weakens nothing here; expected 'from' beside it");
     }
+    if (const YamlValue* doctrine = find_value(body, "doctrine")) {
+      load_name(*doctrine, "doctrine", kDoctrines, draft.doctrine);
+      if (find_value(body, "from") == nullptr)
+        add_mistake(*doctrine, "'doctrine' chooses nothing here; expected 'from' beside it");
+    }
     load_exaggerate(body, draft.exaggerate);
     if (const YamlValue* attack = find_value(body, "attack"))
       if (double attack_s = 0; load_seconds(*attack, attack_s)) draft.attack_s = attack_s;
@@ -161,6 +168,7 @@ void load_drafts(const YamlValue& value, const std::string& library, ExpressionB
       draft.dominance = load_area_numbers(*dominance);
     if (const YamlValue* growth = find_value(body, "growth")) draft.growth = load_area_numbers(*growth);
     draft.areas = load_areas(body);
+    draft.numbers = count_area_numbers(body);
     drafts.push_back(std::move(draft));
   }
 }
@@ -204,6 +212,7 @@ void build_drafts(const std::vector<ExpressionDraft>& drafts, ExpressionBook& bo
       expression.pose = held.pose;
       expression.reach = held.reach;
       expression.held = std::move(held.held);
+      expression.numbers = link.base.numbers + draft.numbers;
       expression.attack_s = draft.attack_s.value_or(link.base.attack_s);
       expression.manner = build_manner(draft, link.base.manner);
       states[link.draft] = State::done;

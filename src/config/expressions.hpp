@@ -44,11 +44,13 @@ std::string describe_unknown_expression(const ExpressionBook& book, const std::s
 struct ExpressionDraft {
   std::size_t expression = 0;     // index in the book
   std::optional<YamlValue> from;  // the name it starts from
+  std::string doctrine;           // whose: its library is looked through first; empty: as the file has it
   double strength = 1;            // of what it starts from
   double exaggerate = 1;
   AreaValues areas;
   std::optional<double> attack_s;  // empty: that of what it starts from
   AreaNumbers dominance, growth;   // where they are empty, those of what it starts from
+  std::size_t numbers = 0;         // of areas, muscles, units and parameters that it says
 };
 
 // Reads `expressions:` into the book and its drafts; `library` is empty for a file's own. The document must

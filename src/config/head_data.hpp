@@ -6,6 +6,7 @@
 
 #include "config/area_data.hpp"
 #include "config/design_data.hpp"
+#include "config/doctrine_data.hpp"
 #include "config/fold_data.hpp"
 #include "config/hair_data.hpp"
 #include "config/half_head.hpp"
@@ -24,6 +25,7 @@ struct HeadData {
   HairData hair;
   LandmarkData landmarks;
   AreaData areas;
+  DoctrineData doctrines;
   FoldData folds;
   HeadWords words;  // those of the language, which scans and looks need too
 };

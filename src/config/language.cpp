@@ -25,6 +25,9 @@ std::vector<const Section*> list_sections() {
   for (const auto* moves : {&all.moves, &all.live_moves})
     for (const Section& section : *moves) list.push_back(&section);
   for (const Section* section :
+       {&all.muscles, &all.live_muscles, &all.candide, &all.live_candide, &all.parke})
+    list.push_back(section);
+  for (const Section* section :
        {&all.expression,     &all.dominance,   &all.growth,   &all.clip,        &all.pose_key,
         &all.release,        &all.camera_key,  &all.turn_key, &all.head_key,    &all.light_key,
         &all.background_key, &all.draw_change, &all.input,    &all.input_point, &all.lead,

@@ -6,6 +6,7 @@
 #include "config/areas.hpp"
 #include "config/language_forms.hpp"
 #include "config/ledger.hpp"
+#include "config/parke.hpp"
 #include "config/spec.hpp"
 
 namespace mien {
@@ -55,6 +56,53 @@ std::vector<Key> build_area_keys(const std::array<Section, kAreas.size()>& moves
   return keys;
 }
 
+// Muscles or units by their names; those of a pair by both or by one.
+template <std::size_t Count>
+void fill_channels(const std::array<ChannelRow, Count>& rows, std::string name, std::string what,
+                   bool is_live, Section& section) {
+  section.name = (is_live ? "live_" : "") + name;
+  section.help = what + (is_live ? " Each may be a formula of t, in quotes." : "");
+  section.noun = name == kMusclesKey ? "muscle" : "unit";
+  section.expected = fmt::format("{}s such as {{{}: 0.5}}", section.noun, rows[0].name);
+  const auto add = [&](std::string key, const ChannelRow& row, std::string help) {
+    Forms forms{as_number(kMaxExaggerate * row.low, kMaxExaggerate * row.high, "times its limit")};
+    if (is_live) forms.push_back(as_formula());
+    section.keys.push_back({std::move(key), std::move(forms), std::move(help)});
+  };
+  for (const ChannelRow& row : rows)
+    for (const std::string_view called : {row.name, row.alias}) {
+      if (called.empty()) continue;
+      const bool is_alias = called == row.alias;
+      add(std::string(called), row,
+          is_alias ? fmt::format("The same as {}.", row.name) : begin_great(row.meaning));
+      if (!row.is_sided) continue;
+      for (const char* side : {"left", "right"})
+        add(fmt::format("{}.{}", called, side), row, fmt::format("The character's own {} one.", side));
+    }
+}
+
+void fill_parke(Section& section) {
+  section.name = kParkeKey;
+  section.help =
+      "Parke's expression parameters (1982), in moves of our areas; what they move is set where no area says "
+      "otherwise.";
+  section.noun = "parameter";
+  section.expected = "parameters such as {jaw_rotation: 0.5}";
+  for (const ParkeRow& row : kParkeRows)
+    section.keys.push_back(
+        {std::string(row.name), {as_number(row.low, row.high, "times its limit")}, begin_great(row.meaning)});
+}
+
+std::vector<Key> build_doctrine_keys(const Sections& all, bool is_live) {
+  return {{std::string(kMusclesKey),
+           {as_section(is_live ? all.live_muscles : all.muscles)},
+           "Muscles after Waters, beside the areas."},
+          {std::string(kCandideKey),
+           {as_section(is_live ? all.live_candide : all.candide)},
+           "Animation units of CANDIDE-3, beside the areas."},
+          {std::string(kParkeKey), {as_section(all.parke)}, "Parke's parameters, in place of areas."}};
+}
+
 void fill_areas(const std::array<Section, kAreas.size()>& moves, bool is_live, Section& areas) {
   areas.name = is_live ? "live_areas" : "areas";
   areas.help = is_live ? "Areas of the face, set on top of the expression." : "Areas of the face.";
@@ -81,6 +129,18 @@ void fill_face_sections(Sections& all) {
   }
   fill_areas(all.moves, false, all.areas);
   fill_areas(all.live_moves, true, all.live_areas);
+  for (const bool is_live : {false, true}) {
+    fill_channels(kMuscleRows, std::string(kMusclesKey),
+                  "Muscles after Waters (1987): 1 is contracted as far as a muscle is.", is_live,
+                  is_live ? all.live_muscles : all.muscles);
+    fill_channels(kUnitRows, std::string(kCandideKey),
+                  "Animation units of CANDIDE-3: 1 is its file's full activation.", is_live,
+                  is_live ? all.live_candide : all.candide);
+  }
+  fill_parke(all.parke);
+  for (const bool is_live : {false, true})
+    for (Key& key : build_doctrine_keys(all, is_live))
+      (is_live ? all.live_areas : all.areas).keys.push_back(std::move(key));
   fill_numbers("dominance",
                "How much each area has to say where another expression wants the opposite, in a mix.", 0,
                kMaxDominance, all.dominance);
@@ -97,6 +157,9 @@ void fill_face_sections(Sections& all) {
        {as_tag(build_asked_expression_pattern(), "expressions")},
        "The expression to start from.",
        "neutral"},
+      {"doctrine",
+       {as_word("doctrine", kDoctrineWords)},
+       "Whose expression of that name, instead of the file's: `muscles` is `muscles/smile` for `smile`."},
       build_strength_key("How much of what it starts from.", false),
       build_exaggerate_key("How far past their limits its areas may go: every value times this."),
       {"attack",
@@ -106,7 +169,9 @@ void fill_face_sections(Sections& all) {
       {"dominance", {as_section(all.dominance)}, all.dominance.help},
       {"growth", {as_section(all.growth)}, all.growth.help}};
   for (Key& key : build_area_keys(all.moves)) expression.keys.push_back(std::move(key));
-  expression.rules = {{KeyRule::Kind::needs, {"strength", "from"}}};
+  for (Key& key : build_doctrine_keys(all, false)) expression.keys.push_back(std::move(key));
+  expression.rules = {{KeyRule::Kind::needs, {"strength", "from"}},
+                      {KeyRule::Kind::needs, {"doctrine", "from"}}};
 }
 
 }  // namespace mien

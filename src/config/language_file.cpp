@@ -169,6 +169,10 @@ void fill_file(Sections& all) {
        {as_data_word("library", "libraries")},
        "Where a plain expression name is looked up after the file's own; then in mien, mouths and extras.",
        Spec{}.library},
+      {"doctrine",
+       {as_word("doctrine", kDoctrineWords)},
+       "Who moves the skin: a plain expression name is that doctrine's, as if it stood under `library`.",
+       std::string(kDoctrineWords[0].name)},
       build_exaggerate_key(
           "How far past their limits the areas may go, of every key and bust that says none of "
           "its own: every value times this, with the limits lifted as much. 1.5 reads well, 2 is "
@@ -192,7 +196,7 @@ void fill_file(Sections& all) {
   for (const Key& key : all.clip.keys)
     if (std::ranges::find(kSharedClipKeys, key.name) == kSharedClipKeys.end())
       together.keys.push_back("clip." + key.name);
-  file.rules = {together};
+  file.rules = {together, {KeyRule::Kind::apart, {"doctrine", "library"}}};
 
   Section& library = all.library_file;
   library.name = "library_file";

@@ -41,7 +41,7 @@ void append_held(const ClipSpec& clip, std::vector<Held>& ledger) {
 bool Held::operator==(const Held& other) const { return key_of(*this) == key_of(other); }
 
 std::string_view find_stop(std::size_t move, double sign) {
-  return sign > 0 ? kMoves[move].plus.stop : kMoves[move].minus.stop;
+  return sign > 0 ? kChannels[move].plus.stop : kChannels[move].minus.stop;
 }
 
 void sort_ledger(std::vector<Held>& ledger) {
@@ -63,7 +63,12 @@ std::vector<Held> list_held(const Spec& spec) {
 }
 
 std::string name_move(std::size_t move, bool is_both) {
-  const MoveInfo& info = kMoves[move];
+  const MoveInfo& info = kChannels[move];
+  if (!is_area_move(move))
+    return fmt::format("{}.{}{}", info.area, info.move,
+                       is_both || info.side == Side::none ? ""
+                       : info.side == Side::left          ? ".left"
+                                                          : ".right");
   const bool is_plural = is_both && info.side != Side::none;
   return fmt::format("{}.{}", is_plural ? find_area(info.of).plural : find_area_key(info), info.move);
 }
@@ -73,11 +78,11 @@ std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {
   std::vector<bool> is_reported(ledger.size(), false);
   for (std::size_t i = 0; i < ledger.size(); ++i) {
     if (is_reported[i]) continue;
-    const MoveInfo& info = kMoves[ledger[i].move];
+    const MoveInfo& info = kChannels[ledger[i].move];
     bool is_both = false;
     if (info.side == Side::left) {
       Held other = ledger[i];
-      other.move = *find_move(info.area, Side::right, info.move);
+      other.move = find_twin(ledger[i].move);
       const auto twin = std::ranges::find(ledger, other);
       is_both = twin != ledger.end();
       if (is_both) is_reported[static_cast<std::size_t>(twin - ledger.begin())] = true;

@@ -12,15 +12,15 @@ namespace {
 
 // One move of an area alone, as laws are: what evaluate_pose comes to, in a tenth of the time. Both sides may
 // have one formula.
-void evaluate_law(const LivePose& live, double time_s, const std::bitset<kMoveCount>& only,
-                  std::array<double, kMoveCount>& into) {
+void evaluate_law(const LivePose& live, double time_s, const std::bitset<kChannelCount>& only,
+                  std::array<double, kChannelCount>& into) {
   const Formula* known = nullptr;
   double number = 0;
   for (const LivePose::Value& value : live.values) {
     if (!only[value.move]) continue;
     if (value.formula.get() != known) number = evaluate_held(*value.formula, time_s);
     known = value.formula.get();
-    const MoveInfo& info = kMoves[value.move];
+    const MoveInfo& info = kChannels[value.move];
     into[value.move] = std::clamp(std::clamp(number, value.low, value.high), info.low, info.high);
   }
 }
@@ -39,7 +39,7 @@ HeldPose evaluate_pose(const LivePose& live, double time_s) {
   const double strength = std::clamp(evaluate(live.strength, time_s), 0.0, 1.0);
   PoseAsk ask{mix_poses(shares, strength), live.reach, strength, live.areas, live.exaggerate};
   for (const LivePose::Value& value : live.values) {
-    const MoveInfo& info = kMoves[value.move];
+    const MoveInfo& info = kChannels[value.move];
     const double number = std::clamp(evaluate_held(*value.formula, time_s), value.low, value.high);
     ask.areas.values[value.move] = number;
     ask.areas.places.erase(value.move);
@@ -48,8 +48,8 @@ HeldPose evaluate_pose(const LivePose& live, double time_s) {
   return hold_pose(ask);
 }
 
-double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kMoveCount>& only,
-                     std::array<double, kMoveCount>& into) {
+double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kChannelCount>& only,
+                     std::array<double, kChannelCount>& into) {
   if (is_law(live)) {
     evaluate_law(live, time_s, only, into);
     return 1;
@@ -61,7 +61,7 @@ double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kMov
 
 bool can_be_held(const LivePose& live) {
   return !is_law(live) || std::ranges::any_of(live.values, [](const LivePose::Value& value) {
-    return value.low < kMoves[value.move].low || value.high > kMoves[value.move].high;
+    return value.low < kChannels[value.move].low || value.high > kChannels[value.move].high;
   });
 }
 

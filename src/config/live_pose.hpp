@@ -43,8 +43,8 @@ struct LivePose {
 HeldPose evaluate_pose(const LivePose& live, double time_s);
 
 // The same without a ledger, of some moves; the others mean nothing. Returns its reach.
-double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kMoveCount>& only,
-                     std::array<double, kMoveCount>& into);
+double evaluate_pose(const LivePose& live, double time_s, const std::bitset<kChannelCount>& only,
+                     std::array<double, kChannelCount>& into);
 
 // Whether a limit may ever hold it: never a law, which is held within its own range before.
 bool can_be_held(const LivePose& live);

@@ -23,8 +23,11 @@ AreaValues load_areas(const YamlValue& value, LiveAreas* live = nullptr);
 // The area keys among the entries; others are passed over. A sided key overrides a plural one.
 AreaValues load_areas(const YamlMapping& entries, LiveAreas* live = nullptr);
 
+// How many numbers these entries say: of areas, muscles, units and parameters.
+std::size_t count_area_numbers(const YamlMapping& entries);
+
 // One number for each move, where the author wrote one.
-using AreaNumbers = std::array<std::optional<double>, kMoveCount>;
+using AreaNumbers = std::array<std::optional<double>, kChannelCount>;
 
 // `{brows: 2, corner.left: 0.5}`: one number for all moves of an area. A sided key overrides a plural one.
 AreaNumbers load_area_numbers(const YamlValue& value);

@@ -18,17 +18,18 @@ constexpr double kScriptAttack_s = 0.15, kScriptRelease_s = 0.25;
 
 constexpr std::size_t kMaxCues = 5000;  // of a clip: half a minute of reading and sorting
 
-using Moves = std::bitset<kMoveCount>;
+using Moves = std::bitset<kChannelCount>;
 
 Moves find_area_moves(std::size_t move) {
   Moves moves;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    moves[i] = kMoves[i].area == kMoves[move].area && kMoves[i].side == kMoves[move].side;
+  for (std::size_t i = 0; i < kChannelCount; ++i)
+    moves[i] = kChannels[i].area == kChannels[move].area && kChannels[i].of == kChannels[move].of &&
+               kChannels[i].side == kChannels[move].side;
   return moves;
 }
 
 void own_moved(const Pose& pose, Moves& owns) {
-  for (std::size_t i = 0; i < kMoveCount; ++i)
+  for (std::size_t i = 0; i < kChannelCount; ++i)
     if (pose.values[i] != 0) owns |= find_area_moves(i);
 }
 
@@ -75,14 +76,16 @@ void load_expression(const YamlMapping& entries, const YamlValue& item, const Cl
     for (const AreaKey& key : kAreaKeys)
       if (find_value(named, key.key) != nullptr)
         for (const std::size_t move : list_moves_of(key)) cue.owns.set(move);
+    for (const std::string_view doctrine : {kMusclesKey, kCandideKey, kParkeKey})
+      if (find_value(named, doctrine) != nullptr) own_moved(cue.what, cue.owns);
   }
   if (express != nullptr) own_moved(cue.what, cue.owns);
   // Back to rest: of all that the others of its library move, and of what is beyond Tezuka's areas.
   if (cue.owns.none() && !shown.library.empty()) {
     for (const Expression& other : reader.book->expressions)
       if (other.library == shown.library) own_moved(other.pose, cue.owns);
-    for (std::size_t i = 0; i < kMoveCount; ++i)
-      if (kMoves[i].is_beyond) cue.owns.set(i);
+    for (std::size_t i = 0; i < kChannelCount; ++i)
+      if (kChannels[i].is_beyond) cue.owns.set(i);
   }
   if (cue.owns.none()) cue.owns.set();
 }

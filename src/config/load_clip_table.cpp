@@ -53,17 +53,17 @@ char find_separator(std::string_view line) {
 // The moves that "brow.left.up" or "brows.up" means; empty if it is none.
 std::vector<std::size_t> find_moves(const std::string& column) {
   std::vector<std::size_t> moves;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
-    if (column == name_move(i) || (kMoves[i].side != Side::none && column == name_move(i, true)))
+  for (std::size_t i = 0; i < kChannelCount; ++i)
+    if (column == name_move(i) || (kChannels[i].side != Side::none && column == name_move(i, true)))
       moves.push_back(i);
   return moves;
 }
 
 Names list_columns() {
   Names names{"time", "frame"};
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     names.push_back(name_move(i));
-    if (kMoves[i].side == Side::left) names.push_back(name_move(i, true));
+    if (kChannels[i].side == Side::left) names.push_back(name_move(i, true));
   }
   return names;
 }
@@ -83,7 +83,7 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
     return false;
   }
   bool has_time = false, is_right = true;
-  std::bitset<kMoveCount> seen;
+  std::bitset<kChannelCount> seen;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Cell& cell = cells[i];
     columns.moves.push_back(find_moves(cell.text));
@@ -102,7 +102,7 @@ bool load_columns(const CsvFile& file, const std::vector<Cell>& cells, Columns& 
     }
     for (const std::size_t move : columns.moves.back()) {
       if (seen[move]) mistake = fmt::format("'{}' has a column already", name_move(move));
-      if (file.findings->keeps_to_nine && kMoves[move].is_beyond)
+      if (file.findings->keeps_to_nine && kChannels[move].is_beyond)
         mistake = fmt::format(
             "'{}' is beyond the nine areas, which 'head' says with 'areas: nine'; expected one of "
             "them, or 'areas: all'",
@@ -148,7 +148,7 @@ void load_row(const CsvFile& file, const std::vector<Cell>& cells, const std::ve
   table.at_s.push_back(at_s);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (columns.moves[i].empty()) continue;
-    const MoveInfo& info = kMoves[columns.moves[i][0]];
+    const MoveInfo& info = kChannels[columns.moves[i][0]];
     double value = 0;
     load_cell(file, cells[i], info.low * kMaxExaggerate, info.high * kMaxExaggerate, head[i].text, value);
     for (std::size_t side = 0; side < columns.moves[i].size(); ++side) table.values.push_back(value);

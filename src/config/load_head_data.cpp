@@ -14,6 +14,7 @@ HeadDataPointer load_head_data(const std::filesystem::path& data_folder, const H
   data->hair = load_hair_data(folder / "hair.yaml", points, findings);
   data->landmarks = load_landmark_data(folder / "landmarks.yaml", points, findings);
   data->areas = load_area_data(folder / "areas.yaml", points, findings);
+  data->doctrines = load_doctrine_data(folder, points, findings);
   data->folds = load_fold_data(folder / "folds.yaml", points, findings);
   data->words = words;
   throw_mistakes(std::move(findings));

@@ -118,8 +118,14 @@ void load_sections(const YamlValue& root, const YamlMapping& entries, const Head
   if (const YamlValue* title = find_value(entries, "title")) load_title(*title, spec.title);
   if (const YamlValue* author = find_value(entries, "author")) load_title(*author, spec.author);
   if (const YamlValue* licence = find_value(entries, "licence")) load_title(*licence, spec.licence);
-  if (const YamlValue* library = find_value(entries, "library"))
+  if (const YamlValue* library = find_value(entries, "library")) {
     load_name(*library, "library", book.libraries, spec.library);
+    if (const YamlValue* doctrine = find_value(entries, "doctrine"))
+      add_mistake(*doctrine,
+                  "'doctrine' and 'library' both say whose expressions a name means; expected one of them");
+  } else if (const YamlValue* doctrine = find_value(entries, "doctrine"))
+    if (std::string word; load_name(*doctrine, "doctrine", kDoctrines, word) && word != kDoctrines.front())
+      spec.library = word;
   book.library = spec.library;
   load_exaggerate(entries, spec.exaggerate);
   book.exaggerate = spec.exaggerate;

@@ -9,8 +9,8 @@ namespace {
 
 // Whether `exaggerate` lifts a move's limit, downward and upward.
 const auto kIsLifted = [] {
-  std::array<std::array<bool, 2>, kMoveCount> lifted{};
-  for (std::size_t i = 0; i < kMoveCount; ++i)
+  std::array<std::array<bool, 2>, kChannelCount> lifted{};
+  for (std::size_t i = 0; i < kChannelCount; ++i)
     lifted[i] = {find_stop(i, -1).empty(), find_stop(i, 1).empty()};
   return lifted;
 }();
@@ -38,7 +38,7 @@ double yield_to(const Way& other, const Way& way) {
 Pose mix_with_manners(const std::vector<PoseShare>& shares, double strength) {
   static const Manner plain;
   Pose mixed;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     Way up, down;
     for (const PoseShare& share : shares) {
       const Manner& manner = share.manner ? *share.manner : plain;
@@ -63,7 +63,7 @@ Pose mix_poses(const std::vector<PoseShare>& shares, double strength) {
   if (std::ranges::any_of(shares, [](const PoseShare& share) { return share.manner != nullptr; }))
     return mix_with_manners(shares, strength);
   Pose mixed;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     double sum = 0, lowest = 0;
     for (const PoseShare& share : shares) {
       const double value = share.weight * share.pose.values[i];
@@ -80,15 +80,15 @@ Pose mix_poses(const std::vector<PoseShare>& shares, double strength) {
 HeldPose hold_pose(const PoseAsk& ask) {
   HeldPose built;
   built.reach = std::min(kMaxExaggerate, ask.reach * ask.exaggerate);
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     const double value = ask.areas.values[i].value_or(ask.pose.values[i] * ask.strength);
     const double asked = value * ask.exaggerate;
     const bool is_lifted = kIsLifted[i][asked < 0 ? 0 : 1];
     const double reach = is_lifted ? built.reach : 1;
-    const double held = std::clamp(asked, kMoves[i].low * reach, kMoves[i].high * reach);
+    const double held = std::clamp(asked, kChannels[i].low * reach, kChannels[i].high * reach);
     built.pose.values[i] = held;
     const bool is_past =
-        is_lifted ? held != asked : value != std::clamp(value, kMoves[i].low, kMoves[i].high);
+        is_lifted ? held != asked : value != std::clamp(value, kChannels[i].low, kChannels[i].high);
     if (!is_past) continue;
     const auto place = ask.areas.places.find(i);
     built.held.push_back({i, asked, held, place == ask.areas.places.end() ? Place{} : place->second, ""});

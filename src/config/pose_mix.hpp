@@ -12,15 +12,15 @@
 namespace mien {
 
 // Of upper lids. Two poses that both shut one do not shut it twice.
-inline constexpr std::array<bool, kMoveCount> kIsUpperLid = [] {
-  std::array<bool, kMoveCount> lids{};
-  for (std::size_t i = 0; i < kMoveCount; ++i) lids[i] = !kMoves[i].minus.meets.empty();
+inline constexpr std::array<bool, kChannelCount> kIsUpperLid = [] {
+  std::array<bool, kChannelCount> lids{};
+  for (std::size_t i = 0; i < kChannelCount; ++i) lids[i] = !kChannels[i].minus.meets.empty();
   return lids;
 }();
 
-// How an expression's moves answer to its strength and to other expressions; indexed as kMoves.
+// How an expression's moves answer to its strength and to other expressions; indexed as kChannels.
 struct Manner {
-  std::array<double, kMoveCount> dominance, growth;  // all 1 is plain
+  std::array<double, kChannelCount> dominance, growth;  // all 1 is plain
 
   Manner() { dominance.fill(1), growth.fill(1); }
 };

@@ -29,6 +29,7 @@ struct Expression {
   double attack_s = kDefaultAttack_s;         // how long it takes to come, as a cue
   std::shared_ptr<const Manner> manner = {};  // plain without it
   bool follows_thesis = false;                // its library says `rules: thesis`
+  std::size_t numbers = 0;  // that stand in its text, both sides of an area as one; with what it starts from
 };
 
 struct BustSpec {

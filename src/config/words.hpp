@@ -127,6 +127,11 @@ inline constexpr std::array kAxisWords{Word{"x", "from ear to ear: as one nods"}
                                        Word{"z", "from back to front: as a head tilts"}};
 inline constexpr std::array kAreaRuleWords{Word{"house", "as skin moves: the default"},
                                            Word{"thesis", "as the thesis writes them in 5.3"}};
+inline constexpr std::array kDoctrineWords{
+    Word{"areas", "Tezuka's areas, and what is beyond them"},
+    Word{"muscles", "muscles and rings of zones of influence: Waters 1987"},
+    Word{"candide", "the animation units of CANDIDE-3: Ahlberg 2001"},
+    Word{"parke", "Parke's expression parameters: 1982"}};  // as Doctrine
 inline constexpr std::array kAsymmetryWords{Word{"none", "both sides alike"},
                                             Word{"natural", "0.2: as much as is seen in people"}};
 inline constexpr std::array kBaseWords{Word{"round", "a disc"}, Word{"square", "a block"},
@@ -160,6 +165,7 @@ inline const Names kStyles = list_names(kStyleWords);
 inline Style find_style(std::string_view word) {
   return static_cast<Style>(std::ranges::find(kStyles, word) - kStyles.begin());
 }
+inline const Names kDoctrines = list_names(kDoctrineWords);
 inline const Names kTakes = list_names(kTakeWords);
 inline const Names kLeadKeys = list_names(kPartWords);
 inline const Names kReleaseKeys = list_names(std::span(kPartWords).first(kFacePartCount));

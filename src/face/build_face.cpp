@@ -11,6 +11,7 @@
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/smooth.hpp"
+#include "face/doctrine.hpp"
 #include "face/face.hpp"
 #include "head/cage.hpp"
 #include "head/patterns.hpp"
@@ -398,6 +399,7 @@ Face build_face(const NeutralHead& head) {
                       measure_face(head.cage, head.adult_points, head.adult_eye)};
   Face face;
   face.units = scales.here;
+  face.doctrines = std::make_shared<DoctrineFields>();
   face.fields = build_fields(head, data, scales);
   face.plus_reach.fill(2);
   face.minus_reach.fill(2);

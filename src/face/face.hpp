@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <memory>
 #include <vector>
 
 #include "config/areas.hpp"
@@ -106,6 +107,7 @@ struct BrowBox {
   std::vector<Heights> rises_mm, mirror_rises_mm;  // by each of Face::fields and its mirror image at 1
   double top_mm = 0, bottom_mm = 0;
 };
+class DoctrineFields;  // face/doctrine.hpp
 
 struct Face {
   FaceUnits units;
@@ -124,7 +126,8 @@ struct Face {
   std::vector<BrowBox> brow_boxes;       // left and right, by `rules: thesis`; else none
   std::optional<double> match_level_mm;  // LIPS_MATCH_LEVEL above where the lips meet at rest
   glm::dvec3 turn_pivot{0};
-  std::vector<double> turn_weights;  // of each control point
+  std::vector<double> turn_weights;           // of each control point
+  std::shared_ptr<DoctrineFields> doctrines;  // of muscles and units; made when a pose moves one
 };
 
 // How much further than a real head's a move of an area goes, by the head's design.
@@ -154,9 +157,15 @@ double compute_straight(const Pose& pose);
 // stretched or pressed together gets stiff. Within the limits it is the pose itself.
 Pose stiffen_pose(const Face& face, const Pose& pose);
 
-// The cage of `head` in `pose`, into `points` (resized): mm, before the head is turned. The neutral pose
-// gives the neutral cage bit for bit. Values past their limits are stiffened.
+// The cage of `head` in `pose`, into `points` (resized): mm, before the head is turned. What muscles and
+// units do by moves of the areas stands in the pose already (resolve_channels, config/doctrine_data.hpp). The
+// neutral pose gives the neutral cage bit for bit. Values past their limits are stiffened.
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& pose, std::vector<glm::dvec3>& points);
+
+// The same before lips are kept from crossing: what fields, lids and jaw alone come to. A doctrine that knows
+// of no contact is measured by it.
+void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& pose,
+                    std::vector<glm::dvec3>& points);
 
 // Where an eyeball looks: a rotation about its centre.
 glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side);

@@ -6,6 +6,7 @@
 #include "core/conventions.hpp"
 #include "core/smooth.hpp"
 #include "core/sums.hpp"
+#include "face/doctrine.hpp"
 #include "face/face.hpp"
 #include "face/thesis_rules.hpp"
 
@@ -22,6 +23,21 @@ void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dve
     add_products(here, driven.field, points);
   else if (there != 0)
     add_products(there, driven.mirror_field, points);
+}
+
+// What muscles and units draw, which the areas' lids, jaw and lips then find as their own fields.
+void add_doctrines(const NeutralHead& head, const Face& face, const Pose& pose,
+                   std::vector<glm::dvec3>& points) {
+  const auto moves_any = [&](std::size_t begin, std::size_t end) {
+    return std::any_of(pose.values.begin() + static_cast<std::ptrdiff_t>(begin),
+                       pose.values.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](double value) { return value != 0; });
+  };
+  if (moves_any(kFirstMuscle, kFirstUnit))
+    for (const DrivenField& driven : face.doctrines->get_muscles(head)) add_field(driven, pose, points);
+  if (moves_any(kFirstUnit, kChannelCount))
+    for (const DrivenField& driven : face.doctrines->get_units(head, face.units))
+      add_field(driven, pose, points);
 }
 
 double value_of(const Pose& pose, std::string_view area, Side side, std::string_view move) {
@@ -232,13 +248,14 @@ Pose stiffen_pose(const Face& face, const Pose& pose) {
   return stiff;
 }
 
-void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
-               std::vector<glm::dvec3>& points) {
-  points = head.cage.points;
-  if (asked == Pose{}) return;
-  const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
+namespace {
+
+// All but what keeps the lips apart.
+void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
+                 std::vector<glm::dvec3>& points) {
   for (const DrivenField& driven : face.fields)
     if (!driven.is_late) add_field(driven, pose, points);
+  add_doctrines(head, face, pose, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
   give_way(face.give_way, points);
@@ -250,6 +267,23 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   for (const DrivenField& driven : face.fields)
     if (driven.is_late) add_field(driven, pose, points);
   stop_under_nose(face, points);
+}
+
+}  // namespace
+
+void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& asked,
+                    std::vector<glm::dvec3>& points) {
+  points = head.cage.points;
+  if (asked != Pose{})
+    pose_freely(head, face, hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked))), points);
+}
+
+void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
+               std::vector<glm::dvec3>& points) {
+  points = head.cage.points;
+  if (asked == Pose{}) return;
+  const Pose pose = hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked)));
+  pose_freely(head, face, pose, points);
   const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
   stop_at_level(face, stops, points);
   match_lips(face, pose, stops, points);

@@ -242,7 +242,7 @@ void thin_body(const Figure& figure, std::size_t most, std::vector<Triangle> tri
 }  // namespace
 
 std::array<CarvedEye, 2> compute_carved_eyes(const BustBody& body, const Figure& figure, const Pose& asked) {
-  const Pose pose = apply_limits(figure.limits, asked);
+  const Pose pose = limit_pose(figure, asked);
   std::array<CarvedEye, 2> eyes = body.carved;
   for (const Side side : {Side::left, Side::right})
     eyes[side_index(side)].gaze = glm::vec3(compute_gaze(figure.face, pose, side) * glm::dvec3(0, 0, 1));
@@ -251,10 +251,10 @@ std::array<CarvedEye, 2> compute_carved_eyes(const BustBody& body, const Figure&
 
 CarvedMouth compute_carved_mouth(const BustBody& body, const Figure& figure, const Pose& posed) {
   // The relief behind the lips opens and shuts, and does not slide.
-  Pose asked = posed;
+  Pose pose = limit_pose(figure, posed);
   for (std::size_t i = 0; i < kMoveCount; ++i)
-    if (kMoves[i].of == Area::jaw) asked.values[i] = 0;
-  return move_jaw(body.carved_mouth, glm::mat4(compute_jaw(figure.face, apply_limits(figure.limits, asked))));
+    if (kMoves[i].of == Area::jaw) pose.values[i] = 0;
+  return move_jaw(body.carved_mouth, glm::mat4(compute_jaw(figure.face, pose)));
 }
 
 bool wears_hair(const Figure& figure) {

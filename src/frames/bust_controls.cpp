@@ -101,7 +101,7 @@ void add_expressions(Work& work, const std::vector<NamedPose>& expressions, doub
     const Shape sum = sum_bust_states(work.controls, expression.values);
     shapes[i] = place_straight(work.body, work.figure, pose);
     states[i] = compute_offsets(sum, shapes[i], slight);
-    const Pose held = apply_limits(work.figure.limits, pose);
+    const Pose held = limit_pose(work.figure, pose);
     const std::size_t chin = find_move(Area::chin, Side::none, "down").value();
     expression.open = stiffen_pose(work.figure.face, held).values[chin];
     for (const Side side : {Side::left, Side::right})

@@ -102,7 +102,7 @@ void redraw_parts(Figure& figure) {
 
 // The pose as this head and its design take it.
 Pose take_pose(const Figure& figure, const Pose& asked) {
-  return redraw_pose(figure.redraw, apply_limits(figure.limits, asked));
+  return redraw_pose(figure.redraw, limit_pose(figure, asked));
 }
 
 // The smooth skin over the posed cage in buffers.points, by its slots: into buffers.place_pairs and
@@ -151,6 +151,10 @@ void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const 
 }
 
 }  // namespace
+
+Pose limit_pose(const Figure& figure, const Pose& asked) {
+  return resolve_channels(figure.head.data->doctrines, apply_limits(figure.limits, asked));
+}
 
 glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& asked) {
   return find_motion(figure, mount, take_pose(figure, asked));
@@ -205,7 +209,8 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const FineSkin& fine = figure.folds.skin;
   append_fine_pairs(fine, buffers.place_pairs, buffers.normal_pairs);
   if (buffers.has_folds)
-    press_folds(figure.folds, pose, buffers.folds, buffers.place_pairs, buffers.normal_pairs);
+    press_folds(figure.folds, resolve_folds(figure.head.data->doctrines, pose), buffers.folds,
+                buffers.place_pairs, buffers.normal_pairs);
   unpack_skin(fine.pairs, fine.vertex_count(), buffers, drawing.parts.front());
 }
 

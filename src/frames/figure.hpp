@@ -51,6 +51,10 @@ enum class FigureUse {
 // `spec` names.
 Figure build_figure(const HeadStock& stock, const HeadSpec& spec, FigureUse use = FigureUse::picture);
 
+// The pose as this head takes it: within its own limits, and with what muscles and units do by moves of the
+// areas.
+Pose limit_pose(const Figure& figure, const Pose& asked);
+
 // What a part of this mount does within the head, which does not turn: world from rest.
 glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& pose);
 

@@ -224,7 +224,7 @@ std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose
       if (square == 0) continue;
       const double asked = (dot_poses(left, poses[i].pose) + shares[i] * square) / (square + kCost);
       const double share = std::clamp(asked, 0.0, 1.0);
-      for (std::size_t m = 0; m < kMoveCount; ++m)
+      for (std::size_t m = 0; m < kChannelCount; ++m)
         left.values[m] -= (share - shares[i]) * poses[i].pose.values[m];
       shares[i] = share;
     }
@@ -235,7 +235,7 @@ std::vector<double> share_poses(const std::vector<TargetPose>& poses, const Pose
 double measure_unshared(const std::vector<TargetPose>& poses, const Pose& pose) {
   const std::vector<double> shares = share_poses(poses, pose);
   double worst = 0;
-  for (std::size_t m = 0; m < kMoveCount; ++m) {
+  for (std::size_t m = 0; m < kChannelCount; ++m) {
     double left = pose.values[m];
     for (std::size_t i = 0; i < poses.size(); ++i) left -= shares[i] * poses[i].pose.values[m];
     worst = std::max(worst, std::abs(left));

@@ -282,6 +282,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
+  ink.data = figure.head.data;
   ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure));
@@ -348,7 +349,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
-  const Pose pose = redraw_pose(ink.redraw, apply_limits(ink.limits, asked));
+  const DoctrineData& doctrines = ink.data->doctrines;
+  const Pose pose = resolve_folds(
+      doctrines, redraw_pose(ink.redraw, resolve_channels(doctrines, apply_limits(ink.limits, asked))));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;

@@ -36,6 +36,7 @@ struct Ink {
   std::vector<InkStroke> strokes;
   std::vector<FoldField> folds;  // that strokes are drawn of, without their vertices
   LimitShares limits;
+  HeadDataPointer data;  // what muscles and units fold
   Redraw redraw;
   float eye_size = 1;  // of the ball against an adult's
 };

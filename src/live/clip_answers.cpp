@@ -239,8 +239,8 @@ void add_held(const Clip& clip, const std::vector<Held>& held, const std::vector
               const Json& actor, Json& all) {
   for (const HeldNote& note : build_notes(held)) {
     const auto [from_s, to_s] = find_held_span(note.held, rehearsals, clip.spec.clip.fps);
-    all.push_back({{"area", find_area_key(kMoves[note.held.move])},
-                   {"move", kMoves[note.held.move].move},
+    all.push_back({{"area", find_area_key(kChannels[note.held.move])},
+                   {"move", kChannels[note.held.move].move},
                    {"asked", note.held.asked},
                    {"got", note.held.held},
                    {"from_s", from_s},

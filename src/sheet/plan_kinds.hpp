@@ -24,6 +24,9 @@ SheetPlan plan_heads(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_expressions(const SheetSubject& subject, const HeadData& data);
 SheetPlan plan_libraries(const SheetSubject& subject, const HeadData& data);
 
+// doctrine_plan.cpp: feelings in rows, doctrines in columns, and what each moves.
+SheetPlan plan_doctrines(const SheetSubject& subject, const HeadData& data);
+
 // mouth_plan.cpp: each mouth of speech, from the front and the side.
 SheetPlan plan_mouths(const SheetSubject& subject, const HeadData& data);
 

@@ -2,6 +2,7 @@
 // them. What makes pictures of a plan is the same for all kinds.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -68,6 +69,9 @@ struct SheetTable {
   // Each row begins with the name of a limit; the last two fields are its value and its millimetres, which
   // are filled in when the head is built.
   bool shows_limits = false;
+  // Of each row the face whose ways on the first head fill its last fields, and the one that it is held
+  // against; none: a row of words. See sheet/motion_table.hpp.
+  std::vector<std::optional<std::pair<Pose, Pose>>> motions = {};
 };
 
 // Cells in rows under a heading, and a table under the cells.

@@ -21,6 +21,7 @@
 #include "sheet/asked_face.hpp"
 #include "sheet/cell_drawing.hpp"
 #include "sheet/layout.hpp"
+#include "sheet/motion_table.hpp"
 #include "sheet/plans.hpp"
 #include "sheet/subject.hpp"
 
@@ -104,6 +105,7 @@ void draw_all_cells(SheetPlan& plan, const RenderSpec& render, const fs::path& w
     if (!plan.styles.empty()) own.style = plan.styles[i];
     const DrawnFigure figure = build_drawn_figure(resources.heads, plan.heads[i], own);
     measures.push_back(measure_head(figure));
+    if (i == 0) fill_motions(figure, plan);
     const FigurePlaces places = build_places(figure);
     const CellHead head{figure, places, measures, own};
     if (is_sketch(render))

@@ -122,7 +122,7 @@ void judge_speed(const ClipSpec& clip, std::size_t key, const Frames& frames, co
 
 double compute_distance(const Pose& a, const Pose& b) {
   double most = 0;
-  for (std::size_t i = 0; i < kMoveCount; ++i) most = std::max(most, std::abs(a.values[i] - b.values[i]));
+  for (std::size_t i = 0; i < kChannelCount; ++i) most = std::max(most, std::abs(a.values[i] - b.values[i]));
   return most;
 }
 
@@ -165,7 +165,7 @@ void judge_release(const ClipSpec& clip, std::size_t i, std::vector<Diagnostic>&
   for (std::size_t part = 0; part < kFacePartCount; ++part) {
     if (key.release[part] < 0) continue;
     bool moves = false;
-    for (std::size_t move = 0; move < kMoveCount; ++move)
+    for (std::size_t move = 0; move < kChannelCount; ++move)
       moves |= static_cast<std::size_t>(find_lead_part(move)) == part &&
                key.pose.values[move] != clip.keys[i + 1].pose.values[move];
     if (!moves)
@@ -213,9 +213,9 @@ std::string list_in_words(const std::vector<std::string>& words) {
 }
 
 // The moves that a cue holds still over a key that asks for something else.
-std::bitset<kMoveCount> list_hidden(const CueSpec& cue, const PoseKey& key) {
-  std::bitset<kMoveCount> hidden;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
+std::bitset<kChannelCount> list_hidden(const CueSpec& cue, const PoseKey& key) {
+  std::bitset<kChannelCount> hidden;
+  for (std::size_t i = 0; i < kChannelCount; ++i)
     hidden[i] = cue.owns[i] && std::abs(cue.what.pose.values[i] - key.pose.values[i]) >= kLeastChange;
   return hidden;
 }
@@ -227,12 +227,12 @@ void judge_end(const ClipSpec& clip, const CueSpec& cue, std::vector<Diagnostic>
   const bool is_mood = cue.from_s <= 0;  // meant for the whole clip
   if (cue.end_s < kForever_s || cue.rule != Rule::over || is_mood || cue.what.live || cue.table) return;
   if (clip.length_s - cue.full_s < kLong_s) return;
-  std::bitset<kMoveCount> hidden;
+  std::bitset<kChannelCount> hidden;
   std::vector<std::string> keys;
   for (std::size_t i = 0; i < clip.keys.size(); ++i) {
     const bool is_over = i + 1 < clip.keys.size() && clip.keys[i + 1].at_s <= cue.full_s;
     const bool is_late = clip.keys[i].at_s >= clip.length_s;
-    const std::bitset<kMoveCount> here = list_hidden(cue, clip.keys[i]);
+    const std::bitset<kChannelCount> here = list_hidden(cue, clip.keys[i]);
     if (is_over || (is_late && !keys.empty()) || here.none()) continue;
     hidden |= here;
     keys.push_back(fmt::format("'{}' at {}", clip.keys[i].label, show_time(clip, clip.keys[i].at_s)));

@@ -51,8 +51,8 @@ Asymmetry build_asymmetry(const AsymmetrySpec& spec, std::vector<double> keys_s)
     if (!area.lean.is_late) lean.delay_s = 0;
     lean.weak = sample_uniform(random) < kLeftIsStronger ? Side::right : Side::left;
     lean.weakness = spec.amount * sample_uniform(random, kLeastWeakness, 1) * area.lean.weakness;
-    for (std::size_t i = 0; i < kMoveCount; ++i)
-      if (kMoves[i].of == area.area) lean.moves[kMoves[i].side == Side::left ? 0 : 1].set(i);
+    for (std::size_t i = 0; i < kChannelCount; ++i)
+      if (kChannels[i].of == area.area) lean.moves[kChannels[i].side == Side::left ? 0 : 1].set(i);
     asymmetry.areas.push_back(lean);
   }
   return asymmetry;
@@ -63,13 +63,13 @@ double compute_side_time_s(const std::vector<double>& keys_s, double time_s, dou
 }
 
 Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample) {
-  Pose pose = sample(time_s, std::bitset<kMoveCount>().set());
+  Pose pose = sample(time_s, std::bitset<kChannelCount>().set());
   if (asymmetry.areas.empty()) return pose;
   const Way way = compute_way(asymmetry.keys_s, time_s);
   for (const AreaLean& lean : asymmetry.areas) {
     for (const Side side : {Side::left, Side::right}) {
       const double side_s = compute_side_time_s(way, time_s, lean.delay_s, side == lean.late);
-      const std::bitset<kMoveCount>& moves = lean.moves[side == Side::left ? 0 : 1];
+      const std::bitset<kChannelCount>& moves = lean.moves[side == Side::left ? 0 : 1];
       const Pose other = side_s == time_s ? pose : sample(side_s, moves);
       for_each_move(moves, [&](std::size_t i) {
         const bool is_shutting = kIsUpperLid[i] && other.values[i] < 0;

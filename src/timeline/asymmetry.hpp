@@ -20,7 +20,7 @@ struct AreaLean {
   // least; lids half as much.
   Side weak = Side::right;
   double weakness = 0;
-  std::array<std::bitset<kMoveCount>, 2> moves{};  // the left side's and the right one's
+  std::array<std::bitset<kChannelCount>, 2> moves{};  // the left side's and the right one's
 };
 
 struct Asymmetry {
@@ -38,7 +38,7 @@ double compute_side_time_s(const std::vector<double>& keys_s, double time_s, dou
 // The pose of a face that leans. `sample` is the symmetric one's at a time. Key poses keep their times
 // exactly; their weak sides are weaker, since that is what was asked for. A shut lid stays shut.
 // `sample` may leave moves at rest that it is not asked for.
-using PoseSampler = std::function<Pose(double time_s, const std::bitset<kMoveCount>& only)>;
+using PoseSampler = std::function<Pose(double time_s, const std::bitset<kChannelCount>& only)>;
 Pose sample_leaning(const Asymmetry& asymmetry, double time_s, const PoseSampler& sample);
 
 }  // namespace mien

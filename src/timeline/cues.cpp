@@ -17,7 +17,7 @@ bool covers(const Cue& cue) {
 
 // Until when each cue, move by move, is still coming over what lies below: longer than its own attack if yet
 // another one comes over it meanwhile.
-using Covers = std::vector<std::array<Ticks, kMoveCount>>;
+using Covers = std::vector<std::array<Ticks, kChannelCount>>;
 
 Covers compute_covers(std::span<const Cue> cues) {
   Covers until(cues.size());
@@ -27,7 +27,7 @@ Covers compute_covers(std::span<const Cue> cues) {
       const Cue& other = cues[later];
       if (other.from >= *std::ranges::max_element(until[i])) break;
       const auto shared = cues[i].spec.owns & other.spec.owns;
-      for (std::size_t move = 0; move < kMoveCount && covers(other); ++move)
+      for (std::size_t move = 0; move < kChannelCount && covers(other); ++move)
         if (shared[move] && other.from < until[i][move])
           until[i][move] = std::max(until[i][move], until[later][move]);
     }
@@ -44,10 +44,10 @@ void freeze_cues(std::span<Cue> cues) {
     if (cue.spec.rule != Rule::over) continue;
     // Until when each move is still. What comes over it meanwhile has an end that is not later
     // (compute_covers).
-    std::array<Ticks, kMoveCount> still{};
+    std::array<Ticks, kChannelCount> still{};
     still.fill(-kEndless);
     const auto is_still = [&](Ticks time) {
-      for (std::size_t move = 0; move < kMoveCount; ++move)
+      for (std::size_t move = 0; move < kChannelCount; ++move)
         if (cue.spec.owns[move] && still[move] < time) return false;
       return true;
     };
@@ -56,7 +56,7 @@ void freeze_cues(std::span<Cue> cues) {
       const auto shared = cue.spec.owns & other.spec.owns;
       if (!covers(other) || shared.none()) continue;
       if (is_still(cue.end)) break;
-      for (std::size_t move = 0; move < kMoveCount; ++move) {
+      for (std::size_t move = 0; move < kChannelCount; ++move) {
         if (!shared[move] || other.from < still[move]) continue;
         const Ticks until = covered[later][move];
         if (cue.full <= other.from && until <= cue.ebb) continue;  // all there meanwhile anyhow
@@ -122,7 +122,7 @@ void lay(Rule rule, std::size_t move, double weight, const FaceState& shown, Fac
 
 // Those that share an area, by their weights; what lies below has the rest.
 struct Shares {
-  std::array<double, kMoveCount> weights{}, values{}, reach{};
+  std::array<double, kChannelCount> weights{}, values{}, reach{};
 
   void add(std::size_t move, double weight, const FaceState& shown) {
     weights[move] += weight;
@@ -130,7 +130,7 @@ struct Shares {
     reach[move] += weight * shown.reach[move];
   }
   void lay(FaceState& face) const {
-    for (std::size_t i = 0; i < kMoveCount; ++i) {
+    for (std::size_t i = 0; i < kChannelCount; ++i) {
       const double all = std::max(weights[i], 1.0), below = 1 - std::min(weights[i], 1.0);
       if (weights[i] == 0) continue;
       face.values[i] = below * face.values[i] + values[i] / all;
@@ -142,7 +142,7 @@ struct Shares {
 void apply_cue(const CueStack& stack, const Cue& cue, Ticks time, const Moves& only, FaceState& face,
                Shares& shares) {
   const Moves moves = cue.spec.owns & only;
-  const bool turns = cue.script != nullptr && only.all();
+  const bool turns = cue.script != nullptr && is_whole(only);
   if (moves.none() && !turns) return;
   const FaceState shown = show(cue, time, turns ? only : moves);
   for (std::size_t i = 0; turns && i < shown.turn_deg.size(); ++i)
@@ -225,7 +225,8 @@ void apply_cues(const CueStack& stack, Ticks time, FaceState& face) {
 
 void apply_cues(const CueStack& stack, Ticks time, const Moves& only, FaceState& face) {
   for (std::size_t layer = 0; layer < count_layers(stack); ++layer)
-    if (only.all() || (only & stack.layer_moves[layer]).any()) apply_layer(stack, layer, time, only, face);
+    if (is_whole(only) || (only & stack.layer_moves[layer]).any())
+      apply_layer(stack, layer, time, only, face);
 }
 
 std::size_t count_layers(const CueStack& stack) { return stack.layer_begins.size() - 1; }

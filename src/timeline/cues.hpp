@@ -18,7 +18,7 @@ struct LayerStore;
 // rest.
 struct Freeze {
   Ticks from = 0, until = 0;
-  std::bitset<kMoveCount> moves;
+  std::bitset<kChannelCount> moves;
 };
 
 // A CueSpec made ready to be sampled.
@@ -47,7 +47,7 @@ CueStack build_cue_stack(const ClipSpec& clip, LayerStore& store);
 
 // A face while it is put together: each move's value, and how many times its limit it may go.
 struct FaceState {
-  std::array<double, kMoveCount> values{}, reach{};
+  std::array<double, kChannelCount> values{}, reach{};
   std::array<double, 3> turn_deg{};  // of scripts, on top of the head's own
 };
 

@@ -19,7 +19,8 @@ namespace {
 std::string key_of(const Moment& moment) {
   std::string bytes;
   bytes.reserve(sizeof(double) * (kMoveCount + 7));
-  for (const double value : moment.pose.values) append_bytes(bytes, value);
+  const std::size_t count = has_doctrine(moment.pose) ? kChannelCount : kMoveCount;
+  for (std::size_t i = 0; i < count; ++i) append_bytes(bytes, moment.pose.values[i]);
   for (const double value :
        {moment.turn.turn_deg, moment.turn.nod_deg, moment.turn.tilt_deg, moment.turn.breath_mm,
         moment.camera.angle_deg, moment.camera.height_deg, moment.camera.distance})

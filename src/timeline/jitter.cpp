@@ -67,7 +67,7 @@ struct Swinger {
 using Judge = std::function<void(const Swinger&)>;
 
 std::string name_move(std::size_t move) {
-  const MoveInfo& info = kMoves[move];
+  const MoveInfo& info = kChannels[move];
   return fmt::format("{}.{}", info.area, info.move);
 }
 
@@ -82,7 +82,7 @@ Moves list_moved(const LivePose& live) {
   for (const LivePose::Share& share : live.shares) is_whole |= share.weight.formula != nullptr;
   if (is_whole)
     for (const LivePose::Share& share : live.shares)
-      for (std::size_t i = 0; i < kMoveCount; ++i)
+      for (std::size_t i = 0; i < kChannelCount; ++i)
         if (share.pose.values[i] != 0) moves.set(i);
   return moves;
 }
@@ -93,7 +93,7 @@ Moves leave_out_twins(const LivePose& live, Moves moves) {
   if (!live.shares.empty()) return moves;
   for (std::size_t i = 0; i + 1 < live.values.size(); ++i) {
     const LivePose::Value &one = live.values[i], &next = live.values[i + 1];
-    const MoveInfo &left = kMoves[one.move], &right = kMoves[next.move];
+    const MoveInfo &left = kChannels[one.move], &right = kChannels[next.move];
     const bool is_same = one.formula == next.formula && one.low == next.low && one.high == next.high &&
                          left.low == right.low && left.high == right.high;
     if (is_same && left.area == right.area && left.move == right.move)
@@ -113,7 +113,7 @@ void judge_moves(const Moves& moves, const Place& place, const std::string& of, 
 // The formulas of a law or a cue by themselves.
 MoveValue build_value(const PoseKey& what) {
   return [live = what.live](std::size_t move, double time_s) {
-    std::array<double, kMoveCount> values{};
+    std::array<double, kChannelCount> values{};
     evaluate_pose(*live, time_s, Moves().set(move), values);
     return values[move];
   };
@@ -168,7 +168,7 @@ void judge_swingers(const ClipSpec& clip, const Judge& judge) {
   LayerStore store;
   const Layers layers = build_layers(clip, store);
   const MoveValue pose = [&](std::size_t move, double time_s) {
-    std::array<double, kMoveCount> values{};
+    std::array<double, kChannelCount> values{};
     sample_track(layers.pose, compute_ticks(time_s), Moves().set(move), values);
     return values[move];
   };

@@ -25,7 +25,7 @@ KeyLaw build_law(const std::array<FormulaPointer, 3>& live, const std::vector<do
 std::vector<Ticks> build_release(const Release& release_s) {
   std::vector<Ticks> release;
   if (release_s == kNoRelease) return release;
-  for (std::size_t i = 0; i < kMoveCount; ++i) {
+  for (std::size_t i = 0; i < kChannelCount; ++i) {
     const double part_s = release_s[static_cast<std::size_t>(find_lead_part(i))];
     release.push_back(part_s < 0 ? -1 : compute_ticks(part_s));
   }
@@ -87,6 +87,27 @@ KeyTrack build_reach(const KeyTrack& pose, std::vector<PoseKey> keys, double& mo
   return track;
 }
 
+bool has_doctrine(const PoseKey& key) {
+  if (mien::has_doctrine(key.pose)) return true;
+  return key.live &&
+         (std::ranges::any_of(key.live->shares,
+                              [](const LivePose::Share& share) { return mien::has_doctrine(share.pose); }) ||
+          std::ranges::any_of(key.live->values,
+                              [](const LivePose::Value& value) { return !is_area_move(value.move); }));
+}
+
+// Whether a muscle or a unit is ever moved.
+bool has_doctrine(const ClipSpec& clip, const CueStack& cues) {
+  return std::ranges::any_of(clip.keys, [](const PoseKey& key) { return has_doctrine(key); }) ||
+         std::ranges::any_of(cues.cues, [](const Cue& cue) {
+           if (cue.script) return !(cue.script->moves & ~kAreaMoves).none();
+           if (cue.spec.table)
+             return std::ranges::any_of(cue.spec.table->moves,
+                                        [](std::size_t i) { return !is_area_move(i); });
+           return has_doctrine(cue.spec.what);
+         });
+}
+
 }  // namespace
 
 Layers build_layers(const ClipSpec& clip) {
@@ -112,7 +133,7 @@ std::shared_ptr<const KeyTrack> share_table(const std::shared_ptr<const TimeTabl
 Layers build_layers(const ClipSpec& clip, LayerStore& store) {
   Layers layers;
   if (!clip.place.empty()) layers.place = build_track(build_track_keys(clip.place), 4);
-  layers.pose = build_track(build_track_keys(clip.keys), kMoveCount, build_lead(clip.lead));
+  layers.pose = build_track(build_track_keys(clip.keys), kChannelCount, build_lead(clip.lead));
   for (std::size_t i = 1; i < layers.pose.keys.size(); ++i) {
     const auto pose_of = [&](std::size_t key) {
       Pose pose;
@@ -131,6 +152,7 @@ Layers build_layers(const ClipSpec& clip, LayerStore& store) {
 
   layers.cues = build_cue_stack(clip, store);
   layers.length = compute_ticks(clip.length_s);
+  if (has_doctrine(clip, layers.cues)) layers.moves.set();
   return layers;
 }
 
@@ -148,7 +170,7 @@ KeyTrack build_table(const TimeTable& table) {
 }
 
 FaceState sample_layers(const Layers& layers, Ticks time) {
-  return sample_layers(layers, time, Moves().set());
+  return sample_layers(layers, time, layers.moves);
 }
 
 FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only) {
@@ -163,7 +185,7 @@ FaceState sample_keys(const Layers& layers, Ticks time, const Moves& only) {
   std::array<double, kReaches> reach{1, 1, 1, 1};
   if (layers.most_reach > 1) sample_track(layers.reach, time, reach);
   face.reach.fill(std::clamp(std::ranges::max(reach), 1.0, layers.most_reach));
-  if (only.all()) sample_track(layers.turn, time, face.turn_deg);
+  if (is_whole(only)) sample_track(layers.turn, time, face.turn_deg);
   return face;
 }
 

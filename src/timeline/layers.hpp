@@ -19,6 +19,7 @@ struct Layers {
   KeyTrack place;  // x, y, z in mm and the turn in degrees; without keys the actor stays where it stands
   KeyTrack reach;  // of the pose's keys: of those areas that are the first or the last to move
   double most_reach = 1;
+  Moves moves = kAreaMoves;  // what the clip may move: muscles and units as well, if it names any
   CueStack cues;
   Ticks length = 0;
 };

@@ -57,7 +57,7 @@ const WayKind* find_way_kind(const LeadSpec& asked, const Pose& from, const Pose
 Lead build_lead(const LeadSpec& asked, const WayKind* kind) {
   const LeadSpec& spec = kind != nullptr ? kind->lead : asked;
   Lead lead;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
+  for (std::size_t i = 0; i < kChannelCount; ++i)
     lead.after.push_back(compute_ticks(spec.after_s[static_cast<std::size_t>(find_lead_part(i))]));
   lead.widest = compute_ticks(std::ranges::max(spec.after_s));
   if (kind != nullptr) lead.most_share = kind->most_share;
@@ -74,7 +74,7 @@ std::size_t take_lead(const LeadSpec& asked, const Pose& from, const Pose& to, s
   return at;
 }
 
-LeadPart find_lead_part(std::size_t move) { return find_area(kMoves[move].of).lead.part; }
+LeadPart find_lead_part(std::size_t move) { return find_area(kChannels[move].of).lead.part; }
 
 double compute_led_fraction(Ticks begin, Ticks end, Ticks after, Ticks widest, Ticks time,
                             double most_share) {

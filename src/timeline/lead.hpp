@@ -32,7 +32,7 @@ struct WayKind {
 //   from an open smile down  the jaw shuts first, the corners follow, the brows come last: else it cries out
 const WayKind* find_way_kind(const LeadSpec& asked, const Pose& from, const Pose& to);
 
-// The lead of a pose's channels, kMoveCount of them, on a way of a kind or, without one, as `asked`.
+// The lead of a pose's channels, kChannelCount of them, on a way of a kind or, without one, as `asked`.
 Lead build_lead(const LeadSpec& asked, const WayKind* kind = nullptr);
 
 // Which of `leads` is that of the way between two faces; it is added if it is the first one of its kind.

@@ -37,7 +37,7 @@ void MostHeld::add_face(const Performance& performance, double time_s, const Fac
   for (std::size_t layer = 0; layer < count_layers(cues); ++layer)
     for (const Cue& cue : find_cues(cues, layer, time))
       if (time >= cue.from && time < cue.end) add_live(cue.spec.what, time_s);
-  for (std::size_t move = 0; move < kMoveCount; ++move) {
+  for (std::size_t move = 0; move < kChannelCount; ++move) {
     const double value = asked.values[move], held = hold_value(move, value, asked.reach[move]);
     if (std::abs(value - held) <= kSlack) continue;
     const PoseKey& asker = find_asker(performance, time_s, move);

@@ -39,7 +39,7 @@ bool is_endless(const CueSpec& cue) { return cue.layer == Layer::cue && cue.end_
 
 double compute_most_weight(const CueStack& stack, const Cue& cue, Ticks time) {
   double most = 0;
-  for (std::size_t move = 0; move < kMoveCount; ++move)
+  for (std::size_t move = 0; move < kChannelCount; ++move)
     if (cue.spec.owns[move]) most = std::max(most, compute_weight(stack, cue, move, time));
   return most;
 }

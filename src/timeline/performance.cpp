@@ -43,7 +43,7 @@ CameraKey sample_camera(const Layers& layers, double time_s) {
 }  // namespace
 
 double hold_value(std::size_t move, double value, double reach) {
-  const MoveInfo& info = kMoves[move];
+  const MoveInfo& info = kChannels[move];
   if (value >= info.low && value <= info.high) return value;
   const double end = value < 0 ? info.low : info.high;
   const double most = find_stop(move, value < 0 ? -1 : 1).empty() ? end * reach : end;

@@ -118,7 +118,7 @@ KeyTrack build_track(std::vector<TrackKey> keys, std::size_t channels, Lead lead
 }
 
 void sample_track(const KeyTrack& track, Ticks time, std::span<double> into) {
-  sample_track(track, time, Moves((1ull << track.channels) - 1), into);
+  sample_track(track, time, Moves().set() >> (kChannelCount - track.channels), into);
 }
 
 void sample_track(const KeyTrack& track, Ticks time, const Moves& only, std::span<double> into) {

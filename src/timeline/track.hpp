@@ -15,16 +15,25 @@
 namespace mien {
 
 // The most numbers of a track: a pose's.
-inline constexpr std::size_t kMaxChannels = kMoveCount;
+inline constexpr std::size_t kMaxChannels = kChannelCount;
 
 // Some of a track's channels; of a pose's the moves.
-using Moves = std::bitset<kMoveCount>;
+using Moves = std::bitset<kChannelCount>;
+
+// Those of the areas: what a clip has that no muscle and no unit moves.
+inline const Moves kAreaMoves = Moves().set() >> (kChannelCount - kMoveCount);
+
+// Whether the whole face is meant, and the head's turn with it.
+inline bool is_whole(const Moves& only) { return (only & kAreaMoves) == kAreaMoves; }
 
 // Does `work(i)` for each that is set, ascending.
 template <typename Work>
 void for_each_move(const Moves& only, const Work& work) {
-  for (unsigned long rest = only.to_ulong(); rest != 0; rest &= rest - 1)
-    work(static_cast<std::size_t>(std::countr_zero(rest)));
+  constexpr std::size_t kWord = 64;
+  static const Moves kLow = ~0ull;
+  for (std::size_t begin = 0; begin < only.size(); begin += kWord)
+    for (unsigned long long rest = ((only >> begin) & kLow).to_ullong(); rest != 0; rest &= rest - 1)
+      work(begin + static_cast<std::size_t>(std::countr_zero(rest)));
 }
 
 // A key's numbers as a law of time: (seconds, into as many as the track has).

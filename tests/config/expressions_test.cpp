@@ -59,7 +59,9 @@ TEST(expressions, that_are_unknown_are_answered_with_the_nearest) {
   EXPECT_EQ(message("doubt_right"),
             "error: unknown expression 'doubt_right'; did you mean 'tezuka/doubt_right'?");
   EXPECT_EQ(message("tezka/smile"), "error: unknown library 'tezka'; did you mean 'tezuka'?");
-  EXPECT_EQ(message("/sly"), "error: unknown library ''; known: emfacs, extras, mien, mouths, tezuka");
+  EXPECT_EQ(
+      message("/sly"),
+      "error: unknown library ''; known: candide, emfacs, extras, mien, mouths, muscles, parke, tezuka");
   EXPECT_EQ(message("tezuka/smlie"),
             "error: unknown expression 'tezuka/smlie'; did you mean 'tezuka/smile'?");
   EXPECT_EQ(message("mouths/smile"),
@@ -143,8 +145,14 @@ TEST(libraries, are_sorted_by_library_and_name_and_each_has_a_neutral_face) {
     }
     neutral[all[i].library] += all[i].name == "neutral" && all[i].pose == Pose{};
   }
-  EXPECT_EQ(neutral, (std::map<std::string, int>{
-                         {"emfacs", 1}, {"extras", 1}, {"mien", 1}, {"mouths", 1}, {"tezuka", 1}}));
+  EXPECT_EQ(neutral, (std::map<std::string, int>{{"candide", 1},
+                                                 {"emfacs", 1},
+                                                 {"extras", 1},
+                                                 {"mien", 1},
+                                                 {"mouths", 1},
+                                                 {"muscles", 1},
+                                                 {"parke", 1},
+                                                 {"tezuka", 1}}));
 }
 
 TEST(libraries, may_start_from_one_another) {

@@ -255,7 +255,7 @@ TEST(exports, live_link_is_read_back_as_the_same_performance) {
         for (std::size_t m = 0; m < kMoveCount; ++m) pose.values[m] += share * unit.pose.values[m];
       }
     csv += fmt::format("{}", frame / 24.0);
-    for (const double value : pose.values) csv += fmt::format(",{:.6f}", value);
+    for (std::size_t m = 0; m < kMoveCount; ++m) csv += fmt::format(",{:.6f}", pose.values[m]);
     csv += "\n";
   }
   write_file(folder / "made.csv", csv);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <random>
 
 #include "config/ledger.hpp"
@@ -124,9 +125,27 @@ Pose build_speech_pose(unsigned seed) {
   return pose;
 }
 
+Pose build_doctrine_pose(std::string_view doctrine, unsigned seed) {
+  std::mt19937_64 random(seed);
+  const auto share = [&] { return static_cast<double>(random() >> 11) * 0x1p-53; };
+  Pose pose;
+  for (std::size_t i = kMoveCount; i < kChannelCount; ++i) {
+    if (kChannels[i].area != doctrine) continue;
+    const auto [low, high] = std::pair{kChannels[i].low, kChannels[i].high};
+    const double value = low + (high - low) * share(), dice = share();
+    if (seed % 3 == 0)
+      pose.values[i] = dice < 0.65 ? 0 : value;
+    else if (seed % 3 == 1)
+      pose.values[i] = dice < 0.4 ? 0 : dice < 0.7 ? value : dice < 0.85 ? low : high;
+    else
+      pose.values[i] = value;
+  }
+  return pose;
+}
+
 std::string describe_pose(const Pose& pose) {
   std::string text;
-  for (std::size_t i = 0; i < kMoveCount; ++i)
+  for (std::size_t i = 0; i < kChannelCount; ++i)
     if (std::abs(pose.values[i]) > 0.5)
       text += fmt::format("{}{} {:.2f}", text.empty() ? "" : ", ", name_move(i), pose.values[i]);
   return text;
@@ -225,23 +244,47 @@ std::vector<SweepHead> list_speech_heads() {
   return {{"adult", HeadSpec{}}, {"child", child}, {"scan", load_spec(scan, *shipped().stock.language).head}};
 }
 
-SweepTable run_speech_sweep(unsigned first, unsigned count) {
+namespace {
+
+SweepTable run_builder_sweep(const std::vector<SweepHead>& heads, unsigned first, unsigned count,
+                             const std::function<Pose(unsigned)>& build_pose) {
   const auto jobs = static_cast<std::size_t>(count_workers());
   std::vector<DeformBuffers> buffers(jobs);
   std::vector<Drawing> drawings(jobs);
   std::vector<PoseFindings> findings(count);
   SweepTable table;
-  const std::vector<SweepHead> heads = list_speech_heads();
   for (std::size_t head = 0; head < heads.size(); ++head) {
     const Figure figure = build_figure(shipped().heads, heads[head].spec);
     const PoseProbe probe = build_pose_probe(figure);
     for_each_index(count, count_workers(), [&](std::size_t i, int worker) {
-      findings[i] = measure_pose(probe, build_speech_pose(first + static_cast<unsigned>(i)), buffers[worker],
+      findings[i] = measure_pose(probe, build_pose(first + static_cast<unsigned>(i)), buffers[worker],
                                  drawings[worker]);
     });
     for (unsigned i = 0; i < count; ++i) keep_worst(table, findings[i], head, first + i, figure.head);
   }
   return table;
+}
+
+}  // namespace
+
+SweepTable run_speech_sweep(unsigned first, unsigned count) {
+  return run_builder_sweep(list_speech_heads(), first, count, build_speech_pose);
+}
+
+std::vector<SweepHead> list_doctrine_heads() {
+  std::vector<SweepHead> heads;
+  for (const std::string age : {"infant", "child", "adult", "old"}) {
+    HeadSpec spec;
+    spec.age = {{age, 1.0}};
+    heads.push_back({age, spec});
+  }
+  heads.push_back(list_speech_heads().back());
+  return heads;
+}
+
+SweepTable run_doctrine_sweep(std::string_view doctrine, unsigned first, unsigned count) {
+  return run_builder_sweep(list_doctrine_heads(), first, count,
+                           [&](unsigned seed) { return build_doctrine_pose(doctrine, seed); });
 }
 
 }  // namespace mien

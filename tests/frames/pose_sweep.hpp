@@ -57,4 +57,14 @@ std::vector<SweepHead> list_speech_heads();
 // Speaking poses of the seeds from `first` on, on each of those.
 SweepTable run_speech_sweep(unsigned first, unsigned count);
 
+// A face of a doctrine's muscles or units alone ("muscles", "candide"): a third with a few, a third with some
+// at their limits, a third with all anywhere.
+Pose build_doctrine_pose(std::string_view doctrine, unsigned seed);
+
+// Heads of four ages and a digitised one.
+std::vector<SweepHead> list_doctrine_heads();
+
+// Poses of a doctrine of the seeds from `first` on, on each of those.
+SweepTable run_doctrine_sweep(std::string_view doctrine, unsigned first, unsigned count);
+
 }  // namespace mien

@@ -53,8 +53,9 @@ const std::set<std::pair<std::string, std::string>> kOtherThings{
 bool takes_areas_from_the_table(const std::string& path) {
   static const std::regex kPath("src/((timeline|sheet|config|command_line|commands)/.*|[a-z_]+\\.[ch]pp)");
   static const std::set<std::string> kReaders{
-      "src/config/areas.hpp", "src/config/design_data.hpp", "src/config/load_area_data.cpp",
-      "src/config/load_part_numbers.cpp", "src/config/load_shapes.cpp"};
+      "src/config/areas.hpp",          "src/config/design_data.hpp",
+      "src/config/load_area_data.cpp", "src/config/load_part_numbers.cpp",
+      "src/config/load_shapes.cpp",    "src/config/parke.hpp"};
   return std::regex_match(path, kPath) && !kReaders.contains(path);
 }
 
