@@ -74,23 +74,23 @@ Mesh build_common_skin(const ComparedFace& compared) {
 }
 
 SheetTable build_landmark_table(const std::vector<LandmarkDistance>& distances, double unit_mm) {
-  constexpr std::size_t kAcross = 3;
+  constexpr std::size_t kColumnsAcross = 3;
   SheetTable table;
   table.has_header = true;
-  for (std::size_t i = 0; i < kAcross; ++i)
+  for (std::size_t i = 0; i < kColumnsAcross; ++i)
     for (const auto& [share, align] :
          {std::pair(0.34, 0.0), {0.12, 1.0}, {0.12, 1.0}, {0.12, 1.0}, {0.13, 1.0}, {0.13, 1.0}, {0.04, 1.0}})
-      table.columns.emplace_back(share / kAcross, align);
+      table.columns.emplace_back(share / kColumnsAcross, align);
   const auto add = [](std::vector<SheetField>& row, const std::vector<std::string>& words) {
     for (const std::string& word : words) row.push_back({word});
     row.push_back({""});  // air before the next
   };
   std::vector<SheetField>& header = table.rows.emplace_back();
-  for (std::size_t i = 0; i < kAcross; ++i) add(header, {"landmark", "left", "up", "forward", "mm", "units"});
-  const std::size_t count = (distances.size() + kAcross - 1) / kAcross;
+  for (std::size_t i = 0; i < kColumnsAcross; ++i) add(header, {"landmark", "left", "up", "forward", "mm", "units"});
+  const std::size_t count = (distances.size() + kColumnsAcross - 1) / kColumnsAcross;
   for (std::size_t r = 0; r < count; ++r) {
     std::vector<SheetField>& row = table.rows.emplace_back();
-    for (std::size_t i = 0; i < kAcross; ++i) {
+    for (std::size_t i = 0; i < kColumnsAcross; ++i) {
       if (r + i * count >= distances.size()) {
         add(row, {"", "", "", "", "", ""});
         continue;
