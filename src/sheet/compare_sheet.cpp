@@ -129,7 +129,7 @@ SheetPlan plan_compare(const ComparedFace& first, const ComparedFace& second, co
   plan.subject = "Two faces compared";
   plan.cell_px = kFace_px;
   plan.blocks.resize(3);
-  plan.blocks[0].heading = first.words + "  |  " + second.words;
+  plan.blocks[0].heading = first.words + ", and " + second.words;
   plan.blocks[0].cells = {build_cell("first: front", 0), build_cell("first: side", kProfile_deg),
                           build_cell("second: front", 0), build_cell("second: side", kProfile_deg)};
   plan.blocks[1].heading = "Over each other";
@@ -144,7 +144,7 @@ SheetPlan plan_compare(const ComparedFace& first, const ComparedFace& second, co
   const double unit_mm = first.measures.height_mm() / 3.5;
   plan.blocks[2].heading = "Landmarks";
   plan.blocks[2].note =
-      fmt::format("from the first to the second; 1 unit is {} mm, of which the first is 3.5 high",
+      fmt::format("from the first to the second, 1 unit is {} mm, of which the first is 3.5 high",
                   format_number(unit_mm, 1));
   plan.blocks[2].table =
       build_landmark_table(measure_landmark_distances(first.landmarks, second.landmarks), unit_mm);
