@@ -38,6 +38,13 @@ FrameStart build_start(const Clip& clip, const Cast& cast, const CameraKey& came
   return start;
 }
 
+glm::dmat4 find_actor_place(const Heads& heads, std::size_t actor, const Moment& moment) {
+  if (!moment.place) return heads.places[actor];
+  const PlaceKey& first = heads.performances[actor].clip.place.front();
+  return find_motion({first.to_mm, first.turn_deg}, {moment.place->to_mm, moment.place->turn_deg}) *
+         heads.places[actor];
+}
+
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,
                 const InkView& view, DrawBuffers& buffers, Drawing& drawing) {
   Moment moment{};
@@ -53,11 +60,7 @@ void draw_actor(const Heads& heads, std::size_t actor, const Moment& asked, cons
   const DrawnFigure& figure = *heads.figures[actor];
   Moment moment = asked;
   drawing.is_away = !moment.is_there;
-  glm::dmat4 place = heads.places[actor];
-  if (moment.place) {
-    const PlaceKey& first = heads.performances[actor].clip.place.front();
-    place = find_motion({first.to_mm, first.turn_deg}, {moment.place->to_mm, moment.place->turn_deg}) * place;
-  }
+  const glm::dmat4 place = find_actor_place(heads, actor, moment);
   if (figure.ink)
     moment.pose = turn_gaze_to_camera(
         figure, moment.pose, place * compute_turn(figure.face.turn_pivot, moment.turn, 1), view.camera_mm);

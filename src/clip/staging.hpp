@@ -31,6 +31,9 @@ struct DrawBuffers {
   InkBuffers ink;
 };
 
+// Where one of `heads` stands at a moment that is its own: world from figure.
+glm::dmat4 find_actor_place(const Heads& heads, std::size_t actor, const Moment& moment);
+
 // One of `heads` at a time, as `view` sees them; with `pose` doing that instead. The drawing is one of the
 // figure's drawn model.
 void draw_actor(const Heads& heads, std::size_t actor, double time_s, const std::optional<Pose>& pose,

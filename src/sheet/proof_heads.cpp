@@ -94,13 +94,13 @@ Proof prove_skull(const Resources& resources, const std::string& number, const s
   const double chin_mm = average.measures.chin_mm(), tall_mm = average.measures.height_mm();
   const std::array<std::array<double, 2>, 2> zones{
       {{0.05, guides.at("ear_base") - 0.03}, {guides.at("ear_top") + 0.03, 0.95}}};
-  constexpr int kSteps = 20;
+  constexpr int kHeightsAZone = 20;
   double sum_mm = 0, most_mm = 0, other_mm = 0;
   int count = 0;
   for (const auto& [low, high] : zones) {
     WireLine left{{}, Pen::limit, true}, right = left;
-    for (int i = 0; i <= kSteps; ++i) {
-      const double y_mm = chin_mm + tall_mm * std::lerp(low, high, static_cast<double>(i) / kSteps);
+    for (int i = 0; i <= kHeightsAZone; ++i) {
+      const double y_mm = chin_mm + tall_mm * std::lerp(low, high, static_cast<double>(i) / kHeightsAZone);
       const double average_mm = measure_half_width_mm(plain.solids.front(), y_mm);
       const glm::dvec2 drawn = draw_outline_point(warp, {average_mm, y_mm});
       const double half_mm = measure_half_width_mm(model.solids.front(), drawn.y);

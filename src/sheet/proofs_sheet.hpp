@@ -8,7 +8,7 @@
 namespace mien {
 
 // A page that opens without a network: -o, which ends in .html, else out/proofs/index.html. Throws InputError
-// before anything is written. About half a minute.
+// before anything is written.
 SheetFiles write_proofs(const Options& options, const Resources& resources);
 
 }  // namespace mien

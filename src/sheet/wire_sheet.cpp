@@ -121,7 +121,9 @@ Paper draw_wire_still(const Options& options, const Clip& clip, const Cast& cast
       moment.pose = *still.pose;
     else
       moment = sample_performance(heads.performances[i], still.time_s);
-    append_wire_head(*heads.figures[i], {moment.pose, moment.turn, heads.places[i]}, options.wire, model);
+    if (!moment.is_there) continue;
+    append_wire_head(*heads.figures[i], {moment.pose, moment.turn, find_actor_place(heads, i, moment)},
+                     options.wire, model);
   }
   Paper paper;
   paper.title = clip.spec.title.empty() ? clip.spec.name : clip.spec.title;

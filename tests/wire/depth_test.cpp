@@ -112,7 +112,7 @@ Judged judge(const WireModel& model, const WireCamera& seen_by, const WireCamera
   return judged;
 }
 
-// MIEN_FUZZ_ROUNDS=50 is what docs/sheets.md tells of.
+// MIEN_FUZZ_ROUNDS=50 asks it of as many views as docs/sheets.md tells of.
 TEST(wire_depth, hidden_lines_of_random_faces_agree_with_a_depth_picture) {
   std::mt19937 random(find_fuzz_seed(56));
   const int rounds = std::min(count_fuzz_rounds(4), 50);
