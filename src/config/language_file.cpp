@@ -43,7 +43,7 @@ void fill_actors(Sections& all) {
        {as_section(place), as_list({as_section(step)}, 1)},
        "Where the actor stands, or keys of it. The camera frames everybody where they stand first."},
       {"from", as_waiting_time(all.wait), "When the actor comes in: nobody is there before.", "0"},
-      {"to", as_waiting_time(all.wait), "When the actor has gone.", "the end"},
+      {"to", as_waiting_time(all.wait), "When the actor has gone; without it, at the clip's end."},
       {"clip", {as_section(all.clip)}, "What this one does."}};
   actor.keys.back().forms[0].excluded = kSharedClipKeys;
 }

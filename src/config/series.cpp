@@ -35,7 +35,6 @@ void load_points(const YamlValue& value, const ClipClock& clock, Series& series)
     series.at_s.push_back(at_s);
     series.values.push_back(number);
   }
-  if (series.at_s.empty()) add_mistake(value, "'points' has none; expected one at least");
 }
 
 }  // namespace
@@ -71,13 +70,11 @@ std::shared_ptr<const Series> load_series(const YamlValue& value, const ClipCloc
     add_mistake(*column, "'column' is of a 'csv'; expected none beside 'points'");
   else if (points != nullptr)
     load_points(*points, clock, series);
-  else if (column == nullptr)
+  else if (std::string name; column == nullptr)
     add_mistake(value, "'column' is missing; expected the name of a column of the 'csv'");
-  else if (std::optional<FileReference> file; load_file(*csv, file)) {
-    std::string name;
-    if (load_text(*column, "the name of a column", name) && has_room(*csv, file->path))
-      load_series_table(file->path, name, *column, clock, series);
-  }
+  else if (std::optional<FileReference> file; load_text(*column, "the name of a column", name) &&
+                                              load_file(*csv, file) && has_room(*csv, file->path))
+    load_series_table(file->path, name, *column, clock, series);
   if (value.findings->mistakes.size() != before || series.at_s.empty()) return {};
   return finish_series(std::move(series));
 }

@@ -128,33 +128,45 @@ void stop_at_level(const Face& face, const std::vector<LipStop>& stops, std::vec
   }
 }
 
-// Of lips that overlap, the upper one's share of what they are pushed apart: half, or what brings both to the
-// level.
-double compute_upper_share(const LipColumn& column, const LipStop& stop,
-                           const std::vector<glm::dvec3>& points) {
-  const double upper = points[column.upper_contact].y, lower = points[column.lower_contact].y;
-  if (lower - upper < 1e-6) return 0.5;
-  return (std::clamp(stop.level_mm, upper, lower) - upper) / (lower - upper);
+// Where lips that overlap meet by their level; nothing for a column whose lips do not.
+std::vector<std::optional<double>> list_meetings(const Face& face, const std::vector<LipStop>& stops,
+                                                 const std::vector<glm::dvec3>& points) {
+  std::vector<std::optional<double>> meetings(stops.size());
+  for (std::size_t i = 0; i < stops.size(); ++i) {
+    const double upper = points[face.lips[i].upper_contact].y, lower = points[face.lips[i].lower_contact].y;
+    if (upper <= lower) meetings[i] = std::clamp(stops[i].level_mm, upper, lower);
+  }
+  return meetings;
 }
 
-// LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half, or to their level; pressed lips close
-// what a shut jaw leaves open.
-void match_lips(const Face& face, const Pose& pose, const std::vector<LipStop>& stops,
-                std::vector<glm::dvec3>& points) {
+// Brings lips that have been parted half and half to where they meet.
+void bring_to_level(const Face& face, const std::vector<std::optional<double>>& meetings,
+                    std::vector<glm::dvec3>& points) {
+  for (std::size_t i = 0; i < meetings.size(); ++i) {
+    if (!meetings[i]) continue;
+    const LipColumn& column = face.lips[i];
+    const double aside =
+        *meetings[i] - 0.5 * (points[column.upper_contact].y + points[column.lower_contact].y);
+    for (const auto& [point, share] : column.upper) points[point].y += aside * share;
+    for (const auto& [point, share] : column.lower) points[point].y += aside * share;
+  }
+}
+
+// LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
+// leaves open.
+void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
   const double press = value_of(pose, "lips", Side::none, "press");
   const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
-  for (std::size_t i = 0; i < face.lips.size(); ++i) {
-    const LipColumn& column = face.lips[i];
+  for (const LipColumn& column : face.lips) {
     const double gap = compute_gap_mm(column, points);
-    double closing = 0, aside = 0;  // each lip's own way, and what both go the same way
+    double closing = 0;
     if (gap < 0) closing = part * gap / 2;
-    if (gap < 0 && !stops.empty()) aside = (compute_upper_share(column, stops[i], points) - 0.5) * -gap;
     const double seal = press * compute_seal(std::max(0.0, gap) / face.seal_until_mm);
     if (gap > 0) closing = seal * gap / 2;
     closing += seal * kSlit * column.rest_skin_gap_mm / 2;
     if (closing == 0) continue;
-    for (const auto& [point, share] : column.upper) points[point].y -= (closing - aside) * share;
-    for (const auto& [point, share] : column.lower) points[point].y += (closing + aside) * share;
+    for (const auto& [point, share] : column.upper) points[point].y -= closing * share;
+    for (const auto& [point, share] : column.lower) points[point].y += closing * share;
   }
 }
 
@@ -286,8 +298,10 @@ void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,
   pose_freely(head, face, pose, points);
   const std::vector<LipStop> stops = compute_lip_stops(head, face, pose);
   stop_at_level(face, stops, points);
-  match_lips(face, pose, stops, points);
+  const std::vector<std::optional<double>> meetings = list_meetings(face, stops, points);
+  match_lips(face, pose, points);
   part_skin(face, points);
+  bring_to_level(face, meetings, points);
 }
 
 glm::dmat3 compute_gaze(const Face& face, const Pose& pose, Side side) {

@@ -79,7 +79,7 @@ TEST(series, reads_a_column_as_a_device_recorded_it) {
   EXPECT_NEAR(sample_law(spec, 0.25), 0.25, 1e-12);
   write_file(folder / "stick.csv", "frame;joyz\n0;0\n24;1\n");
   EXPECT_NEAR(sample_law(load(folder, clip_with("{csv: stick.csv, column: joyz}")), 0.5), 0.5, 1e-12);
-  EXPECT_EQ(load(folder, clip_with("{csv: stick.csv, column: joyz}")).files.size(), 2u);  // is watched, too
+  EXPECT_GE(load(folder, clip_with("{csv: stick.csv, column: joyz}")).files.size(), 2u);  // is watched, too
 }
 
 TEST(series, tells_what_is_wrong) {
@@ -97,7 +97,8 @@ TEST(series, tells_what_is_wrong) {
             "face.yaml:5:11: error: 'column' is missing; expected the name of a column of the 'csv'");
   EXPECT_EQ(told("{points: [{at: 0s, value: 1}], column: joyz}"),
             "face.yaml:5:50: error: 'column' is of a 'csv'; expected none beside 'points'");
-  EXPECT_EQ(told("{points: [{at: 0s}]}"), "face.yaml:5:21: error: 'value' is missing; expected a number");
+  EXPECT_EQ(told("{points: [{at: 0s}]}"),
+            "face.yaml:5:21: error: an item of 'clip.inputs.push.points' has no 'value'; expected a number");
   EXPECT_EQ(told("{csv: stick.csv, column: joyx}"),
             "face.yaml:5:36: error: unknown column 'joyx'; did you mean 'joyz'?");
   const auto of_table = [&](const std::string& table) {

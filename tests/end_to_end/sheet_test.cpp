@@ -114,11 +114,11 @@ TEST(sheet, writes_nothing_if_its_words_are_wrong) {
     return run.err;
   };
   EXPECT_EQ(find_mistake("vews child.yaml"), "error: unknown kind 'vews'; did you mean 'views'?\n");
-  EXPECT_EQ(
-      find_mistake("poster child.yaml"),
-      "error: unknown kind 'poster'; expected views, details, ages, skulls, features, expressions, "
-      "libraries, designs, heads, people, mouths, areas, limits, wire, compare, proofs, strip, exposure or "
-      "contact\n");
+  EXPECT_EQ(find_mistake("poster child.yaml"),
+            "error: unknown kind 'poster'; expected views, details, ages, skulls, features, expressions, "
+            "libraries, designs, doctrines, heads, people, mouths, areas, limits, wire, compare, proofs, "
+            "strip, exposure or "
+            "contact\n");
   EXPECT_EQ(find_mistake("views child.yaml -o a.jpg"),
             "error: -o a.jpg: unknown kind of picture '.jpg'; expected a name that ends in .png\n");
   EXPECT_EQ(

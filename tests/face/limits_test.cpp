@@ -56,7 +56,7 @@ TEST(limits, are_the_way_that_their_point_goes_on_every_head) {
       EXPECT_NEAR(mm, limit.mm, 0.01 * limit.mm) << age << " " << limit.name->name;
       EXPECT_GT(limit.mm, 0.5) << age << " " << limit.name->name;
     }
-    EXPECT_EQ(count, 2 * (6 + 2 + 4) + 2 + 1 + kBeyond);
+    EXPECT_EQ(count, 2 * (6 + 2 + 4) + 2 + 2 + kBeyond);
   }
 }
 
