@@ -202,7 +202,8 @@ void load_sculpt(const YamlValue& value, const HeadSource& source, std::vector<S
     const YamlValue* move = find_value(entries, "move");
     const YamlValue* turn = find_value(entries, "turn");
     const YamlValue* about = find_value(entries, "about");
-    if (move == nullptr && turn == nullptr && find_value(entries, "scale") == nullptr)
+    if (find_node(item).kind == NodeKind::mapping && move == nullptr && turn == nullptr &&
+        find_value(entries, "scale") == nullptr)
       add_mistake(item, "the stroke does nothing; expected one of move, scale and turn");
     bool is_middle = false;
     if (at != nullptr && load_text(*at, "a place of the head such as chin", stroke.at) &&
