@@ -189,13 +189,12 @@ void fill_inputs(Sections& all) {
   input.name = "input";
   input.help = "A number that changes with time: a ramp, a curve, or what a device recorded.";
   input.expected = "an input such as {points: [{at: 0s, value: 0}, {at: 1s, value: 1}]}";
-  input.keys = {
-      {"points", {as_list({as_section(point)})}, "The number at some times, by rising time."},
-      {"csv",
-       {as_file({".csv", ".tsv", ".txt"})},
-       "A table whose first line names its columns, one of them time or frame."},
-      {"column", {as_line(kMaxTitleLength)}, "The table's column."},
-      build_between("What the way from one number to the next is.", std::string(kBetweenWords[1].name))};
+  input.keys = {{"points", {as_list({as_section(point)})}, "The number at some times, by rising time."},
+                {"csv",
+                 {as_file({".csv", ".tsv", ".txt"})},
+                 "A table whose first line names its columns, one of them time or frame."},
+                {"column", {as_line(kMaxTitleLength)}, "The table's column."},
+                build_between("What the way from one number to the next is; straight without it.")};
   input.rules = {{KeyRule::Kind::apart, {"points", "csv"}}, {KeyRule::Kind::needs, {"column", "csv"}}};
 }
 

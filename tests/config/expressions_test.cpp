@@ -193,7 +193,7 @@ a.yaml:3:27: error: unknown move 'upp' in 'expressions.x.brows'; did you mean 'u
 a.yaml:3:47: error: unknown expression 'z'; did you mean 'x'?
   expressions: {x: {brows: {upp: 1}}, y: {from: z}}
                                                 ^
-b.yaml:1:1: error: unknown key 'title'; known: mien, library, source, expressions
+b.yaml:1:1: error: unknown key 'title'; known: mien, library, source, rules, expressions
   title: x
   ^
 b.yaml:1:1: error: 'mien: 1' is missing; expected it as the first line
