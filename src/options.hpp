@@ -53,9 +53,9 @@ struct WireOptions {
 };
 
 struct Options {
-  std::string kind;            // the word before the file: what `list` lists, which sheet
+  std::string kind;             // the word before the file: what `list` lists, which sheet
   std::filesystem::path other;  // the second FILE of `sheet compare`
-  std::filesystem::path file;  // the YAML file (for `new`: the name of the file to make)
+  std::filesystem::path file;   // the YAML file (for `new`: the name of the file to make)
   std::optional<std::filesystem::path>
       output;  // -o: a folder for render, frames and bust; a file for still and mesh
   std::vector<std::filesystem::path> outputs;  // every -o, in their order; the last is `output`

@@ -306,9 +306,10 @@ std::string read_value(const std::string& name, const std::string& text, Options
   if (name == "read-only") options.is_read_only = true;
   if (name == "no-wait") options.farm.has_wait = false;
   if (name == "dry-run") options.farm.is_dry_run = true;
-  for (const char* flag : {"no-wait", "dry-run", "quiet", "json", "half", "exact", "stl", "no-stl", "3mf",
-                           "preview", "openscad", "open", "read-only", "keep-scenes", "boomerang", "slate",
-                           "wire", "cage", "guides", "limits"})
+  for (const char* flag :
+       {"no-wait",   "dry-run", "quiet",   "json",     "half",   "exact",     "stl",
+        "no-stl",    "3mf",     "preview", "openscad", "open",   "read-only", "keep-scenes",
+        "boomerang", "slate",   "wire",    "cage",     "guides", "limits"})
     if (name == flag) return {};
   if (text.empty()) return "is empty";
   if (name == "output") options.output = text;

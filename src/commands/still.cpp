@@ -115,16 +115,17 @@ void run_still(const Options& options) {
 
 }  // namespace
 
-const CommandInfo command_still{"still",
-                                "Pictures",
-                                "FILE",
-                                "one picture, of a time or of an expression",
-                                "Renders one picture: the clip at a time, or the head with one expression. With "
-                                "--wire it is a\nline drawing, without hair, as .svg and as .png, or as -o ends.",
-                                "at express actor angle wire cage guides limits",
-                                "mien still configs/hello.yaml --at 1.2s -o face.png\n"
-                                "mien still configs/hello.yaml --express surprise --angle 30 -o face.png\n"
-                                "mien still configs/hello.yaml --wire --guides -o face.svg",
-                                run_still};
+const CommandInfo command_still{
+    "still",
+    "Pictures",
+    "FILE",
+    "one picture, of a time or of an expression",
+    "Renders one picture: the clip at a time, or the head with one expression. With "
+    "--wire it is a\nline drawing, without hair, as .svg and as .png, or as -o ends.",
+    "at express actor angle wire cage guides limits",
+    "mien still configs/hello.yaml --at 1.2s -o face.png\n"
+    "mien still configs/hello.yaml --express surprise --angle 30 -o face.png\n"
+    "mien still configs/hello.yaml --wire --guides -o face.svg",
+    run_still};
 
 }  // namespace mien

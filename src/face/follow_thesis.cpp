@@ -12,7 +12,7 @@ namespace mien {
 
 namespace {
 
-constexpr std::array<const char*, BrowBox::kPoints> kTurnedPoints{"E5_2", "E5_3", "E5_4", "E5_5", "E5_6"};
+constexpr std::array kTurnedPoints{"E5_2", "E5_3", "E5_4", "E5_5", "E5_6"};
 
 glm::dvec3 compute_skin_way(const NeutralHead& head, const Field& field, const char* name) {
   const Surface& surface = *head.surface;

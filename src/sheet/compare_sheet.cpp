@@ -86,7 +86,8 @@ SheetTable build_landmark_table(const std::vector<LandmarkDistance>& distances, 
     row.push_back({""});  // air before the next
   };
   std::vector<SheetField>& header = table.rows.emplace_back();
-  for (std::size_t i = 0; i < kColumnsAcross; ++i) add(header, {"landmark", "left", "up", "forward", "mm", "units"});
+  for (std::size_t i = 0; i < kColumnsAcross; ++i)
+    add(header, {"landmark", "left", "up", "forward", "mm", "units"});
   const std::size_t count = (distances.size() + kColumnsAcross - 1) / kColumnsAcross;
   for (std::size_t r = 0; r < count; ++r) {
     std::vector<SheetField>& row = table.rows.emplace_back();

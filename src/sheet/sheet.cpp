@@ -31,7 +31,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kLargeTitle_px = 50;  // the captions' letters are half as large
+constexpr double kLargeTitle_px = 50;     // the captions' letters are half as large
 constexpr const char* kGround = "paper";  // templates/povray/background_paper.inc
 
 fs::path find_sheet_path(const std::string& kind, const Options& options, const Spec& spec) {

@@ -71,7 +71,8 @@ WireSolid build_skin(const NeutralHead& head, const PartShape& drawn, std::vecto
 WireSolid build_cage_solid(const Figure& figure, const WireFace& face, const std::vector<glm::dvec3>& posed,
                            std::vector<WireLine>& lines) {
   WireSolid solid;
-  const double stretch = compute_stretch(figure.redraw, redraw_pose(figure.redraw, apply_limits(figure.limits, face.pose)));
+  const double stretch =
+      compute_stretch(figure.redraw, redraw_pose(figure.redraw, apply_limits(figure.limits, face.pose)));
   for (std::size_t i = 0; i < posed.size(); ++i) {
     glm::dvec3 p = posed[i];
     if (figure.redraw.is_on()) {

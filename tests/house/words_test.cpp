@@ -32,6 +32,18 @@ std::vector<std::string> find_area_names(const std::string& line) {
 // ink's; a landmark is the tip of the tongue; and a guide line that ends the face below is called as what it
 // touches.
 const std::set<std::pair<std::string, std::string>> kOtherThings{
+    // What holds a brow, moves that doctrines have for their own, the thesis's table of faces, parts of a
+    // head.
+    {"src/commands/explain.cpp", "brow"},
+    {"src/config/load_doctrine_data.cpp", "eye"},
+    {"src/config/load_doctrine_data.cpp", "lips"},
+    {"src/sheet/proof_faces.cpp", "brows"},
+    {"src/sheet/proof_faces.cpp", "chin"},
+    {"src/sheet/proof_faces.cpp", "corners"},
+    {"src/sheet/proof_faces.cpp", "lids"},
+    {"src/sheet/proof_faces.cpp", "lips"},
+    {"src/sheet/wire_head.cpp", "chin"},
+    {"src/sheet/wire_head.cpp", "tongue"},
     {"src/config/words.hpp", "brow"},
     {"src/config/words.hpp", "lips"},
     {"src/config/load_people.cpp", "brow"},
