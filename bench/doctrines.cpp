@@ -10,6 +10,7 @@
 #include "core/data.hpp"
 #include "frames/pose_sweep.hpp"
 #include "frames/skin_motion.hpp"
+#include "poses.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -68,16 +69,7 @@ void print_sweep(std::string_view doctrine) {
   const std::vector<SweepHead> heads = list_doctrine_heads();
   const SweepTable table = run_doctrine_sweep(doctrine, 1, kPoses);
   fmt::print("\nposes of {}: {} on each of {} heads\n", doctrine, kPoses, heads.size());
-  for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
-    const SweepWorst& worst = table[check];
-    const PoseCheck& info = kPoseChecks[check];
-    fmt::print("{:<28} {:>8.3f} {:<9}  {} poses past {:g}", info.name, worst.finding.value, info.unit,
-               worst.count, info.bound);
-    if (worst.seed > 0)
-      fmt::print("; {}, pose {} at {}: {}", heads[worst.head].name, worst.seed, worst.place,
-                 describe_pose(build_doctrine_pose(doctrine, worst.seed)));
-    fmt::print("\n");
-  }
+  print_sweep_table(table, heads, [&](unsigned seed) { return build_doctrine_pose(doctrine, seed); });
 }
 
 }  // namespace

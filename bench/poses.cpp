@@ -3,16 +3,11 @@
 #include <fmt/format.h>
 
 #include <cstdio>
-#include <functional>
-
-#include "frames/pose_sweep.hpp"
 
 namespace mien {
 
-namespace {
-
-void print_table(const SweepTable& table, const std::vector<SweepHead>& heads,
-                 const std::function<Pose(unsigned)>& build_pose) {
+void print_sweep_table(const SweepTable& table, const std::vector<SweepHead>& heads,
+                       const std::function<Pose(unsigned)>& build_pose) {
   for (std::size_t check = 0; check < kPoseCheckCount; ++check) {
     const SweepWorst& worst = table[check];
     const PoseCheck& info = kPoseChecks[check];
@@ -25,8 +20,6 @@ void print_table(const SweepTable& table, const std::vector<SweepHead>& heads,
   }
 }
 
-}  // namespace
-
 void measure_poses() {
   constexpr SweepSize kSize{500, 100};
   const std::vector<SweepHead> all = list_sweep_heads();
@@ -35,8 +28,8 @@ void measure_poses() {
   for (const bool is_exaggerated : {false, true}) {
     fmt::print("\nposes {}: {} on each of {} heads\n", is_exaggerated ? "exaggerated" : "within the limits",
                is_exaggerated ? kSize.exaggerated : kSize.within, heads.size());
-    print_table(tables[is_exaggerated ? 1 : 0], all,
-                [&](unsigned seed) { return build_sweep_pose(seed, is_exaggerated); });
+    print_sweep_table(tables[is_exaggerated ? 1 : 0], all,
+                      [&](unsigned seed) { return build_sweep_pose(seed, is_exaggerated); });
   }
   constexpr unsigned kSpoken = 2000;
   fmt::print("\nposes of speech: {} on each of {} heads\n", kSpoken, list_speech_heads().size());

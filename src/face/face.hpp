@@ -14,6 +14,7 @@
 #include "face/lid_rig.hpp"
 #include "head/fields.hpp"
 #include "head/head.hpp"
+#include "head/least_squares.hpp"
 #include "head/lip_sheet.hpp"
 
 namespace mien {
@@ -109,6 +110,14 @@ struct BrowBox {
 };
 class DoctrineFields;  // face/doctrine.hpp
 
+// A corner of an eye on the skin, and the control points of the lids' rings there, which have this share of
+// it.
+struct EyeCorner {
+  LinearRow row;
+  std::vector<std::uint32_t> points;
+  double share = 1;
+};
+
 struct Face {
   FaceUnits units;
   std::vector<DrivenField> fields;  // of the moves, one driver each, then correctives
@@ -123,6 +132,7 @@ struct Face {
   double seal_until_mm = 4;
   double tongue_out_mm = 34, tongue_up_mm = 20;  // of its tip at its limits
   bool follows_thesis = false;
+  std::vector<EyeCorner> eye_corners;    // of both eyes, by `rules: thesis`; else none
   std::vector<BrowBox> brow_boxes;       // left and right, by `rules: thesis`; else none
   std::optional<double> match_level_mm;  // LIPS_MATCH_LEVEL above where the lips meet at rest
   glm::dvec3 turn_pivot{0};

@@ -1,4 +1,5 @@
 // What `rules: thesis` changes of a face before it is posed.
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 
@@ -6,21 +7,13 @@
 #include "face/thesis_rules.hpp"
 #include "head/cage.hpp"
 #include "head/patterns.hpp"
-#include "head/surface.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr std::array kTurnedPoints{"E5_2", "E5_3", "E5_4", "E5_5", "E5_6"};
-
 glm::dvec3 compute_skin_way(const NeutralHead& head, const Field& field, const char* name) {
-  const Surface& surface = *head.surface;
-  const std::uint32_t vertex = find_point(head.cage, name);
-  glm::dvec3 way(0);
-  for (std::uint32_t k = surface.first[vertex]; k < surface.first[vertex + 1]; ++k)
-    way += static_cast<double>(surface.weight[k]) * field[surface.point[k]];
-  return way;
+  return sample_row(compute_limit_row(*head.surface, find_point(head.cage, name)), field);
 }
 
 DrivenField& find_brow_field(Face& face, const char* move, int sign) {
@@ -37,7 +30,7 @@ Handles turn_stick(const Cage& cage, const char* end, double angle_rad, const Fi
   const glm::dvec3 pivot = cage.points[find_point(cage, end)];
   const double c = std::cos(angle_rad), s = std::sin(angle_rad);
   Handles handles;
-  for (const char* name : kTurnedPoints) {
+  for (const char* name : kBrowPoints) {
     const std::uint32_t point = find_point(cage, name);
     const glm::dvec3 arm = cage.points[point] - pivot;
     const double rise = arm.x * s + arm.y * c - arm.y;
@@ -48,11 +41,11 @@ Handles turn_stick(const Cage& cage, const char* end, double angle_rad, const Fi
 
 // The angle between the brow's ends that a turn by the data's own handles has.
 double measure_turn_rad(const NeutralHead& head, const Field& turn) {
-  const glm::dvec3 inner = head.cage.points[find_point(head.cage, kTurnedPoints.front())],
-                   outer = head.cage.points[find_point(head.cage, kTurnedPoints.back())];
+  const glm::dvec3 inner = head.cage.points[find_point(head.cage, kBrowPoints.front())],
+                   outer = head.cage.points[find_point(head.cage, kBrowPoints.back())];
   const glm::dvec3 rest = outer - inner;
-  const glm::dvec3 turned = rest + compute_skin_way(head, turn, kTurnedPoints.back()) -
-                            compute_skin_way(head, turn, kTurnedPoints.front());
+  const glm::dvec3 turned = rest + compute_skin_way(head, turn, kBrowPoints.back()) -
+                            compute_skin_way(head, turn, kBrowPoints.front());
   return std::atan2(turned.y, turned.x) - std::atan2(rest.y, rest.x);
 }
 
@@ -78,8 +71,8 @@ void turn_brows_about_ends(const NeutralHead& head, Face& face) {
   const std::vector<bool> anchors = find_points(head.cage, held);
   const Field& raised = find_brow_field(face, "up", 1).field;
   // The inner end goes up about the outer one; the outer one goes up about the inner one.
-  turn_about_end(head, solver, anchors, raised, kTurnedPoints.back(), find_brow_field(face, "turn", 1));
-  turn_about_end(head, solver, anchors, raised, kTurnedPoints.front(), find_brow_field(face, "turn", -1));
+  turn_about_end(head, solver, anchors, raised, kBrowPoints.back(), find_brow_field(face, "turn", 1));
+  turn_about_end(head, solver, anchors, raised, kBrowPoints.front(), find_brow_field(face, "turn", -1));
 }
 
 // The directions of the outline of the left eye's lids at rest, seen from the eye's centre.
@@ -128,11 +121,29 @@ void keep_pupils_in_outline(const NeutralHead& head, Face& face) {
   limit(std::min(-inner, outer), face.eye_side_rad);
 }
 
+void find_corner_points(const NeutralHead& head, Face& face) {
+  constexpr std::array kRings{"EB", "E0", "E1", "E2"};  // those that turn with the lids there
+  face.eye_corners.clear();
+  for (const bool is_right : {false, true})
+    for (const int column : {0, kLidColumns / 2}) {
+      const auto find = [&](const char* ring) {
+        const std::uint32_t left = find_point(head.cage, fmt::format("{}_{}", ring, column));
+        return is_right ? head.cage.mirror[left] : left;
+      };
+      EyeCorner corner{compute_limit_row(*head.surface, find("E1")), {}, 0};
+      for (const char* ring : kRings) corner.points.push_back(find(ring));
+      for (const auto& [point, weight] : corner.row)
+        if (std::ranges::find(corner.points, point) != corner.points.end()) corner.share += weight;
+      face.eye_corners.push_back(std::move(corner));
+    }
+}
+
 }  // namespace
 
 void follow_thesis(const NeutralHead& head, Face& face) {
   turn_brows_about_ends(head, face);
   face.follows_thesis = true;
+  find_corner_points(head, face);
   face.lids.meeting = 0;
   keep_pupils_in_outline(head, face);
   if (!face.match_level_mm) face.match_level_mm = 0;

@@ -268,8 +268,10 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
   for (const DrivenField& driven : face.fields)
     if (!driven.is_late) add_field(driven, pose, points);
   add_doctrines(head, face, pose, points);
+  const std::vector<glm::dvec3> corners = find_eye_corners(face, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
+  keep_eye_corners(face, corners, points);
   give_way(face.give_way, points);
   const double open = value_of(pose, "chin", Side::none, "down"), straight = compute_straight(pose);
   if (open != 0 || straight != 0)

@@ -6,26 +6,15 @@
 #include <ranges>
 
 #include "head/cage.hpp"
-#include "head/surface.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr std::array<const char*, BrowBox::kPoints> kBrowPoints{"E5_2", "E5_3", "E5_4", "E5_5", "E5_6"};
 constexpr int kHalvings = 30;  // to a millionth of a limit
 
 std::size_t find_sided_move(const char* area, Side side, const char* move) {
   return *find_move(area, side, move);
-}
-
-// y of the skin at a control point of the cage; of a field's, how far it rises.
-double compute_skin_height(const Surface& surface, std::uint32_t vertex,
-                           const std::vector<glm::dvec3>& points) {
-  double height = 0;
-  for (std::uint32_t k = surface.first[vertex]; k < surface.first[vertex + 1]; ++k)
-    height += static_cast<double>(surface.weight[k]) * points[surface.point[k]].y;
-  return height;
 }
 
 BrowBox::Heights compute_heights(const Face& face, const BrowBox& box, const Pose& pose) {
@@ -120,6 +109,20 @@ double compute_lower_lip_mm(const NeutralHead& head, const Face& face, const Pos
 
 }  // namespace
 
+std::vector<glm::dvec3> find_eye_corners(const Face& face, const std::vector<glm::dvec3>& points) {
+  std::vector<glm::dvec3> corners;
+  for (const EyeCorner& corner : face.eye_corners) corners.push_back(sample_row(corner.row, points));
+  return corners;
+}
+
+void keep_eye_corners(const Face& face, const std::vector<glm::dvec3>& before,
+                      std::vector<glm::dvec3>& points) {
+  const std::vector<glm::dvec3> now = find_eye_corners(face, points);
+  for (std::size_t i = 0; i < now.size(); ++i)
+    for (const std::uint32_t point : face.eye_corners[i].points)
+      points[point] += (before[i] - now[i]) / face.eye_corners[i].share;
+}
+
 std::vector<BrowBox> build_brow_boxes(const NeutralHead& head, const Face& face, const LimitShares& limits) {
   std::vector<BrowBox> boxes;
   for (const Side side : {Side::left, Side::right}) {
@@ -128,8 +131,8 @@ std::vector<BrowBox> build_brow_boxes(const NeutralHead& head, const Face& face,
       BrowBox::Heights heights{};
       for (std::size_t p = 0; p < BrowBox::kPoints && !points.empty(); ++p) {
         const std::uint32_t left = find_point(head.cage, kBrowPoints[p]);
-        heights[p] =
-            compute_skin_height(*head.surface, side == Side::left ? left : head.cage.mirror[left], points);
+        const std::uint32_t point = side == Side::left ? left : head.cage.mirror[left];
+        heights[p] = sample_row(compute_limit_row(*head.surface, point), points).y;
       }
       return heights;
     };

@@ -21,6 +21,9 @@ struct BrowHold {
   double asked_up = 0, held_up = 0;  // brow.up
 };
 
+// The control points under the left brow, and what they are called.
+inline constexpr std::array<const char*, BrowBox::kPoints> kBrowPoints{"E5_2", "E5_3", "E5_4", "E5_5",
+                                                                       "E5_6"};
 inline constexpr std::array<std::string_view, BrowBox::kPoints> kBrowPointWords{
     "inner end", "inner half", "peak", "outer half", "outer end"};
 
@@ -29,6 +32,13 @@ inline constexpr std::array<std::string_view, BrowBox::kPoints> kBrowPointWords{
 // ends where the lower one rests. The eyeballs' limits are where the pupil's edge meets the lids' outline at
 // rest, no further than eyes turn. The lips and the chin stop at one level.
 void follow_thesis(const NeutralHead& head, Face& face);
+
+// The skin at the corners of both eyes, in the order of Face::eye_corners.
+std::vector<glm::dvec3> find_eye_corners(const Face& face, const std::vector<glm::dvec3>& points);
+
+// Takes the skin there back to where it was before the lids turned.
+void keep_eye_corners(const Face& face, const std::vector<glm::dvec3>& before,
+                      std::vector<glm::dvec3>& points);
 
 // The rectangles of this head's brows, with its limits: the top is that of the highest point where a brow
 // goes up as far as it may, the bottom that of the lowest where it goes down. Left and right.
