@@ -33,7 +33,7 @@ void measure_poses() {
   }
   constexpr unsigned kSpoken = 2000;
   fmt::print("\nposes of speech: {} on each of {} heads\n", kSpoken, list_speech_heads().size());
-  print_table(run_speech_sweep(1, kSpoken), list_speech_heads(), build_speech_pose);
+  print_sweep_table(run_speech_sweep(1, kSpoken), list_speech_heads(), build_speech_pose);
   std::fflush(stdout);
 }
 
