@@ -145,22 +145,7 @@ void print_doctrines(const Pose& pose) {
       fmt::print("{}: {:+.2f}, {}\n", name_move(i), pose.values[i], kChannels[i].meaning);
 }
 
-void print_story(const Story& story, const std::vector<Row>& rows) {
-  fmt::print("{}\n", story.title);
-  for (const MomentPart& part : story.parts) {
-    fmt::print("  {:3.0f} % {} ({} {:.4g}s{})\n", 100 * part.share, part.label,
-               part.is_cue ? "cue from" : "key at", part.at_s,
-               part.is_endless ? ", to the clip's end: it has no 'hold' or 'to'" : "");
-    for (const auto& [area, off] : part.released) fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
-    if (!part.order.empty()) fmt::print("        {}\n", part.order);
-  }
-  if (story.breath_mm > 0) fmt::print("  a breath has lifted the shoulders by {:.1f} mm\n", story.breath_mm);
-  if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
-  if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
-  if (has_doctrine(story.pose)) fmt::print("\n");
-  print_doctrines(story.pose);
-  if (rows.empty() && has_doctrine(story.pose)) return;
-  if (rows.empty()) return fmt::print("\nnothing moves: every area is at rest\n");
+void print_rows(const std::vector<Row>& rows) {
   constexpr std::size_t kAreaWidth = kLongestAreaKey + 1;
   fmt::print("\n{:<{}}{:<7}{:>6}  {:<17}{:<13}{}\n", "area", kAreaWidth, "move", "value", "limit", "held",
              "moved");
@@ -175,6 +160,26 @@ void print_story(const Story& story, const std::vector<Row>& rows) {
     area = name;
     landmark = row.landmark;
   }
+}
+
+void print_story(const Story& story, const std::vector<Row>& rows) {
+  fmt::print("{}\n", story.title);
+  for (const MomentPart& part : story.parts) {
+    fmt::print("  {:3.0f} % {} ({} {:.4g}s{})\n", 100 * part.share, part.label,
+               part.is_cue ? "cue from" : "key at", part.at_s,
+               part.is_endless ? ", to the clip's end: it has no 'hold' or 'to'" : "");
+    for (const auto& [area, off] : part.released) fmt::print("        {} off by {:.0f} %\n", area, 100 * off);
+    if (!part.order.empty()) fmt::print("        {}\n", part.order);
+  }
+  if (story.breath_mm > 0) fmt::print("  a breath has lifted the shoulders by {:.1f} mm\n", story.breath_mm);
+  if (story.blink > 0) fmt::print("  a blink has shut the lids by {:.0f} %\n", 100 * story.blink);
+  if (story.reach > 1) fmt::print("  limits lifted {:.3g} times by 'exaggerate'\n", story.reach);
+  if (has_doctrine(story.pose)) fmt::print("\n");
+  print_doctrines(story.pose);
+  if (!rows.empty())
+    print_rows(rows);
+  else if (!has_doctrine(story.pose))
+    return fmt::print("\nnothing moves: every area is at rest\n");
   const std::vector<HeldNote> notes = build_notes(story.held);
   if (!notes.empty() || !story.brows.empty()) fmt::print("\n");
   for (const HeldNote& note : notes) fmt::print("{}\n", format_note(note));
@@ -229,6 +234,11 @@ void print_json(const Story& story, const std::vector<Row>& rows) {
                                         {"breath_mm", round_to(story.breath_mm, 3)},
                                         {"exaggerate", story.reach}}));
   for (const Row& row : rows) fmt::print("{}\n", format_object(build_json(row)));
+  for (std::size_t i = kMoveCount; i < kChannelCount; ++i)
+    if (story.pose.values[i] != 0)
+      fmt::print("{}\n", format_object(Json{{"kind", "channel"},
+                                            {"name", name_move(i)},
+                                            {"value", round_to(story.pose.values[i], 6)}}));
   for (const HeldNote& note : build_notes(story.held)) fmt::print("{}\n", format_json(note));
   for (const BrowHold& hold : story.brows) fmt::print("{}\n", format_object(build_json(hold)));
 }

@@ -41,6 +41,8 @@ void run_sheet(const Options& options) {
   if (options.actor && options.kind == "contact")
     throw InputError("--actor says nothing to 'mien sheet contact', which shows everybody");
   check_sheet_wire(options);
+  if (options.kind == kProofsSheet && !options.file.empty())
+    throw InputError(fmt::format("'mien sheet {}' has heads of its own; expected no FILE", options.kind));
   const Resources resources = load_resources(find_data_folder());
   if (is_clip_sheet(options.kind))
     return report_result(options, "sheet", write_clip_sheet(options, resources));

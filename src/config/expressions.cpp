@@ -41,8 +41,12 @@ std::optional<std::size_t> find_base(const ExpressionDraft& draft, const Express
   if (!draft.from) return std::nullopt;
   const std::string& name = find_node(*draft.from).text;
   const std::string& library = book.expressions[draft.expression].library;
-  if (!draft.doctrine.empty() && name.find('/') == std::string::npos)
-    if (const auto own = find_expression(book, draft.doctrine + "/" + name)) return own;
+  if (!draft.doctrine.empty() && name.find('/') == std::string::npos) {
+    const std::string of = draft.doctrine == kDoctrines.front() ? ExpressionBook{}.library : draft.doctrine;
+    const auto own = find_expression(book, of + "/" + name);
+    if (!own) add_unknown_expression(*draft.from, draft.from->spot, of + "/" + name, book);
+    return own;
+  }
   const auto base = find_expression(book, name, library);
   if (!base) add_unknown_expression(*draft.from, draft.from->spot, name, book, library);
   return base;

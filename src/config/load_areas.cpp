@@ -88,6 +88,7 @@ void load_channels(const YamlMapping& entries, std::string_view doctrine,
 void load_parke(const YamlMapping& entries, AreaValues& areas) {
   const YamlValue* value = find_value(entries, kParkeKey);
   if (value == nullptr) return;
+  std::array<std::optional<double>, kMoveCount> sums;
   for (const YamlEntry& entry : load_section(*value)) {
     const auto row = std::ranges::find(kParkeRows, entry.key, &ParkeRow::name);
     double number = 0;
@@ -96,10 +97,12 @@ void load_parke(const YamlMapping& entries, AreaValues& areas) {
       for (const Side side : {Side::none, Side::left, Side::right})
         if (const auto move = find_move(each.area, side, each.move); move && !each.area.empty()) {
           if (!check_nine(entry.value, entry.spot, *move)) return;
-          const double sum = areas.values[*move].value_or(0) + std::abs(number) * each.value;
-          areas.values[*move] = std::clamp(sum, kMoves[*move].low, kMoves[*move].high);
+          const double before = sums[*move].value_or(areas.values[*move].value_or(0));
+          sums[*move] = before + std::abs(number) * each.value;
         }
   }
+  for (std::size_t i = 0; i < kMoveCount; ++i)
+    if (sums[i]) areas.values[i] = std::clamp(*sums[i], kMoves[i].low, kMoves[i].high);
 }
 
 }  // namespace

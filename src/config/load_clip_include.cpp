@@ -49,6 +49,9 @@ std::shared_ptr<const ExpressionBook> build_other_book(const YamlDocument& docum
   book->exaggerate = 1;
   if (const YamlValue* library = find_value(entries, "library"))
     load_name(*library, "library", book->libraries, book->library);
+  else if (const YamlValue* doctrine = find_value(entries, "doctrine"))
+    if (std::string word; load_name(*doctrine, "doctrine", kDoctrines, word) && word != kDoctrines.front())
+      book->library = word;
   load_exaggerate(entries, book->exaggerate);
   if (const YamlValue* expressions = find_value(entries, "expressions")) {
     std::vector<ExpressionDraft> drafts;

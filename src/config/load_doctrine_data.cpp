@@ -57,7 +57,9 @@ LinearMuscle read_linear(std::size_t channel, const DataTable& table, const Poin
 RingMuscle read_ring(std::size_t channel, const DataTable& table, const PointNames& points) {
   RingMuscle muscle;
   muscle.channel = channel;
-  if (table.read("around", muscle.around))
+  if (table.read("around", muscle.around) && muscle.around.empty())
+    table.fail("'around' has no point; expected one at least");
+  if (table.find("around") != nullptr)
     for (const std::string& point : muscle.around)
       if (point != "eye") check_point(*table.find("around"), point, points);
   table.read("half", muscle.half_mm);

@@ -37,6 +37,15 @@ void load_points(const YamlValue& value, const ClipClock& clock, Series& series)
   }
 }
 
+// A table's times count from where the clip's own time begins; points are told in the whole clip's.
+void load_recorded(const std::filesystem::path& path, const std::string& name, const YamlValue& column,
+                   const ClipClock& clock, Series& series) {
+  series.start_s = clock.start_s;
+  load_series_table(path, name, column, clock, series);
+}
+
+std::size_t count_mistakes(const Findings& findings) { return findings.mistakes.size() + findings.untold; }
+
 }  // namespace
 
 double sample_series(const Series& series, double time_s) {
@@ -56,9 +65,8 @@ double sample_series(const Series& series, double time_s) {
 std::shared_ptr<const Series> load_series(const YamlValue& value, const ClipClock& clock) {
   const YamlMapping entries = load_section(value);
   if (find_node(value).kind != NodeKind::mapping) return {};
-  const std::size_t before = value.findings->mistakes.size();
+  const std::size_t before = count_mistakes(*value.findings);
   Series series;
-  series.start_s = clock.start_s;
   if (find_value(entries, "between") != nullptr) load_between(entries, series.between);
   const YamlValue* points = find_value(entries, "points");
   const YamlValue* csv = find_value(entries, "csv");
@@ -74,8 +82,8 @@ std::shared_ptr<const Series> load_series(const YamlValue& value, const ClipCloc
     add_mistake(value, "'column' is missing; expected the name of a column of the 'csv'");
   else if (std::optional<FileReference> file; load_text(*column, "the name of a column", name) &&
                                               load_file(*csv, file) && has_room(*csv, file->path))
-    load_series_table(file->path, name, *column, clock, series);
-  if (value.findings->mistakes.size() != before || series.at_s.empty()) return {};
+    load_recorded(file->path, name, *column, clock, series);
+  if (count_mistakes(*value.findings) != before || series.at_s.empty()) return {};
   return finish_series(std::move(series));
 }
 

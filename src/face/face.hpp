@@ -107,6 +107,7 @@ struct BrowBox {
   Heights rest_mm{};
   std::vector<Heights> rises_mm, mirror_rises_mm;  // by each of Face::fields and its mirror image at 1
   double top_mm = 0, bottom_mm = 0;
+  double highest = 1, lowest = -1;  // brow.up there
 };
 class DoctrineFields;  // face/doctrine.hpp
 
@@ -152,6 +153,10 @@ Face build_face(const NeutralHead& head);
 // What a move of the left side drags of the middle ends on the right before the far corner of the mouth and
 // the far eye: smoothly, and then it is nothing to the last bit.
 void fade_far_side(const Cage& cage, Field& field);
+
+// The fields of muscles and of units, where the pose has any of them.
+std::vector<const std::vector<DrivenField>*> list_doctrine_fields(const NeutralHead& head, const Face& face,
+                                                                  const Pose& pose);
 
 // What a field is multiplied by in a pose: the product of its drivers, less what yields take of it.
 double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,

@@ -2,6 +2,7 @@
 #include "face/limits.hpp"
 
 #include <fmt/format.h>
+#include <algorithm>
 #include <cmath>
 
 #include "core/conventions.hpp"
@@ -151,8 +152,17 @@ void fit_limit_lengths(const NeutralHead& head, const Face& face,
     const LimitLength& length = found->second;
     const double asked_mm = compute_length_mm(face.units, length);
     double low = 0, high = kMaxLimit;
-    if (const double most_mm = measure_limit(head, face, name, high).mm;
-        asked_mm > most_mm && !length.is_shared)
+    const double most_mm = measure_limit(head, face, name, high).mm;
+    const bool is_reached = asked_mm <= most_mm;
+    // A name that several moves share is a mistake if none of them reaches it.
+    const auto reaches_it = [&](const LimitName& other) {
+      const auto same = lengths.find(other.name);
+      return same != lengths.end() && same->second.is_shared &&
+             same->second.place.line == length.place.line &&
+             same->second.place.column == length.place.column &&
+             asked_mm <= measure_limit(head, face, other, kMaxLimit).mm;
+    };
+    if (!is_reached && !(length.is_shared && std::ranges::any_of(list_limits(), reaches_it)))
       throw InputError(
           {Diagnostic{length.place,
                       fmt::format("'{}' goes {:.1f} mm at most on this head; expected no more than that",

@@ -25,21 +25,6 @@ void add_field(const DrivenField& driven, const Pose& pose, std::vector<glm::dve
     add_products(there, driven.mirror_field, points);
 }
 
-// What muscles and units draw, which the areas' lids, jaw and lips then find as their own fields.
-void add_doctrines(const NeutralHead& head, const Face& face, const Pose& pose,
-                   std::vector<glm::dvec3>& points) {
-  const auto moves_any = [&](std::size_t begin, std::size_t end) {
-    return std::any_of(pose.values.begin() + static_cast<std::ptrdiff_t>(begin),
-                       pose.values.begin() + static_cast<std::ptrdiff_t>(end),
-                       [](double value) { return value != 0; });
-  };
-  if (moves_any(kFirstMuscle, kFirstUnit))
-    for (const DrivenField& driven : face.doctrines->get_muscles(head)) add_field(driven, pose, points);
-  if (moves_any(kFirstUnit, kChannelCount))
-    for (const DrivenField& driven : face.doctrines->get_units(head, face.units))
-      add_field(driven, pose, points);
-}
-
 double value_of(const Pose& pose, std::string_view area, Side side, std::string_view move) {
   return pose.values[*find_move(area, side, move)];
 }
@@ -203,6 +188,19 @@ void part_skin(const Face& face, std::vector<glm::dvec3>& points) {
 
 }  // namespace
 
+std::vector<const std::vector<DrivenField>*> list_doctrine_fields(const NeutralHead& head, const Face& face,
+                                                                  const Pose& pose) {
+  const auto moves_any = [&](std::size_t begin, std::size_t end) {
+    return std::any_of(pose.values.begin() + static_cast<std::ptrdiff_t>(begin),
+                       pose.values.begin() + static_cast<std::ptrdiff_t>(end),
+                       [](double value) { return value != 0; });
+  };
+  std::vector<const std::vector<DrivenField>*> fields;
+  if (moves_any(kFirstMuscle, kFirstUnit)) fields.push_back(&face.doctrines->get_muscles(head));
+  if (moves_any(kFirstUnit, kChannelCount)) fields.push_back(&face.doctrines->get_units(head, face.units));
+  return fields;
+}
+
 double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Yield>& yields,
                      const Pose& pose) {
   double product = drivers.empty() ? 0 : 1, most = 1;
@@ -267,7 +265,9 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
                  std::vector<glm::dvec3>& points) {
   for (const DrivenField& driven : face.fields)
     if (!driven.is_late) add_field(driven, pose, points);
-  add_doctrines(head, face, pose, points);
+  // What muscles and units draw, lids, jaw and lips then find as their own fields.
+  for (const std::vector<DrivenField>* fields : list_doctrine_fields(head, face, pose))
+    for (const DrivenField& driven : *fields) add_field(driven, pose, points);
   const std::vector<glm::dvec3> corners = find_eye_corners(face, points);
   for (const Side side : {Side::left, Side::right})
     turn_lids(face.lids, compute_lid_pose(face, pose, side), side, points);
@@ -288,8 +288,7 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
 void pose_cage_bare(const NeutralHead& head, const Face& face, const Pose& asked,
                     std::vector<glm::dvec3>& points) {
   points = head.cage.points;
-  if (asked != Pose{})
-    pose_freely(head, face, hold_chin(head, face, hold_brows(face, stiffen_pose(face, asked))), points);
+  if (asked != Pose{}) pose_freely(head, face, hold_brows(face, stiffen_pose(face, asked)), points);
 }
 
 void pose_cage(const NeutralHead& head, const Face& face, const Pose& asked,

@@ -57,7 +57,21 @@ void hold_brow(const Face& face, Side side, Pose& pose, std::vector<BrowHold>* h
     const BrowBox::Heights heights = compute_heights(face, box, pose);
     BrowHold hold{side, is_top, static_cast<std::size_t>(find_furthest(heights) - heights.begin()),
                   pose.values[up], 0};
-    pose.values[up] = hold.held_up = find_held(pose, up, is_top ? -1 : 1, is_inside);
+    // Where the brow is steeper than its rectangle is high, it turns less as well.
+    const std::size_t turn = find_sided_move("brow", side, "turn");
+    Pose other = pose;
+    other.values[up] = is_top ? box.lowest : box.highest;
+    const auto is_all_inside = [&](const Pose& tried) {
+      const auto [least, most] = std::ranges::minmax(compute_heights(face, box, tried));
+      return least >= box.bottom_mm - kSlack_mm && most <= box.top_mm + kSlack_mm;
+    };
+    if (!is_inside(other)) {
+      other.values[turn] = find_held(other, turn, 0, is_all_inside);
+      pose = other;
+    } else {
+      pose.values[up] = find_held(pose, up, other.values[up], is_inside);
+    }
+    hold.held_up = pose.values[up];
     if (holds != nullptr) holds->push_back(hold);
   }
 }
@@ -77,20 +91,20 @@ glm::dvec3 compute_way(const DrivenField& driven, const Pose& pose, std::uint32_
   return here + compute_drive(driven.mirror_drivers, driven.mirror_yields, pose) * driven.mirror_field[point];
 }
 
-// How far the wanted fields raise a point of the cage.
-template <typename IsWanted>
-double sum_rises(const Face& face, const Pose& pose, std::uint32_t point, const IsWanted& is_wanted) {
+// How far all but lips and chin raise a point of the cage, muscles and units among them.
+double sum_carrying_rises(const NeutralHead& head, const Face& face, const Pose& pose, std::uint32_t point) {
   double rise = 0;
   for (const DrivenField& driven : face.fields)
-    if (is_wanted(driven.drivers)) rise += compute_way(driven, pose, point).y;
+    if (!is_stopped(driven.drivers)) rise += compute_way(driven, pose, point).y;
+  for (const std::vector<DrivenField>* fields : list_doctrine_fields(head, face, pose))
+    for (const DrivenField& driven : *fields) rise += compute_way(driven, pose, point).y;
   return rise;
 }
 
 LipStop compute_lip_stop(const NeutralHead& head, const Face& face, const Pose& pose,
                          const LipColumn& column) {
   const auto carry = [&](std::uint32_t point) {
-    return head.cage.points[point].y +
-           sum_rises(face, pose, point, [](const auto& drivers) { return !is_stopped(drivers); });
+    return head.cage.points[point].y + sum_carrying_rises(head, face, pose, point);
   };
   const double upper = carry(column.upper_contact), lower = carry(column.lower_contact);
   return {upper + std::min(0.0, *face.match_level_mm), lower + std::max(0.0, *face.match_level_mm),
@@ -102,6 +116,8 @@ double compute_lower_lip_mm(const NeutralHead& head, const Face& face, const Pos
   const std::uint32_t point = face.lips.front().lower_contact;
   glm::dvec3 at = head.cage.points[point];
   for (const DrivenField& driven : face.fields) at += compute_way(driven, pose, point);
+  for (const std::vector<DrivenField>* fields : list_doctrine_fields(head, face, pose))
+    for (const DrivenField& driven : *fields) at += compute_way(driven, pose, point);
   const double open = pose.values[*find_move("chin", Side::none, "down")];
   const double weight = face.jaw.weights[point];
   return move_jaw_point(face.jaw, at, open * weight, compute_straight(pose) * weight).y;
@@ -143,9 +159,9 @@ std::vector<BrowBox> build_brow_boxes(const NeutralHead& head, const Face& face,
     }
     const std::size_t up = find_sided_move("brow", side, "up");
     Pose pose;
-    pose.values[up] = limits.plus[up];
+    box.highest = pose.values[up] = limits.plus[up];
     box.top_mm = std::ranges::max(compute_heights(face, box, stiffen_pose(face, pose)));
-    pose.values[up] = -limits.minus[up];
+    box.lowest = pose.values[up] = -limits.minus[up];
     box.bottom_mm = std::ranges::min(compute_heights(face, box, stiffen_pose(face, pose)));
     boxes.push_back(std::move(box));
   }

@@ -153,7 +153,7 @@ void unpack_skin(const std::vector<MirrorPair>& pairs, std::size_t count, const 
 }  // namespace
 
 Pose limit_pose(const Figure& figure, const Pose& asked) {
-  return resolve_channels(figure.head.data->doctrines, apply_limits(figure.limits, asked));
+  return apply_limits(figure.limits, resolve_channels(figure.head.data->doctrines, asked));
 }
 
 glm::dmat4 compute_motion(const Figure& figure, Mount mount, const Pose& asked) {

@@ -351,7 +351,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   clear_shape(brows);
   const DoctrineData& doctrines = ink.data->doctrines;
   const Pose pose = resolve_folds(
-      doctrines, redraw_pose(ink.redraw, resolve_channels(doctrines, apply_limits(ink.limits, asked))));
+      doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;

@@ -1,4 +1,5 @@
 #include "sheet/compare_sheet.hpp"
+#include "scene/surface_look.hpp"
 
 #include <fmt/format.h>
 
@@ -159,10 +160,6 @@ struct HeatFigure {
   SketchLook look;
 };
 
-float to_linear(float srgb) {
-  return srgb <= 0.04045f ? srgb / 12.92f : std::pow((srgb + 0.055f) / 1.055f, 2.4f);
-}
-
 HeatFigure build_heat_figure(const Mesh& skin, const SkinDistances& distances, double scale_mm) {
   // Half of it glows, so that a colour means the same in light and shade and the form is still seen.
   constexpr float kGlow = 0.5f;
@@ -175,7 +172,7 @@ HeatFigure build_heat_figure(const Mesh& skin, const SkinDistances& distances, d
     const glm::vec3 srgb = find_heat(static_cast<double>(i) / (kHeatShades - 1));
     part.palette.push_back({srgb, 0});
     SketchTexture texture;
-    texture.pigment.colour.rgb = {to_linear(srgb.x), to_linear(srgb.y), to_linear(srgb.z)};
+    texture.pigment.colour.rgb = {linearize(srgb.x), linearize(srgb.y), linearize(srgb.z)};
     texture.finish.diffuse = 1 - kGlow;
     texture.finish.emission = glm::vec3(kGlow);
     look.textures.push_back(texture);

@@ -35,10 +35,12 @@ std::string build_proof_page(const std::vector<Proof>& proofs) {
       "mien {}: {} of {} claims are shown. All numbers were measured when this page was made.</p>\n",
       kStyle, MIEN_VERSION, met, proofs.size());
   for (const Proof& proof : proofs) {
+    std::string id = escape_xml(proof.number);  // ids have no blanks
+    std::ranges::replace(id, ' ', '_');
     page += fmt::format(
-        "<section id=\"f{0}\">\n<h2>{0} &nbsp; {1}</h2>\n<p>{2}</p>\n<p class=\"verdict {3}\">{4}</p>\n",
+        "<section id=\"f{5}\">\n<h2>{0} &nbsp; {1}</h2>\n<p>{2}</p>\n<p class=\"verdict {3}\">{4}</p>\n",
         escape_xml(proof.number), escape_xml(proof.title), escape_xml(proof.claim),
-        proof.is_met ? "met" : "unmet", escape_xml(proof.verdict));
+        proof.is_met ? "met" : "unmet", escape_xml(proof.verdict), id);
     for (const ProofPicture& picture : proof.pictures)
       page += fmt::format(
           "<figure><img alt=\"{0}\" "

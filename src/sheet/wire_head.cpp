@@ -72,7 +72,7 @@ WireSolid build_cage_solid(const Figure& figure, const WireFace& face, const std
                            std::vector<WireLine>& lines) {
   WireSolid solid;
   const double stretch =
-      compute_stretch(figure.redraw, redraw_pose(figure.redraw, apply_limits(figure.limits, face.pose)));
+      compute_stretch(figure.redraw, redraw_pose(figure.redraw, limit_pose(figure, face.pose)));
   for (std::size_t i = 0; i < posed.size(); ++i) {
     glm::dvec3 p = posed[i];
     if (figure.redraw.is_on()) {

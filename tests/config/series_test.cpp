@@ -82,6 +82,19 @@ TEST(series, reads_a_column_as_a_device_recorded_it) {
   EXPECT_GE(load(folder, clip_with("{csv: stick.csv, column: joyz}")).files.size(), 2u);  // is watched, too
 }
 
+TEST(series, counts_from_where_an_included_file_begins) {
+  const auto folder = make_test_folder();
+  write_file(folder / "stick.csv", "time,joyz\n0,0\n1,1\n");
+  for (const char* input :
+       {"{points: [{at: 0s, value: 0}, {at: 1s, value: 1}]}", "{csv: stick.csv, column: joyz}"}) {
+    write_file(folder / "part.yaml", clip_with(input));
+    const Spec spec = load(folder, "mien: 1\nclip: {length: 8s, include: {file: part.yaml, at: 3s}}\n");
+    EXPECT_EQ(sample_law(spec, 3), 0) << input;
+    EXPECT_NEAR(sample_law(spec, 3.5), 0.5, 1e-12) << input;
+    EXPECT_EQ(sample_law(spec, 4), 1) << input;
+  }
+}
+
 TEST(series, tells_what_is_wrong) {
   const auto folder = make_test_folder();
   write_file(folder / "stick.csv", "time,joyz\n0,0\n1,1\n");

@@ -131,6 +131,22 @@ TEST(thesis_rules, the_rectangle_is_that_of_the_heads_limits) {
   EXPECT_LE(find_brow_height(figure, both, "", true), find_brow_height(figure, half, "", true) + 1e-4);
 }
 
+TEST(thesis_rules, a_flat_rectangle_holds_the_turn_as_well) {
+  const Figure& figure = build_ruled("limits: {brows.up: 0.1, brows.down: 0.1}");
+  Pose highest, lowest;
+  set(highest, "brow", Side::left, "up", 1);
+  set(lowest, "brow", Side::left, "up", -1);
+  for (const double turn : {-1.0, 1.0})
+    for (const double up : {-1.0, 0.0, 1.0}) {
+      Pose pose;
+      set(pose, "brow", Side::left, "turn", turn);
+      set(pose, "brow", Side::left, "up", up);
+      EXPECT_LE(find_brow_height(figure, pose, "", true), find_brow_height(figure, highest, "", true) + 1e-4);
+      EXPECT_GE(find_brow_height(figure, pose, "", false),
+                find_brow_height(figure, lowest, "", false) - 1e-4);
+    }
+}
+
 TEST(thesis_rules, tell_which_point_of_a_brow_reached_which_limit) {
   const Figure& figure = build_ruled(kHeads[0]);
   Pose pose;
