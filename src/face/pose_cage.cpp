@@ -227,8 +227,9 @@ glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double tur
 }
 
 double compute_straight(const Pose& pose) {
-  return std::min(value_of(pose, "chin", Side::none, "straight"),
-                  std::max(0.0, 1 - value_of(pose, "chin", Side::none, "down")));
+  // A product: the lesser of both would be a jolt where one overtakes the other.
+  return value_of(pose, "chin", Side::none, "straight") *
+         std::max(0.0, 1 - value_of(pose, "chin", Side::none, "down"));
 }
 
 double compute_skin_gap_mm(const LipColumn& column, const std::vector<glm::dvec3>& points) {
