@@ -51,12 +51,17 @@ double measure_turn_rad(const NeutralHead& head, const Field& turn) {
 
 void turn_about_end(const NeutralHead& head, const FieldSolver& solver, const std::vector<bool>& anchors,
                     const Field& sliding, const char* end, DrivenField& driven) {
-  constexpr int kRounds = 4;  // the skin at the end is off by less than 0.05 mm then
-  Handles handles = turn_stick(head.cage, end, measure_turn_rad(head, driven.field), sliding);
+  constexpr int kRounds =
+      8;  // the skin at the end is off by less than 0.05 mm then, the angle by a tenth of a degree
+  const double wanted_rad = measure_turn_rad(head, driven.field);
+  double angle_rad = wanted_rad;
+  glm::dvec3 back(0);  // what brings the skin at the end back, which its neighbours drag along
   for (int round = 0; round < kRounds; ++round) {
+    Handles handles = turn_stick(head.cage, end, angle_rad, sliding);
+    handles[end] += back;
     driven.field = solve_field(solver, handles, anchors, Reach::left);
-    handles[end] -=
-        2.0 * compute_skin_way(head, driven.field, end);  // a point has about half of its place on the skin
+    back -= compute_skin_way(head, driven.field, end);
+    angle_rad *= wanted_rad / measure_turn_rad(head, driven.field);
   }
   fade_far_side(head.cage, driven.field);
   driven.mirror_field = mirror_field(head.cage, driven.field);

@@ -106,6 +106,10 @@ Joint build_jaw_joint(const Figure& figure) {
         build_turn(figure, find_move(Area::jaw, Side::none, move).value(), {1, 0, 0}, 0, 0));
     joint.turns.back().shift_mm = way;
   }
+  joint.turns.push_back(
+      build_turn(figure, find_move(Area::chin, Side::none, "straight").value(), {1, 0, 0}, 0, 0));
+  joint.turns.back().shift_mm = {0, -jaw.straight_mm, 0};
+  joint.turns.back().is_rest_of_first = true;
   joint.parts = list_mounted(figure, Mount::jaw);
   return joint;
 }
@@ -218,9 +222,13 @@ double compute_move_reach(const Figure& figure, std::size_t move, int sign) {
 glm::dmat4 place_joint(const Joint& joint, const Pose& pose) {
   glm::dvec3 shift(0);
   glm::dmat4 turned(1);
-  for (const JointTurn& turn : joint.turns) {
+  const auto find_value = [&](const JointTurn& turn) {
     const double asked = pose.values[turn.move];
-    const double value = asked * (asked > 0 ? turn.plus_reach : turn.minus_reach);
+    return asked * (asked > 0 ? turn.plus_reach : turn.minus_reach);
+  };
+  for (const JointTurn& turn : joint.turns) {
+    const double room = turn.is_rest_of_first ? std::max(0.0, 1 - find_value(joint.turns.front())) : 1;
+    const double value = room * find_value(turn);
     shift += value * turn.shift_mm;
     turned = glm::rotate(turned, value * (value > 0 ? turn.plus_rad : turn.minus_rad), turn.axis);
   }

@@ -94,6 +94,7 @@ struct JointTurn {
   double plus_rad = 0, minus_rad = 0;      // at 1 and, to the other side, at -1
   double plus_reach = 1, minus_reach = 1;  // what the head's own limits make of 1 and -1
   glm::dvec3 shift_mm{0};                  // at 1
+  bool is_rest_of_first = false;           // goes as far as the joint's first turn leaves of 1
 };
 
 struct Joint {
