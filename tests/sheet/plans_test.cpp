@@ -253,7 +253,7 @@ TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
 
 TEST(sheet_plans, show_each_move_of_each_area_to_its_ends) {
   const SheetPlan plan = build_sheet_plan("areas", build_subject(), *shipped_stock().head);
-  EXPECT_EQ(plan.blocks.size(), 23u);
+  EXPECT_EQ(plan.blocks.size(), 24u);
   for (const SheetBlock& block : plan.blocks) {
     EXPECT_EQ(list_captions(block), block.skipped ? (Captions{"0", "+1"}) : (Captions{"-1", "0", "+1"}))
         << block.heading;
@@ -292,7 +292,8 @@ TEST(sheet_plans, are_of_kinds_that_are_known) {
   EXPECT_EQ(
       find_mistake("poster"),
       "unknown kind 'poster'; expected views, details, ages, skulls, features, "
-      "expressions, libraries, designs, heads, people, mouths, areas, limits, strip, exposure or contact");
+      "expressions, libraries, designs, doctrines, heads, people, mouths, areas, limits, wire, compare, "
+      "proofs, strip, exposure or contact");
   EXPECT_EQ(find_mistake("stripp"), "unknown kind 'stripp'; did you mean 'strip'?");
   EXPECT_EQ(find_mistake("exposre"), "unknown kind 'exposre'; did you mean 'exposure'?");
 }

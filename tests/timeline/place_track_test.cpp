@@ -85,7 +85,7 @@ TEST(place_track, actors_enter_and_leave) {
 TEST(place_track, says_what_is_wrong) {
   EXPECT_NE(
       tell("mien: 1\nactors: {ann: {from: 2s, to: 1s}}\n")
-          .find("walk.yaml:2:36: error: the actor leaves at 1s and enters at 2s; expected a later 'to'"),
+          .find("walk.yaml:2:30: error: the actor leaves at 1s and enters at 2s; expected a later 'to'"),
       std::string::npos)
       << tell("mien: 1\nactors: {ann: {from: 2s, to: 1s}}\n");
   EXPECT_NE(tell("mien: 1\nactors: {ann: {place: [{at: 1s}, {at: 0s}]}}\n").find("error:"),

@@ -63,21 +63,28 @@ DepthPicture build_depth(const WireModel& model, const WireCamera& camera) {
   return depth;
 }
 
-// How far the least and the most before a place lies what the nine pixels around it show, mm.
-std::array<double, 2> find_before(const DepthPicture& depth, const WireCamera& camera,
-                                  const glm::dvec3& place) {
+// How far before a place lies what the pixels around it show, mm: of the nine the least and the most, and in
+// its own.
+struct Before {
+  double least_mm = kInfinite, most_mm = -kInfinite, own_mm = 0;
+  bool is_in_picture = true;
+};
+
+Before find_before(const DepthPicture& depth, const WireCamera& camera, const glm::dvec3& place) {
   const glm::dvec2 px = find_paper_place(camera, place);
   const double own_mm = compute_depth_mm(camera, place);
-  std::array<double, 2> before{kInfinite, -kInfinite};
+  Before before;
   for (int y = -1; y <= 1; ++y)
     for (int x = -1; x <= 1; ++x) {
       const int left = static_cast<int>(std::floor(px.x)) + x, top = static_cast<int>(std::floor(px.y)) + y;
-      const bool is_within =
-          left >= 0 && top >= 0 && left < depth.size.width_px && top < depth.size.height_px;
-      const double mm = is_within
-                            ? own_mm - depth.mm[static_cast<std::size_t>(top * depth.size.width_px + left)]
-                            : -kInfinite;
-      before = {std::min(before[0], mm), std::max(before[1], mm)};
+      if (left < 0 || top < 0 || left >= depth.size.width_px || top >= depth.size.height_px) {
+        before.is_in_picture = false;
+        continue;
+      }
+      const double mm = own_mm - depth.mm[static_cast<std::size_t>(top * depth.size.width_px + left)];
+      before.least_mm = std::min(before.least_mm, mm);
+      before.most_mm = std::max(before.most_mm, mm);
+      if (x == 0 && y == 0) before.own_mm = mm;
     }
   return before;
 }
@@ -86,7 +93,9 @@ struct Judged {
   double drawn_px = 0, wrongly_drawn_px = 0, wrongly_hidden_px = 0;
 };
 
-// A fault is what a place is off by more than this, as all nine pixels agree.
+// What is drawn is wrong if all nine pixels agree that something lies further before it than this. What is
+// left out is wrong if nothing does, and nothing lies before it in its own pixel either; of hairs, which are
+// thinner than a pixel, the picture cannot tell.
 constexpr double kTolerance_mm = 0.5;
 
 Judged judge(const WireModel& model, const WireCamera& seen_by, const WireCamera& camera) {
@@ -103,10 +112,13 @@ Judged judge(const WireModel& model, const WireCamera& seen_by, const WireCamera
         const double share = (k + 0.5) / count;
         const bool is_drawn =
             std::ranges::any_of(seen, [&](const auto& part) { return part[0] <= share && share <= part[1]; });
-        const auto [least_mm, most_mm] = find_before(depth, camera, glm::mix(from, to, share));
+        const Before before = find_before(depth, camera, glm::mix(from, to, share));
+        if (!before.is_in_picture) continue;
         if (is_drawn) judged.drawn_px += px / count;
-        if (is_drawn && least_mm > kTolerance_mm) judged.wrongly_drawn_px += px / count;
-        if (!is_drawn && most_mm < kTolerance_mm) judged.wrongly_hidden_px += px / count;
+        if (is_drawn && before.least_mm > kTolerance_mm) judged.wrongly_drawn_px += px / count;
+        if (!is_drawn && before.most_mm < kTolerance_mm && before.own_mm < kSeenLift_mm &&
+            line.pen != Pen::hair)
+          judged.wrongly_hidden_px += px / count;
       }
     }
   return judged;
@@ -160,9 +172,9 @@ TEST(wire_depth, the_judge_finds_lines_that_are_all_drawn) {
     const double px = glm::distance(find_paper_place(camera, from), find_paper_place(camera, to));
     EXPECT_EQ(find_seen(nothing, camera, from, to, kWireStep_px).size(), 1u);
     all_px += px;
-    if (find_before(depth, camera, glm::mix(from, to, 0.5))[0] > kTolerance_mm) wrong_px += px;
+    if (find_before(depth, camera, glm::mix(from, to, 0.5)).least_mm > kTolerance_mm) wrong_px += px;
   }
-  EXPECT_GT(wrong_px / all_px, 0.3) << "about half of a head is behind it";
+  EXPECT_GT(wrong_px / all_px, 0.25) << "a quarter of a head's lines at least are behind it";
 }
 
 }  // namespace
