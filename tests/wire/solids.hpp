@@ -33,11 +33,14 @@ inline WireSolid build_ball(int rings) {
       ball.positions.emplace_back(20 * std::sin(up) * std::cos(turn), 20 * std::cos(up),
                                   -20 * std::sin(up) * std::sin(turn));
     }
-  const auto at = [&](int r, int k) { return static_cast<std::uint32_t>(r * around + k % around); };
+  // All points of a pole are one.
+  const auto at = [&](int r, int k) {
+    return static_cast<std::uint32_t>(r * around + (r == 0 || r == rings ? 0 : k % around));
+  };
   for (int r = 0; r < rings; ++r)
     for (int k = 0; k < around; ++k) {
-      ball.triangles.push_back({at(r, k), at(r + 1, k), at(r + 1, k + 1)});
-      ball.triangles.push_back({at(r, k), at(r + 1, k + 1), at(r, k + 1)});
+      if (r + 1 < rings) ball.triangles.push_back({at(r, k), at(r + 1, k), at(r + 1, k + 1)});
+      if (r > 0) ball.triangles.push_back({at(r, k), at(r + 1, k + 1), at(r, k + 1)});
     }
   return ball;
 }
