@@ -102,7 +102,7 @@ glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm:
 // Whether hair is combed out of the face at a place, 1, or ends where its cut says, 0: beside an open
 // forehead long hair falls.
 double compute_open(const HairScene& scene, const HairPlace& place) {
-  constexpr double kFalls_deg = 36, kFallsWhole_deg = 54;  // to the sides: there hair hangs past the face
+  constexpr double kFalls_deg = 16, kFallsWhole_deg = 34;  // to the sides: there hair hangs past the face
   if (scene.cut.locks.from_part <= 0 || scene.ends.empty()) return 0;
   return (1 - sample_border(scene.hangs, 0)) *
          (1 - smooth_step(kFalls_deg, kFallsWhole_deg, std::abs(place.azimuth_deg)));

@@ -140,7 +140,11 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
-  constexpr LockForm kTogether{0.04, 4};  // no skin shows at a part, and tips are no threads
+  // In ink a lock is one stroke, which ends in a point; elsewhere its strands end one by one, and its outline
+  // late.
+  const bool is_drawn = cut.locks.widest > 0;
+  const LockForm alone = is_drawn ? LockForm{} : LockForm{0.16, 5};
+  const LockForm together{0.04, is_drawn ? 4.0 : 8.0};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
@@ -153,14 +157,14 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (strand.points.empty()) continue;
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
-    if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
+    if (is_drawn) width = std::min(width, cut.locks.widest * strand.length_mm);
     if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width,
                 compute_lock_shade(strand.layer, index, family), index,
                 is_about_face       ? kAboutFace
-                : middle != nullptr ? kTogether
-                                    : LockForm{});
-    if (cut.locks.widest > 0) bind_by_vertex(part, scene);  // cuts in ink alone have it
+                : middle != nullptr ? together
+                                    : alone);
+    if (is_drawn) bind_by_vertex(part, scene);
   }
 }
 
