@@ -41,9 +41,9 @@ HairFlow compute_hair_flow(const HairScene& scene, const HairPlace& place) {
     gone_mm += kStep_mm * chart.size;
     arm = compute_part_arm(scene, at);
   }
-  const double turn = std::atan2(arm.aside, arm.ahead);
-  return {std::copysign(kNear_mm * chart.size * std::abs(turn) + arm.along_mm, turn),
-          gone_mm + arm.distance_mm};
+  // The same on both sides, or it would jump where they meet.
+  const double turn = std::abs(std::atan2(arm.aside, arm.ahead));
+  return {kNear_mm * chart.size * turn + arm.along_mm, gone_mm + arm.distance_mm};
 }
 
 double compute_part_distance_mm(const HairScene& scene, const HairPlace& place) {

@@ -6,8 +6,8 @@
 namespace mien {
 
 // Along the way that hair is combed: `across_mm` tells neighbouring strands apart (counted along a line
-// around the part, or around the knot), `along_mm` how far they have come. It jumps on the line that goes on
-// straight behind the part.
+// around the part, or around the knot), `along_mm` how far they have come. Both
+// sides of a part have the same.
 struct HairFlow {
   double across_mm = 0, along_mm = 0;
 };
