@@ -16,6 +16,7 @@
 #include "core/error.hpp"
 #include "core/text.hpp"
 #include "face/thesis_rules.hpp"
+#include "head/cloud.hpp"
 #include "head/form.hpp"
 #include "import/mesh_faults.hpp"
 #include "render/terminal.hpp"
@@ -119,8 +120,12 @@ std::string count_things(std::size_t count, const char* thing) {
 
 // A mesh instead of a file of ours: its faults, each a line.
 void check_mesh(const Options& options) {
-  const Polygons mesh = load_polygons(options.file);
-  const MeshReport report = find_mesh_faults(mesh);
+  const Polygons mesh = load_polygons(options.file, options.faults ? Faces::needed : Faces::optional);
+  check_cloud_size(mesh);
+  const bool is_cloud = mesh.face_count() == 0;
+  const MeshReport report = is_cloud ? MeshReport{} : find_mesh_faults(mesh);
+  if (!options.is_quiet)
+    for (const Diagnostic& warning : mesh.warnings) report_warning(options, warning);
   if (options.faults) {
     check_ending({"--faults", *options.faults}, "mesh", {".ply"});
     check_output_files({{"--faults", *options.faults}}, {});
@@ -137,11 +142,17 @@ void check_mesh(const Options& options) {
   }
   if (!faults.empty()) throw InputError(faults);
   if (options.is_quiet) return;
-  const std::string rims = report.rims == 0 ? "closed"
-                                            : fmt::format("{} of {}", count_things(report.rims, "open rim"),
-                                                          count_things(report.open_edges, "edge"));
-  const std::string summary = fmt::format("{}, {}, {}", count_things(mesh.positions.size(), "point"),
-                                          count_things(mesh.face_count(), "polygon"), rims);
+  const std::string rims = is_cloud           ? ""
+                           : report.rims == 0 ? "closed"
+                                              : fmt::format("{} of {}", count_things(report.rims, "open rim"),
+                                                            count_things(report.open_edges, "edge"));
+  const std::string made = mesh.surfaces > 0 ? "; of " + count_things(mesh.surfaces, "surface")
+                           : mesh.slices > 0 ? "; of " + count_things(mesh.slices, "slice")
+                                             : "";
+  const std::string summary =
+      is_cloud ? fmt::format("a cloud of {}{}", count_things(mesh.positions.size(), "point"), made)
+               : fmt::format("{}, {}, {}{}", count_things(mesh.positions.size(), "point"),
+                             count_things(mesh.face_count(), "polygon"), rims, made);
   if (options.is_json)
     fmt::print("{}\n", format_object(nlohmann::ordered_json{{"file", options.file.string()},
                                                             {"points", mesh.positions.size()},
@@ -211,9 +222,10 @@ const CommandInfo command_check{
     "every mistake in the file; writes nothing",
     "Reads and judges the file, warns of what will not read well (holds too short, skin that jumps,\n"
     "faces never drawn in full) and draws the clip as a chart: areas by time, as wide as the\n"
-    "terminal, in plain ASCII into a pipe or a file. Writes nothing. Of a mesh (.obj, .ply, .stl, .glb) it\n"
-    "tells polygons that are not flat or without area, edges with more than two polygons, points on fewer\n"
-    "than two edges, what is there twice and what hangs on nothing, each with its line and place.",
+    "terminal, in plain ASCII into a pipe or a file. Writes nothing. Of a mesh or a cloud of points (.obj,\n"
+    ".ply, .stl, .glb, .gltf, .xyz, .pts, .asc, .csv) it tells polygons that are not flat or without area,\n"
+    "edges with more than two polygons, points on fewer than two edges, what is there twice and what hangs\n"
+    "on nothing, each with its line and place.",
     "faults",
     "mien check configs/hello.yaml\n"
     "mien check scan.obj --faults faults.ply",

@@ -5,6 +5,7 @@
 #include "config/language_forms.hpp"
 #include "config/limits.hpp"
 #include "core/seeded.hpp"
+#include "import/polygons.hpp"
 
 namespace mien {
 
@@ -187,9 +188,10 @@ void fill_head_sections(Sections& all) {
        "beside "
        "it. The path is seen from this file."},
       {"scan",
-       {as_file({".obj", ".ply", ".stl", ".glb", ".gltf"})},
-       "A digitised head, which the shipped one is wrapped around, with its landmarks in a YAML file beside "
-       "it. "
+       {as_file(list_geometry_endings())},
+       "A digitised head, which the shipped one is wrapped around: a surface, a cloud of points, or slices, "
+       "with "
+       "its landmarks in a YAML file beside it. "
        "One half is kept and mirrored."},
       {"mix", as_mix("", {}),
        "Heads of other files, mixed: each file's `head` with a weight; only the weights' proportions count."},

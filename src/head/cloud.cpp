@@ -4,6 +4,7 @@
 // set surfaces" (2006).
 #include "head/cloud.hpp"
 
+#include <fmt/format.h>
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
@@ -12,6 +13,7 @@
 #include <numeric>
 #include <queue>
 
+#include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/signals.hpp"
 
@@ -272,6 +274,16 @@ void add_triangle(CloudSurface& surface, const glm::dvec3& middle, const Disc& d
 }
 
 }  // namespace
+
+void check_cloud_size(const Polygons& mesh, std::string_view points) {
+  if (mesh.face_count() > 0 || mesh.positions.size() >= kLeastCloudPoints) return;
+  throw InputError(std::vector<Diagnostic>{
+      {{mesh.file, 0, 0},
+       fmt::format("has {} {} and no faces; expected a surface, or a cloud of {} points at least",
+                   mesh.positions.size(), points, kLeastCloudPoints),
+       "",
+       false}});
+}
 
 CloudSurface build_cloud_surface(const Polygons& cloud) {
   const Points points = thin_out(cloud);

@@ -1,6 +1,7 @@
 // A cloud of points as a surface of little triangles, each in the plane of its neighbours.
 #pragma once
 
+#include <string_view>
 #include <vector>
 
 #include "import/polygons.hpp"
@@ -9,6 +10,9 @@ namespace mien {
 
 // Fewer points tell of no surface.
 inline constexpr std::size_t kLeastCloudPoints = 100;
+
+// Throws InputError if the mesh has neither faces nor points enough; `points` is what they are called.
+void check_cloud_size(const Polygons& mesh, std::string_view points = "points");
 
 struct CloudSurface {
   Polygons mesh;           // three corners a point, counter-clockwise from outside

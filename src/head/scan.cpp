@@ -7,6 +7,7 @@
 #include "config/head_files.hpp"
 #include "config/named_file.hpp"
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "head/cloud.hpp"
 #include "head/landmarks.hpp"
 #include "head/nearest.hpp"
@@ -39,9 +40,9 @@ SaidAt find_said(const YamlValue& value) {
 
 // The place of one landmark: three coordinates, or the number of one of the mesh's points as its file counts.
 bool load_mark(const YamlValue& value, const Polygons& mesh, glm::dvec3& at) {
-  const bool is_obj = is_geometry_name(mesh.file) && (mesh.file.ends_with("j") || mesh.file.ends_with("J"));
-  const bool is_ply = mesh.file.ends_with("y") || mesh.file.ends_with("Y");
-  if (find_node(value).kind != NodeKind::list && (is_obj || is_ply)) {
+  const std::string ending = find_ending(mesh.file);
+  const bool is_obj = ending == ".obj";
+  if (find_node(value).kind != NodeKind::list && (is_obj || ending == ".ply") && !mesh.is_made) {
     const int first = is_obj ? 1 : 0, last = static_cast<int>(mesh.positions.size()) - 1 + first;
     int number = 0;
     if (!load_whole(value, first, last, number, "(a point of the mesh), or a place such as [0, -30.5, 112]"))
@@ -104,19 +105,11 @@ void check_half(const Polygons& mesh) {
   throw InputError(std::vector<Diagnostic>{{{mesh.file, 0, 0}, message, "", false}});
 }
 
-// What is said if `count` points are too few for a cloud.
-void check_cloud(const Polygons& mesh, std::string_view points) {
-  if (mesh.positions.size() < kLeastCloudPoints)
-    fail_mesh(mesh,
-              fmt::format("has {} {} and no faces; expected a surface, or a cloud of {} points at least",
-                          mesh.positions.size(), points, kLeastCloudPoints));
-}
-
 // What is no part of the surface is taken out of it. Throws InputError if there is no surface then.
 void clean_mesh(Scan& scan) {
   Polygons& mesh = scan.mesh;
   const bool is_cloud = mesh.face_count() == 0;
-  if (is_cloud) check_cloud(mesh, "points");
+  check_cloud_size(mesh);
   const std::size_t count = mesh.positions.size();
   const Strays strays = leave_out_strays(mesh);
   if (strays.count > 0)
@@ -130,7 +123,7 @@ void clean_mesh(Scan& scan) {
          true});
   if (!is_cloud) return;
   leave_out_doubles(mesh);  // a thousand in one place would be each other's neighbours
-  check_cloud(mesh, "different points");
+  check_cloud_size(mesh, "different points");
 }
 
 SurfaceTree build_tree(const Polygons& mesh) {
@@ -210,6 +203,8 @@ Scan load_scan_files(const HeadStock& stock, const fs::path& file, bool is_half)
   Polygons counted;
   counted.file = scan.mesh.file;
   counted.positions = scan.mesh.positions;
+  counted.is_made = scan.mesh.is_made;
+  scan.warnings = scan.mesh.warnings;
   clean_mesh(scan);
   if (is_half) check_half(scan.mesh);
   const auto beside = find_landmark_file(file);

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "core/error.hpp"
+
 namespace mien {
 
 // Larger files are refused: what a head needs is a fiftieth of it, and memory stays below a gigabyte.
@@ -27,11 +29,19 @@ struct Polygons {
   std::vector<glm::dvec3>
       normals;  // one a position, of any length, where a cloud's file has them; else empty
 
+  // Positions and faces were made of what the file has: of surfaces with control points, or of slices. Its
+  // numbers of points are not ours then.
+  bool is_made = false;
+  std::size_t surfaces = 0, slices = 0;  // that they were made of
+  std::vector<Diagnostic> warnings;      // of what was passed over
+
   std::size_t face_count() const { return first.size() - 1; }
 };
 
-// Whether the name's ending is one that load_polygons reads: .obj, .ply, .stl, .glb or .gltf, letters of
-// either case.
+// What a name may end in: ".obj", ".ply", ... A new format is a row of the table in polygons.cpp.
+std::vector<std::string> list_geometry_endings();
+
+// Whether the name's ending is one of them, letters of either case.
 bool is_geometry_name(const std::filesystem::path& file);
 
 enum class Faces { needed, optional };

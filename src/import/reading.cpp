@@ -50,6 +50,22 @@ std::optional<long long> parse_index(std::string_view word) {
   return value;
 }
 
+std::uint32_t parse_point_number(const std::string& file, int line, std::string_view word, std::size_t count,
+                                 const char* user) {
+  const auto index = parse_index(word.substr(0, word.find('/')));
+  if (!index)
+    fail_line(
+        file, line,
+        fmt::format("'{}' names no point; expected a number from 1, as in f 1 2 3 4", show_found(word)));
+  const auto known = static_cast<long long>(count);
+  if (*index == 0) fail_line(file, line, fmt::format("a {} names point 0; expected numbers from 1", user));
+  const long long at = *index > 0 ? *index - 1 : known + *index;
+  if (at < 0 || at >= static_cast<long long>(kMaxGeometryPoints))
+    fail_line(file, line,
+              fmt::format("a {} names point {}; expected numbers from 1 to {}", user, *index, count));
+  return static_cast<std::uint32_t>(at);
+}
+
 std::string show_found(std::string_view word) {
   constexpr std::size_t kMaxShown = 24;  // letters; more are no word
   std::string shown;

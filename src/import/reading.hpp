@@ -30,6 +30,11 @@ void split_words(std::string_view line, std::vector<std::string_view>& words);
 std::optional<double> parse_coordinate(std::string_view word);
 std::optional<long long> parse_index(std::string_view word);
 
+// A point's number in an OBJ, from 1, or from -1 back from the last of `count`; the point may follow later.
+// `user` is what names it, in messages: "face".
+std::uint32_t parse_point_number(const std::string& file, int line, std::string_view word, std::size_t count,
+                                 const char* user);
+
 // A word as a message shows it: short, and without control characters.
 std::string show_found(std::string_view word);
 
@@ -59,5 +64,6 @@ Polygons read_obj(const std::string& file, std::string_view bytes);
 Polygons read_ply(const std::string& file, std::string_view bytes);
 Polygons read_stl(const std::string& file, std::string_view bytes);
 Polygons read_gltf(const std::string& file, std::string_view bytes);
+Polygons read_points(const std::string& file, std::string_view bytes);  // all files of points as text
 
 }  // namespace mien

@@ -128,7 +128,8 @@ TEST(geometry, shows_nothing_of_a_file_that_is_no_mesh) {
 TEST(geometry, opens_only_what_it_can_read) {
   EXPECT_EQ(find_fault("empty.obj", " \n"), "empty.obj: error: is empty; expected a mesh");
   EXPECT_EQ(find_fault("a.blend", "x"),
-            "a.blend: error: the name ends otherwise; expected .obj, .ply, .stl, .glb or .gltf");
+            "a.blend: error: the name ends otherwise; expected .obj, .ply, .stl, .glb, .gltf, .xyz, .pts, "
+            ".asc or .csv");
   const fs::path folder = fs::path(testing::TempDir()) / "mien_import";
   fs::create_directories(folder / "folder.obj");
   EXPECT_EQ(find_fault(folder / "folder.obj"), "folder.obj: error: is a folder; expected a mesh");
