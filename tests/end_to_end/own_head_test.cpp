@@ -101,5 +101,51 @@ TEST(own_head, half_is_the_neutral_heads_alone) {
   EXPECT_EQ(run.err, "error: --half is the neutral head's half alone; give it without --express\n");
 }
 
+TEST(own_head, check_takes_surfaces_clouds_and_slices) {
+  const auto folder = make_folder("own_head_kinds");
+  const std::string net =
+      "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\ncstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\n"
+      "parm v 0 1\n";
+  std::string cloud, slices;
+  for (int i = 0; i < 100; ++i) cloud += fmt::format("{} {} {}\n", i, i * i % 7, i * i % 11);
+  for (int i = 0; i < 5; ++i)
+    for (int j = 0; j < 100; ++j)
+      slices += fmt::format("{}{} {} {}\n", j == 0 ? "slice\n" : "", j, j * j / 100.0, 5 * i);
+  write_file(folder / "flat.obj", net + "end\n");
+  write_file(folder / "cut.obj", net + "trim 0 1 1\nend\n");
+  write_file(folder / "cloud.csv", cloud);
+  write_file(folder / "few.pts", "1 2 3\n");
+  write_file(folder / "slices.asc", slices);
+  EXPECT_EQ(run_shell(folder, "mien check flat.obj").out,
+            "flat.obj: good; 4 points, 1 polygon, 1 open rim of 4 edges; of 1 surface\n");
+  EXPECT_EQ(
+      run_shell(folder, "mien check cut.obj").out,
+      "cut.obj:10: warning: 1 of 1 surfaces has 'trim' or 'hole': taken whole, with what these cut away\n"
+      "cut.obj: good; 4 points, 1 polygon, 1 open rim of 4 edges; of 1 surface\n");
+  EXPECT_EQ(run_shell(folder, "mien check cloud.csv").out, "cloud.csv: good; a cloud of 100 points\n");
+  const std::string told = run_shell(folder, "mien check slices.asc").out;
+  EXPECT_TRUE(told.starts_with("slices.asc: good; a cloud of ") && told.ends_with(" points; of 5 slices\n"))
+      << told;
+  const ProgramRun few = run_shell(folder, "mien check few.pts");
+  EXPECT_EQ(few.status, 2);
+  EXPECT_EQ(
+      few.err,
+      "few.pts: error: has 1 points and no faces; expected a surface, or a cloud of 100 points at least\n");
+  EXPECT_EQ(run_shell(folder, "mien check cloud.csv --faults a.ply").err,
+            "cloud.csv: error: has no faces; expected a surface of triangles or quads\n");
+  EXPECT_EQ(list_files(folder).size(), 5u);
+}
+
+// One table says which files are read; what is written by hand follows it.
+TEST(own_head, help_and_docs_name_every_kind_of_file) {
+  const auto folder = make_folder("own_head_endings");
+  const std::string help = run_shell(folder, "mien check --help").out,
+                    docs = read_file(std::filesystem::path(source_folder()) / "docs/scans.md");
+  for (const std::string& ending : list_geometry_endings()) {
+    EXPECT_NE(help.find(ending), std::string::npos) << ending;
+    EXPECT_NE(docs.find("`" + ending + "`"), std::string::npos) << ending;
+  }
+}
+
 }  // namespace
 }  // namespace mien
