@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <numeric>
 #include <regex>
 #include <set>
@@ -23,6 +24,23 @@ TEST(house, headers_begin_with_their_purpose_and_are_read_once) {
     EXPECT_TRUE(source.lines.front().starts_with("// ")) << source.path << ":1: the purpose is missing";
     EXPECT_EQ(std::count(source.lines.begin(), source.lines.end(), "#pragma once"), 1) << source.path;
   }
+}
+
+// The linker takes one of two types with one name for both, without a word, and what runs is wrong.
+TEST(house, a_type_s_name_is_one_type_s) {
+  static const std::regex kType(R"re(^(struct|class|enum class|enum) (\w+)( final)?( : [\w:, ]+)? \{)re");
+  std::map<std::string, std::string> places;
+  for (const SourceFile& source : load_sources("src")) {
+    if (!source.path.ends_with(".hpp")) continue;
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      std::smatch match;
+      if (!std::regex_search(source.lines[i], match, kType)) continue;
+      const std::string place = fmt::format("{}:{}", source.path, i + 1);
+      const auto [entry, is_new] = places.emplace(match[2].str(), place);
+      EXPECT_TRUE(is_new) << place << ": " << match[2] << " is at " << entry->second << " too";
+    }
+  }
+  EXPECT_GT(places.size(), 200u);
 }
 
 TEST(house, only_main_ends_the_program_and_few_print) {
