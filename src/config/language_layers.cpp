@@ -75,24 +75,23 @@ void fill_law(Sections& all) {
   law.name = "law";
   law.help = "One move that follows a formula.";
   law.expected = "a law such as {area: brows, move: up, value: \"0.3*sin(t)\"}";
-  law.keys = {
-      {"area", {as_word("area", list_area_words())}, "The area.", "", true},
-      {"move", {as_word("move", list_move_words())}, "The move of the area.", "", true},
-      {"value", {as_number(-1, 1), as_formula()}, "Its law.", "", true},
-      {"from", as_waiting_time(all.wait), "When it begins; without it, from the start."},
-      {"to", as_waiting_time(all.wait), "When it is over; without it, at the end."},
-      {"range",
-       {as_list({as_number(-1, 1)}, 2, 2)},
-       "The value is held between these two, the lower one first."},
-      {"attack",
-       {as_duration()},
-       fmt::format("How long it takes to come, within its time: {:g}s without it, if it has a `from`.",
-                   kLawFade_s)},
-      {"release",
-       {as_duration()},
-       fmt::format("How long it takes to go, within its time: {:g}s without it, if it has a `to`.",
-                   kLawFade_s)},
-      build_rule()};
+  law.keys = {{"area", {as_word("area", list_area_words())}, "The area.", "", true},
+              {"move", {as_word("move", list_move_words())}, "The move of the area.", "", true},
+              {"value", {as_number(-1, 1), as_formula()}, "Its law.", "", true},
+              {"from", as_waiting_time(all.wait), "When it begins; without it, from the start."},
+              {"to", as_waiting_time(all.wait), "When it is over; without it, at the end."},
+              {"range",
+               {as_list({as_number(-1, 1)}, 2, 2)},
+               "The value is held between these two, the lower one first."},
+              {"attack",
+               {as_duration()},
+               "How long it takes to come, within its time, if it has a `from`; at once without it.",
+               "0"},
+              {"release",
+               {as_duration()},
+               "How long it takes to go, within its time, if it has a `to`; at once without it.",
+               "0"},
+              build_rule()};
 }
 
 void fill_sources(Sections& all) {

@@ -45,11 +45,9 @@ void load_series_table(const std::filesystem::path& path, const std::string& nam
                        const ClipClock& clock, Series& series);
 
 // Without `attack` and `release`. Outside its rows a table gives the areas back within these: shorter is a
-// jump, longer blurs the first word. A law fades within its time, at both its ends: with 0 the area would
-// jump. A face goes more slowly than it comes, 1.5 to 2 times: one that goes as it came looks played
-// backward.
+// jump, longer blurs the first word. A face goes more slowly than it comes, 1.5 to 2 times: one that goes as
+// it came looks played backward.
 inline constexpr double kTableAttack_s = 0.1, kTableRelease_s = 0.2;
-inline constexpr double kLawFade_s = 0.2;
 inline constexpr double kReleasePerAttack = 1.75;
 
 // A script as it was written; it is read anew for each set of parameters that it is played with.

@@ -48,11 +48,11 @@ void load_range(const YamlMapping& entries, double& low, double& high) {
   high = most;
 }
 
-// `from` and `to`, and the fades within them; without one of them the law is there from the start, or for
-// good.
+// `from` and `to`, and what is asked to fade within them; without one of them the law is there from the
+// start, or for good.
 void load_times(const YamlMapping& entries, const ClipReader& reader, CueSpec& cue) {
   const YamlValue *from = find_value(entries, "from"), *to = find_value(entries, "to");
-  double attack_s = from != nullptr ? kLawFade_s : 0, release_s = to != nullptr ? kLawFade_s : 0;
+  double attack_s = 0, release_s = 0;
   if (from != nullptr) load_time(*from, reader.clock, cue.from_s);
   double to_s = kForever_s;
   if (to != nullptr && load_time(*to, reader.clock, to_s) && to_s <= cue.from_s) {

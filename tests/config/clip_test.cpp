@@ -132,15 +132,22 @@ TEST(clip, reads_laws) {
   const ClipSpec clip = load_clip_text(R"Y(  laws:
     - {area: brow.left, move: up, value: "0.3*sin(2*pi*t/1.5)", from: 1s, to: 3s, range: [-0.2, 1]}
     - {area: lids, move: lower, value: 0.4}
+    - {area: chin, move: down, value: "t", from: 1s, to: 3s, attack: 0.2s, release: 0.4s}
+    - {area: chin, move: up, value: "t", from: 1s, to: 2s, attack: 1.5s, release: 0.5s}
 )Y");
-  ASSERT_EQ(clip.cues.size(), 2u);
+  ASSERT_EQ(clip.cues.size(), 4u);
   EXPECT_EQ(clip.cues[0].from_s, 0);
   EXPECT_EQ(clip.cues[0].full_s, 0);
   EXPECT_EQ(clip.cues[0].owns.count(), 2u);
   const CueSpec& wave = clip.cues[1];
   EXPECT_EQ(wave.owns.count(), 1u);
-  EXPECT_EQ(wave.full_s, 1.2);
-  EXPECT_EQ(wave.ebb_s, 2.8);
+  EXPECT_EQ(wave.full_s, 1) << "nothing fades that nobody asked to";
+  EXPECT_EQ(wave.ebb_s, 3);
+  EXPECT_EQ(wave.end_s, 3);
+  EXPECT_EQ(clip.cues[2].full_s, 1.2);
+  EXPECT_EQ(clip.cues[2].ebb_s, 2.6);
+  EXPECT_EQ(clip.cues[3].full_s, 1.75) << "fades longer than its time share it";
+  EXPECT_EQ(clip.cues[3].ebb_s, 1.75);
   EXPECT_EQ(evaluate_pose(*wave.what.live, 1.125).pose.values[0], -0.2);
 }
 
