@@ -175,6 +175,23 @@ struct CueSpec {
   double start_s = 0;                           // when a script's or a table's time is 0
 };
 
+// What a law moves that is no area: a number of one of these tracks (law_numbers.hpp).
+enum class LawTrack { camera, turn, light, place };
+
+// A number of a track that follows a formula while the law is there, upon the track's keys. It comes and goes
+// as a CueSpec.
+struct TrackLaw {
+  LawTrack track = LawTrack::camera;
+  std::size_t number = 0;
+  double from_s = 0, full_s = 0, ebb_s = kForever_s, end_s = kForever_s;
+  Rule rule = Rule::over;
+  Number value;
+  Bounds range{0, 0};  // the value is held there
+  double shift = 0;    // what the track's number lacks of the author's: of a camera as an actor sees it
+  std::string label;   // "law of camera.angle"
+  Place place = {};    // in the file
+};
+
 // From the first frame at `at_s` or later on.
 struct DrawChange {
   double at_s = 0;
@@ -246,6 +263,7 @@ struct ClipSpec {
   std::vector<CameraKey> camera;     // by time, at least one
   std::vector<TurnKey> turn;         // by time, at least one
   std::vector<CueSpec> cues = {};    // by layer, then by time
+  std::vector<TrackLaw> laws = {};   // of camera, turn, light and place, by time
   LeadSpec lead = {};                // of a file that says nothing of it kNaturalLead
   std::vector<HeadKey> head = {};    // by time; none: one head for the whole clip
   std::vector<PlaceKey> place = {};  // by time; none: the actor stays where it stands

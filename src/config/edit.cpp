@@ -53,7 +53,11 @@ std::string find_long_form(const EditText& text, std::uint32_t node, const YamlP
       (find_form(*forms, FormKind::word) != nullptr || find_form(*forms, FormKind::tag) != nullptr);
   if (is_mix) return words + ": 1";
   const auto* name = std::get_if<std::string>(&path[steps - 1]);
-  const bool is_number = parse_number(value.text).has_value();
+  const Form* words_of = find_form(*forms, FormKind::word);
+  const bool is_number = parse_number(value.text) ||
+                         (value.is_quoted && find_form(*forms, FormKind::number) != nullptr &&
+                          (words_of == nullptr || std::ranges::find(words_of->words, value.text,
+                                                                    &Word::name) == words_of->words.end()));
   for (const auto& [key, member] : kShortForms)
     if (name != nullptr && *name == key && (member == "amount") == is_number &&
         find_form(*forms, FormKind::section))

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/constants.hpp"
 #include "config/edit_entries.hpp"
 #include "config/edit_tree.hpp"
 #include "config/load_spec.hpp"
@@ -28,7 +29,8 @@ std::vector<NamedClip> load_named_clips(const YamlValue& root) {
   };
   std::vector<NamedClip> clips{{"", load(find_value(file, "clip"))}};
   if (const YamlValue* actors = find_value(file, "actors"))
-    for (const YamlEntry& actor : load_free_mapping(*actors, "")) {
+    for (YamlEntry actor : load_free_mapping(*actors, "")) {
+      actor.value.constants = build_actor_constants(actor.value);
       const YamlMapping entries = load_free_mapping(actor.value, "");
       clips.push_back({actor.key, load(find_value(entries, "clip"))});
     }
@@ -107,7 +109,10 @@ std::string find_new_time(const EditText& text, std::uint32_t node, const YamlPa
   if (value.kind == NodeKind::mapping)
     throw InputError(fmt::format("{} waits for another key; expected {}", describe_path(path), kTime));
   const auto unit = value.kind == NodeKind::text ? find_time_unit(value.text) : std::nullopt;
-  if (!unit || (value.is_quoted && unit->empty()))
+  if (value.is_quoted && (!unit || unit->empty()))
+    throw InputError(fmt::format("{} is the formula '{}'; expected {}, which can be moved",
+                                 describe_path(path), show_word(value.text), kTime));
+  if (!unit)
     throw InputError(
         fmt::format("{} is '{}'; expected {}", describe_path(path), show_word(value.text), kTime));
   const std::string word = format_frame(find_frame(move.to_s, move.fps), move.fps, *unit);
@@ -208,13 +213,15 @@ std::int64_t find_frame(double time_s, int fps) { return std::llround(time_s * f
 std::vector<std::optional<double>> list_item_times(const EditText& text, std::uint32_t list,
                                                    const std::string& actor, int fps) {
   Findings silent;  // whoever reads the file tells them
-  const std::vector<NamedClip> clips = load_named_clips(find_root(text.document, silent));
+  YamlValue value = find_root(text.document, silent);
+  value.constants = build_file_constants(value, {});
+  const std::vector<NamedClip> clips = load_named_clips(value);
   const std::vector<NamedTimes> named = load_named_times(clips, fps);
   std::size_t clip = 0;
   for (std::size_t i = 0; i < clips.size(); ++i)
     if (clips[i].actor == actor) clip = i;
   const ClipClock clock = build_clip_clock(fps, &named[clip]);
-  YamlValue value = find_root(text.document, silent);
+  if (!clips[clip].entries.empty()) value.constants = clips[clip].entries.front().value.constants;
   value.node = list;
   std::vector<std::optional<double>> times_s;
   for (const YamlValue& item : load_list(value, "")) {

@@ -19,6 +19,7 @@ struct Findings {
   std::size_t untold = 0;                    // how many came after kMaxMistakes
   std::vector<std::filesystem::path> files;  // that were read, or are named to be read
   std::uintmax_t named_bytes = 0;            // of the texts among them that a file names
+  std::size_t constants = 0;                 // formulas that were read in place of plain numbers
   bool keeps_to_nine = false;  // `head: {areas: nine}`: moves beyond Tezuka's areas are mistakes
 };
 

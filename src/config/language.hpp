@@ -130,4 +130,7 @@ inline const Names kYamlEndings{".yaml", ".yml"};
 // Keys of the `clip` at the top of a file with actors; the others stand in each actor's own.
 inline const Names kSharedClipKeys{"fps", "draw", "length", "camera", "light", "background", "sound"};
 
+// And those that stand in both: of everybody, and of an actor.
+inline const Names kCommonClipKeys{"inputs", "laws"};
+
 }  // namespace mien

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include "config/language_forms.hpp"
+#include "config/law_numbers.hpp"
 
 namespace mien {
 
@@ -11,9 +12,7 @@ constexpr int kMaxFps = 120;
 constexpr int kMaxDraw = 12;      // held longer, a clip is a row of stills
 constexpr double kMaxLead_s = 1;  // an area later than that no longer belongs to the same move
 constexpr double kMostPast = 2;   // how far a curve's y may pass the way at either end: further is no ease
-constexpr double kMostAim_mm = 5000;                    // as far off as an actor may stand
-constexpr double kShortest_mm = 28, kLongest_mm = 400;  // of lenses; shorter ones are inside the nose
-constexpr double kMostBrightness = 2;                   // more only burns the skin out
+constexpr double kMostAim_mm = 5000;  // as far off as an actor may stand
 
 constexpr std::array kWholeFrame{Word{"all", "the middle of all that is to be seen"}};
 
@@ -104,7 +103,7 @@ void fill_stage_keys(Sections& all) {
        "ann.nose_tip), or a point x y z.",
        "all"},
       {"lens",
-       {as_length(kShortest_mm, kLongest_mm)},
+       {as_length(kShortestLens_mm, kLongestLens_mm)},
        "For film of 24 x 36. The frame stays the same: a short lens comes near and makes the nose big.",
        say(kPortraitLens_mm, "mm")},
       build_ease(),
@@ -280,7 +279,7 @@ void fill_clip(Sections& all) {
        "where a mouth goes round, and after it where a laugh falls; all have arrived at the key.",
        "natural"},
       {"cues", list(all.cue), "What comes and goes on top of the keys."},
-      {"laws", list(all.law), "Moves that follow a formula."},
+      {"laws", list(all.law), "Moves, and numbers of camera, turn, light and place, that follow a formula."},
       {"tracks", list(all.track), "Moves from tables."},
       {"scripts", {as_map("", {as_section(all.script)})}, "Little clips by name, for cues to play."},
       {"inputs", {inputs}, "Numbers by name, for formulas; each may use those before it."},

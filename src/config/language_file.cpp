@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "config/language_forms.hpp"
+#include "config/law_numbers.hpp"
 #include "config/load_spec.hpp"
 
 namespace mien {
 
 namespace {
 
-constexpr double kMostPlace_mm = 5000;   // farther off nobody is seen
 constexpr double kLowestBust_mm = 20;    // lower, eyelids are thinner than a nozzle's line
 constexpr double kHighestBust_mm = 400;  // higher than any common printer
 constexpr int kFewestTriangles = 8000, kMostTriangles = 80000;  // the eyes and the mouth alone have 6000
@@ -194,7 +194,8 @@ void fill_file(Sections& all) {
        "in the `clip` at the top of the file, the rest in each actor's own."}};
   KeyRule together{KeyRule::Kind::apart, {"actors", "head"}};
   for (const Key& key : all.clip.keys)
-    if (std::ranges::find(kSharedClipKeys, key.name) == kSharedClipKeys.end())
+    if (std::ranges::find(kSharedClipKeys, key.name) == kSharedClipKeys.end() &&
+        std::ranges::find(kCommonClipKeys, key.name) == kCommonClipKeys.end())
       together.keys.push_back("clip." + key.name);
   file.rules = {together, {KeyRule::Kind::apart, {"doctrine", "library"}}};
 

@@ -3,6 +3,7 @@
 
 #include "config/areas.hpp"
 #include "config/language_forms.hpp"
+#include "config/law_numbers.hpp"
 #include "config/load_clip.hpp"
 #include "config/load_takes.hpp"
 
@@ -73,25 +74,46 @@ void fill_cue(Sections& all) {
 void fill_law(Sections& all) {
   Section& law = all.law;
   law.name = "law";
-  law.help = "One move that follows a formula.";
+  law.help =
+      "One move of an area, or one number of the camera, the head's turning, the lights or an actor's place, "
+      "that follows a formula.";
   law.expected = "a law such as {area: brows, move: up, value: \"0.3*sin(t)\"}";
-  law.keys = {{"area", {as_word("area", list_area_words())}, "The area.", "", true},
-              {"move", {as_word("move", list_move_words())}, "The move of the area.", "", true},
-              {"value", {as_number(-1, 1), as_formula()}, "Its law.", "", true},
-              {"from", as_waiting_time(all.wait), "When it begins; without it, from the start."},
-              {"to", as_waiting_time(all.wait), "When it is over; without it, at the end."},
-              {"range",
-               {as_list({as_number(-1, 1)}, 2, 2)},
-               "The value is held between these two, the lower one first."},
-              {"attack",
-               {as_duration()},
-               "How long it takes to come, within its time, if it has a `from`; at once without it.",
-               "0"},
-              {"release",
-               {as_duration()},
-               "How long it takes to go, within its time, if it has a `to`; at once without it.",
-               "0"},
-              build_rule()};
+  const auto words = [](LawTrack track) { return Forms{as_word("number", list_law_words(track))}; };
+  const Form number = as_number(-kMostPlace_mm, kMostPlace_mm), angle = as_angle(kRoundBounds),
+             length = as_length(-kMostPlace_mm, kMostPlace_mm);
+  law.keys = {
+      {"area", {as_word("area", list_area_words())}, "The area."},
+      {"move", {as_word("move", list_move_words())}, "The move of the area."},
+      {"camera", words(LawTrack::camera), "Of the camera; with actors in the clip at the top of the file."},
+      {"turn", words(LawTrack::turn), "Of the head's turning."},
+      {"light", words(LawTrack::light), "Of the lights; with actors in the clip at the top of the file."},
+      {"place", words(LawTrack::place), "Of where the actor stands whose clip it is in."},
+      {"value",
+       {number, angle, length, as_formula()},
+       "Its law: of a move from -1 to 1, of other numbers as in keys.",
+       "",
+       true},
+      {"from", as_waiting_time(all.wait), "When it begins; without it, from the start."},
+      {"to", as_waiting_time(all.wait), "When it is over; without it, at the end."},
+      {"range",
+       {as_list({number, angle, length}, 2, 2)},
+       "The value is held between these two, the lower one first."},
+      {"attack",
+       {as_duration()},
+       "How long it takes to come, within its time, if it has a `from`; at once without it.",
+       "0"},
+      {"release",
+       {as_duration()},
+       "How long it takes to go, within its time, if it has a `to`; at once without it.",
+       "0"},
+      build_rule()};
+  law.rules = {{KeyRule::Kind::one_of, {"area", "camera", "turn", "light", "place"}},
+               {KeyRule::Kind::needs, {"area", "move"}},
+               {KeyRule::Kind::needs, {"move", "area"}},
+               {KeyRule::Kind::apart, {"area", "camera", "turn", "light", "place"}},
+               {KeyRule::Kind::apart, {"camera", "turn", "light", "place"}},
+               {KeyRule::Kind::apart, {"turn", "light", "place"}},
+               {KeyRule::Kind::apart, {"light", "place"}}};
 }
 
 void fill_sources(Sections& all) {

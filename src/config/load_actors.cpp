@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 #include "config/load_spec.hpp"
 #include "config/load_track.hpp"
@@ -69,7 +70,8 @@ HeadSpec load_actor_head(const YamlValue& value, const HeadSource& source) {
 Names list_own_keys() {
   Names keys = list_keys(find_sections().clip);
   std::erase_if(keys, [](const std::string& key) {
-    return std::ranges::find(kSharedClipKeys, key) != kSharedClipKeys.end();
+    return std::ranges::find(kSharedClipKeys, key) != kSharedClipKeys.end() ||
+           std::ranges::find(kCommonClipKeys, key) != kCommonClipKeys.end();
   });
   return keys;
 }
@@ -105,7 +107,9 @@ std::vector<Part> load_parts(const YamlValue& actors) {
       add_mistake_at_key(actor, fmt::format("more than {} actors; expected fewer", kMaxActors));
       break;
     }
-    Part part{actor.key, load_section(actor.value), {}};
+    YamlValue own = actor.value;
+    own.constants = build_actor_constants(own);
+    Part part{actor.key, load_section(own), {}};
     part.clip =
         find_clip_entries(find_value(part.entries, "clip"), kSharedClipKeys,
                           "'{}' concerns all actors; it belongs in the 'clip' at the top of the file");
@@ -117,7 +121,7 @@ std::vector<Part> load_parts(const YamlValue& actors) {
 }
 
 ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTimes& times,
-                     const ClipSpec& shared, const Names& others, ClipCounts& counts) {
+                     const ClipSpec& shared, const Inputs& inputs, const Names& others, ClipCounts& counts) {
   ActorSpec actor;
   actor.name = part.name;
   if (const YamlValue* head = find_value(part.entries, "head"))
@@ -134,8 +138,12 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
   } else if (place != nullptr) {
     load_place(*place, actor.place);
   }
-  actor.clip = load_clip(find_value(part.entries, "clip"), *source.book, {&shared, &times, others, &counts});
+  actor.clip = load_clip(find_value(part.entries, "clip"), *source.book,
+                         {&shared, false, &times, others, &counts, &inputs, nullptr});
   load_head_track(part.clip, source.head, actor.head, times, actor.clip);
+  if (steps.empty() &&
+      std::ranges::find(actor.clip.laws, LawTrack::place, &TrackLaw::track) != actor.clip.laws.end())
+    steps.push_back({0, {}, actor.place.at_mm, actor.place.turn_deg});
   if (!steps.empty()) actor.clip.length_s = std::max(actor.clip.length_s, steps.back().at_s);
   actor.clip.place = std::move(steps);
   load_presence(part.entries, clock, actor.clip);
@@ -144,6 +152,11 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
     key.angle_deg -= actor.place.turn_deg;
     if (key.live[0]) key.live[0] = shift_formula(*key.live[0], -actor.place.turn_deg);
   }
+  for (TrackLaw law : shared.laws)
+    if (law.track == LawTrack::camera) {
+      if (law.number == 0) law.shift = actor.place.turn_deg;
+      actor.clip.laws.push_back(std::move(law));
+    }
   return actor;
 }
 
@@ -218,7 +231,9 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) 
 
   if (const YamlValue* head = find_value(file, "head")) spec.head = load_head(*head, source.head);
   ClipCounts counts;
-  spec.clip = load_clip(clip, *source.book, {nullptr, &times.front(), {}, &counts});
+  Inputs inputs;
+  spec.clip = load_clip(clip, *source.book,
+                        {nullptr, actors != nullptr, &times.front(), {}, &counts, nullptr, &inputs});
   if (actors == nullptr)
     load_head_track(parts.front().clip, source.head, spec.head, times.front(), spec.clip);
   Names names;
@@ -228,7 +243,7 @@ void load_stage(const YamlMapping& file, const StageSource& source, Spec& spec) 
   for (std::size_t i = 1; i < parts.size(); ++i) {
     Names others = names;
     std::erase(others, parts[i].name);
-    spec.actors.push_back(load_actor(parts[i], source, times[i], spec.clip, others, counts));
+    spec.actors.push_back(load_actor(parts[i], source, times[i], spec.clip, inputs, others, counts));
   }
   place_looks(spec.actors);
   share_length(find_value(parts.front().clip, "length") != nullptr, spec);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "config/constants.hpp"
 #include "config/expressions.hpp"
 #include "config/load_spec.hpp"
 #include "config/sections.hpp"
@@ -16,6 +17,17 @@ bool load_two_lengths(const YamlValue& value, std::string_view example, glm::dve
   const auto [low, high] =
       std::pair(find_form(value, FormKind::two_lengths).low, find_form(value, FormKind::two_lengths).high);
   const std::string expected = fmt::format("two lengths from {}mm to {}mm such as {}", low, high, example);
+  if (is_two_constants(value)) {
+    const auto both = load_two_constants(value);
+    const bool is_right =
+        both && std::min(both->first, both->second) >= low && std::max(both->first, both->second) <= high;
+    if (is_right) into = {both->first, both->second};
+    if (both && !is_right)
+      add_mistake(value, fmt::format("{} is the formula '{}', which comes to {:.7g}x{:.7g}mm; expected {}",
+                                     describe_subject(value), show_word(find_node(value).text), both->first,
+                                     both->second, expected));
+    return is_right;
+  }
   const YamlNode& node = find_node(value);
   const std::size_t cross = node.kind == NodeKind::text ? node.text.find('x') : std::string::npos;
   if (cross == std::string::npos) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/constants.hpp"
 #include "config/load_spec.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
@@ -172,6 +173,11 @@ void check_formulas(const ClipSpec& clip, const ClipReader& reader) {
     const double to_s = std::clamp(cue.end_s, from_s, std::max(from_s, clip.length_s));
     check_pose(cue.what, reader, list_times(from_s, to_s, clip.fps));
   }
+  for (const TrackLaw& law : clip.laws) {
+    const double from_s = std::clamp(law.from_s, 0.0, clip.length_s);
+    const double to_s = std::clamp(law.end_s, from_s, std::max(from_s, clip.length_s));
+    if (law.value.formula) check_number(law.value.formula, reader, list_times(from_s, to_s, clip.fps));
+  }
 }
 
 // {after: ann.hello, delay: 0.3s}.
@@ -231,6 +237,11 @@ double compute_work(const ClipSpec& clip) {
       work += frames * compute_frame_work(*cue.script, scripts) +
               std::min(kSteps * frames, kMostSteps) * compute_script_swings(*cue.script);
   }
+  for (const TrackLaw& law : clip.laws) {
+    const double from_s = std::clamp(law.from_s, 0.0, clip.length_s);
+    const double to_s = std::clamp(law.end_s, from_s, std::max(from_s, clip.length_s));
+    work += compute_asked((to_s - from_s) * clip.fps) * (1 + compute_work(law.value.formula));
+  }
   return work;
 }
 
@@ -252,7 +263,7 @@ ClipClock build_clip_clock(int fps, const NamedTimes* times) {
 }
 
 void load_fps(const YamlMapping& entries, int& into) {
-  if (const YamlValue* fps = find_value(entries, "fps")) load_whole(*fps, into);
+  if (const YamlValue* fps = find_value(entries, "fps")) load_whole(find_deciding(*fps, true), into);
 }
 
 bool load_time(const YamlValue& value, const ClipClock& clock, double& into) {
@@ -276,6 +287,8 @@ double compute_last_s(const ClipSpec& clip) {
   for (const TurnKey& key : clip.turn) last_s = std::max(last_s, key.at_s);
   for (const CueSpec& cue : clip.cues)
     last_s = std::max(last_s, std::isfinite(cue.end_s) ? cue.end_s : std::max(cue.full_s, 0.0));
+  for (const TrackLaw& law : clip.laws)
+    last_s = std::max(last_s, std::isfinite(law.end_s) ? law.end_s : std::max(law.full_s, 0.0));
   return last_s;
 }
 
@@ -294,15 +307,18 @@ void load_layers(const YamlMapping& entries, const ClipReader& reader, ClipSpec&
   merge(into.turn, load_turn_keys(entries, reader));
   load_tables(entries, reader, into);
   load_cues(entries, reader, into.cues);
-  load_laws(entries, reader, into.cues);
+  load_laws(entries, reader, into);
   std::ranges::stable_sort(into.cues, [](const CueSpec& a, const CueSpec& b) {
     return std::pair(a.layer, a.from_s) < std::pair(b.layer, b.from_s);
   });
+  std::ranges::stable_sort(into.laws, {}, &TrackLaw::from_s);
   into.lead = reader.lead;
   into.length_s = compute_last_s(into);
   if (const YamlValue* length = find_value(entries, "length"))
-    into.has_length = load_duration(*length, reader.clock, into.length_s);
-  check_formulas(into, reader);
+    into.has_length = load_duration(find_deciding(*length, false), reader.clock, into.length_s);
+  // A clip that is read again when its length is known (load_spec.cpp) is tried then.
+  const RuntimeUse* use = reader.formulas.words.use;
+  if (use == nullptr || !use->is_asked) check_formulas(into, reader);
 }
 
 ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const ClipSetting& setting) {
@@ -326,6 +342,11 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   if (setting.counts != nullptr) library.counts = setting.counts;
   reader.formulas.count = &library.counts->formulas;
   reader.formulas.fps = clip.fps;
+  reader.formulas.words.fps = clip.fps;
+  if (value != nullptr && value->constants != nullptr) reader.formulas.words = value->constants->words;
+  if (setting.is_everybodys) reader.of = ClipOf::everybody;
+  if (setting.shared != nullptr) reader.of = ClipOf::actor;
+  if (setting.inputs != nullptr) reader.formulas.inputs = *setting.inputs;
   if (value != nullptr) reader.files.push_back(find_canonical(value->document->source.file));
   load_draw(entries, reader.clock, clip);
   load_between(entries, reader.between);
@@ -333,6 +354,8 @@ ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const Cli
   load_includes(entries, reader, clip);
   if (const YamlValue* inputs = find_value(entries, "inputs"))
     load_inputs(*inputs, {}, reader.clock, reader.formulas);
+  if (setting.found != nullptr) *setting.found = reader.formulas.inputs;
+  set_constants(build_constants(reader.formulas), entries);
   load_scripts(entries, reader);
   load_layers(entries, reader, clip);
   load_idle(entries, reader.clock, clip);

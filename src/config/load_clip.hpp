@@ -56,6 +56,7 @@ struct ScriptText {
   std::shared_ptr<const ExpressionBook> book;  // of the file that it stands in
   ClipClock clock;
   Inputs inputs;
+  FormulaWords words;
 };
 
 struct TakeTable;
@@ -85,6 +86,9 @@ inline constexpr std::size_t kMaxParts = 20'000;
 // each (compute_work): at this many `mien check` takes five seconds.
 inline constexpr double kMaxWork = 4e7;
 
+// Whose clip it is: of the only one, of everybody, or of one of several.
+enum class ClipOf { one, everybody, actor };
+
 // Where a part of a clip is read: in which file, or in which script.
 struct ClipReader {
   ClipClock clock;
@@ -93,6 +97,7 @@ struct ClipReader {
   Between between = Between::ease;  // of keys that say nothing of it
   LeadSpec lead;
   ClipLibrary* library = nullptr;
+  ClipOf of = ClipOf::one;
   std::vector<std::string> scripts;          // being read, the outermost first
   std::vector<std::filesystem::path> files;  // the same of files
 };
@@ -123,7 +128,7 @@ std::vector<TurnKey> load_turn_keys(const YamlMapping& clip, const ClipReader& r
 
 // `cues:`, `laws:` and `tracks:`, appended.
 void load_cues(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
-void load_laws(const YamlMapping& clip, const ClipReader& reader, std::vector<CueSpec>& into);
+void load_laws(const YamlMapping& clip, const ClipReader& reader, ClipSpec& into);
 void load_tables(const YamlMapping& clip, const ClipReader& reader, ClipSpec& into);
 
 // `say:`, appended.

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 
 namespace mien {
@@ -11,8 +12,7 @@ constexpr std::size_t kMaxChanges = 1000;  // of how drawings are held: each fra
 
 // `twos`, or a number of frames.
 void load_frames(const YamlValue& value, int& into) {
-  const YamlNode& node = find_node(value);
-  if (node.kind == NodeKind::text && !parse_number(node.text)) {
+  if (is_word(value)) {
     std::string name;
     if (load_name(value, name)) into = 1 + static_cast<int>(std::ranges::find(kDraws, name) - kDraws.begin());
   } else {

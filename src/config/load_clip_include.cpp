@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/constants.hpp"
 #include "config/facs_notation.hpp"
 #include "config/load_clip.hpp"
 #include "config/load_spec.hpp"
@@ -65,19 +66,23 @@ std::shared_ptr<const ExpressionBook> build_other_book(const YamlDocument& docum
 void load_own_inputs(const YamlValue& value, const fs::path& path, ClipReader& reader) {
   Inputs& inputs = reader.formulas.inputs;
   Names& own = reader.library->inputs[path];
-  std::erase_if(inputs, [&](const Input& input) { return std::ranges::find(own, input.name) != own.end(); });
+  // They lose their names and not their places: others that use them were read with both.
+  for (Input& input : inputs)
+    if (std::ranges::find(own, input.name) != own.end()) input.name.clear();
   const std::size_t before = inputs.size();
   load_inputs(value, {}, reader.clock, reader.formulas);
   own.clear();
   for (std::size_t i = before; i < inputs.size(); ++i) own.push_back(inputs[i].name);
 }
 
-void load_other(const YamlValue& value, const Include& include, const YamlMapping& file, ClipReader& outer,
+void load_other(YamlValue value, const Include& include, const YamlMapping& file, ClipReader& outer,
                 const fs::path& path, ClipSpec& into) {
+  ClipReader reader = outer;
+  value.constants = build_constants(reader.formulas);
   YamlMapping entries = load_section(value);
   int fps = ClipSpec{}.fps;
   load_fps(entries, fps);
-  ClipReader reader = outer;
+  reader.formulas.words.fps = fps;
   reader.clock = {build_time_measure(fps), outer.clock.end_s, include.at_s};
   reader.clock.measure.note = outer.clock.measure.note;
   reader.formulas.start_s = include.at_s;
@@ -90,6 +95,7 @@ void load_other(const YamlValue& value, const Include& include, const YamlMappin
   });
   load_includes(entries, reader, into);
   if (const YamlValue* inputs = find_value(entries, "inputs")) load_own_inputs(*inputs, path, reader);
+  set_constants(build_constants(reader.formulas), entries);
   load_scripts(entries, reader);
   load_layers(entries, reader, into);
   outer.formulas.inputs = reader.formulas.inputs;
@@ -119,7 +125,10 @@ void load_include(const Include& include, ClipReader& reader, ClipSpec& into) {
   Findings& findings = *include.place.findings;
   const std::optional<YamlDocument>& document = find_document(include, reader);
   if (!document) return;
-  const YamlValue root = find_root(*document, findings);
+  YamlValue root = find_root(*document, findings);
+  root.constants = build_file_constants(root, reader.formulas.words.runtime_s);
+  if (RuntimeUse* use = reader.formulas.words.use; use != nullptr && mentions_runtime(*document))
+    use->is_asked = true;
   const YamlMapping entries = load_section(root, find_sections().file);
   if (find_node(root).kind != NodeKind::mapping) return;
   check_version(root, entries);

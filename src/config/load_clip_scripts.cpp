@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 
 namespace mien {
@@ -10,6 +11,32 @@ namespace {
 constexpr std::size_t kMaxDepth = 8;      // of scripts that play scripts
 constexpr std::size_t kMaxPlayed = 2000;  // different sets of parameters in one clip
 
+// In a script `runtime` is its own length.
+void settle_runtime(const YamlMapping& entries, const Inputs& given, ClipReader& reader) {
+  FormulaReader own = reader.formulas;  // whose mistakes nobody hears
+  Findings silent;
+  const auto silence = [&](const YamlValue* value) {
+    YamlValue heard = *value;
+    heard.findings = &silent;
+    return heard;
+  };
+  own.found = nullptr;
+  own.count = nullptr;
+  own.words.runtime_s = {};
+  own.words.use = nullptr;
+  if (const YamlValue* parameters = find_value(entries, "parameters"))
+    load_inputs(silence(parameters), given, reader.clock, own);
+  reader.formulas.words.use = nullptr;
+  reader.formulas.words.runtime_s = {};
+  reader.formulas.words.missing = "is not known in a script without 'length'; expected one";
+  const YamlValue* length = find_value(entries, "length");
+  double length_s = 0;
+  if (length == nullptr) return;
+  YamlValue heard = silence(length);
+  heard.constants = build_constants(own);
+  if (load_duration(heard, reader.clock, length_s)) reader.formulas.words.runtime_s = length_s;
+}
+
 std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::string& name,
                                             const Inputs& given, const ClipReader& outer) {
   ClipReader reader = outer;
@@ -17,13 +44,16 @@ std::shared_ptr<const ClipSpec> load_script(const ScriptText& text, const std::s
   reader.clock.start_s = 0;
   reader.book = text.book;
   reader.formulas.inputs = text.inputs;
+  reader.formulas.words = text.words;
   reader.formulas.start_s = 0;
   reader.formulas.fps = 0;
   reader.scripts.push_back(name);
-  const YamlMapping entries = load_section(text.body);
+  YamlMapping entries = load_section(text.body);
   load_between(entries, reader.between);
+  settle_runtime(entries, given, reader);
   if (const YamlValue* parameters = find_value(entries, "parameters"))
     load_inputs(*parameters, given, reader.clock, reader.formulas);
+  set_constants(build_constants(reader.formulas), entries);
   auto clip = std::make_shared<ClipSpec>();
   load_layers(entries, reader, *clip);
   // Without keys it begins and ends at rest.
@@ -57,7 +87,8 @@ void load_scripts(const YamlMapping& clip, const ClipReader& reader) {
   if (value == nullptr) return;
   for (const YamlEntry& entry :
        load_free_mapping(*value, "scripts by name such as {nod: {length: 1s, keys: [...]}}"))
-    reader.library->scripts[entry.key] = {entry.value, reader.book, reader.clock, reader.formulas.inputs};
+    reader.library->scripts[entry.key] = {entry.value, reader.book, reader.clock, reader.formulas.inputs,
+                                          reader.formulas.words};
 }
 
 std::shared_ptr<const ClipSpec> play_script(const YamlValue& name, const YamlValue* parameters,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 #include "config/series.hpp"
 
@@ -11,7 +12,6 @@ namespace mien {
 
 namespace {
 
-constexpr std::size_t kMaxInputs = 64;  // each is worked out for each number that uses it
 // Of a clip, those of its scripts once for each set of parameters. Each keeps a parser for each thread, some
 // ten kilobytes.
 constexpr std::size_t kMaxFormulas = 4000;
@@ -27,10 +27,9 @@ Spot find_spot(const YamlValue& value, std::size_t byte) {
   return spot;
 }
 
-void add_fault(const YamlValue& value, const std::string& message, std::size_t byte) {
-  if (find_node(value).kind == NodeKind::broken) return;
-  add_mistake(*value.findings, value.document->source, find_spot(value, byte),
-              fmt::format("in the formula of {}: {}", describe_subject(value), message));
+std::size_t count_named(const Inputs& inputs) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(inputs, [](const Input& input) { return !input.name.empty(); }));
 }
 
 // " (frame 25)"; nothing between two frames.
@@ -43,6 +42,12 @@ std::string name_frame(double time_s, int fps) {
 }
 
 }  // namespace
+
+void add_formula_fault(const YamlValue& value, const std::string& message, std::size_t byte) {
+  if (find_node(value).kind == NodeKind::broken) return;
+  add_mistake(*value.findings, value.document->source, find_spot(value, byte),
+              fmt::format("in the formula of {}: {}", describe_subject(value), message));
+}
 
 bool is_formula(const YamlValue& value) {
   const YamlNode& node = find_node(value);
@@ -64,12 +69,17 @@ FormulaPointer load_formula(const YamlValue& value, const FormulaReader& reader)
     return {};
   }
   FormulaFault fault;
-  FormulaPointer formula = build_formula(find_node(value).text, reader.inputs, reader.start_s, fault);
+  FormulaPointer formula = build_noted_formula(value, find_node(value).text, reader.inputs, reader.start_s,
+                                               fault, reader.words, false);
   if (formula == nullptr)
-    add_fault(value, fault.message, fault.byte);
+    add_formula_fault(value, fault.message, fault.byte);
   else if (reader.found != nullptr)
     reader.found->emplace_back(formula, value);
   return formula;
+}
+
+ConstantsPointer build_constants(const FormulaReader& reader) {
+  return std::make_shared<const Constants>(Constants{reader.inputs, reader.words});
 }
 
 void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
@@ -78,10 +88,10 @@ void check_formula(const FormulaPointer& formula, const FormulaReader& reader,
   if (time_s == nullptr || reader.found == nullptr) return;
   const auto found = std::ranges::find(*reader.found, formula, [](const auto& pair) { return pair.first; });
   if (found != reader.found->end())
-    add_fault(found->second,
-              fmt::format("it has no value at t = {:.7g}{}; expected a number at every time",
-                          *time_s - compute_start_s(*formula), name_frame(*time_s, reader.fps)),
-              0);
+    add_formula_fault(found->second,
+                      fmt::format("it has no value at t = {:.7g}{}; expected a number at every time",
+                                  *time_s - compute_start_s(*formula), name_frame(*time_s, reader.fps)),
+                      0);
 }
 
 void load_inputs(const YamlValue& value, const Inputs& given, const ClipClock& clock, FormulaReader& reader) {
@@ -95,8 +105,11 @@ void load_inputs(const YamlValue& value, const Inputs& given, const ClipClock& c
       continue;
     }
     Input input{entry.key, 0, {}};
-    if (find_node(entry.value).kind == NodeKind::mapping)
-      input.series = load_series(entry.value, clock);
+    YamlValue own = entry.value;
+    own.constants = build_constants(reader);
+    if (find_node(own).kind == NodeKind::mapping && own.forms != nullptr &&
+        find_form(*own.forms, FormKind::section) != nullptr)
+      input.series = load_series(own, clock);
     else if (is_formula(entry.value))
       input.formula = load_formula(entry.value, reader);
     else
@@ -106,7 +119,7 @@ void load_inputs(const YamlValue& value, const Inputs& given, const ClipClock& c
     if (std::ranges::find(reader.inputs, input.name, &Input::name) != reader.inputs.end()) {
       add_mistake(*value.findings, value.document->source, entry.spot,
                   fmt::format("'{}' is an input already; expected another name", input.name));
-    } else if (reader.inputs.size() < kMaxInputs) {
+    } else if (count_named(reader.inputs) < kMaxInputs) {
       reader.inputs.push_back(input);
     } else {
       add_mistake(entry.value, fmt::format("more than {} inputs; expected fewer", kMaxInputs));

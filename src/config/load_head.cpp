@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/constants.hpp"
 #include "config/limits.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
@@ -50,7 +51,7 @@ void load_character(const YamlValue& value, double& into) {
     into = -1;
   } else if (node.kind == NodeKind::text && node.text == "male") {
     into = 1;
-  } else if (node.kind == NodeKind::text && !parse_number(node.text)) {
+  } else if (is_word(value)) {
     const Form &word = find_form(value, FormKind::word), &number = find_form(value, FormKind::number);
     Names names = list_names(word.words);
     names.push_back(fmt::format("a number from {:g} to {:g}", number.low, number.high));
@@ -159,7 +160,12 @@ void load_limit(const YamlValue& value, const std::vector<std::string>& names, b
   const YamlNode& node = find_node(value);
   const Form& range = find_form(value, FormKind::number);
   const auto length = node.kind == NodeKind::text ? parse_limit_length(node.text) : std::nullopt;
-  const auto share = node.kind == NodeKind::text ? parse_number(node.text) : std::nullopt;
+  auto share = node.kind == NodeKind::text ? parse_number(node.text) : std::nullopt;
+  if (!length && is_constant(value)) {
+    double number = 0;
+    if (!load_number(value, number)) return;
+    share = number;
+  }
   if (length ? length->value < 0 || (length->unit == "mm" && length->value > kMaxLimit_mm)
              : !share || *share < range.low || *share > range.high)
     return add_unexpected(

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 #include <algorithm>
 
+#include "config/constants.hpp"
 #include "config/head_files.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
@@ -43,7 +44,8 @@ bool load_other_head(const YamlValue& value, const std::string& name, Spot spot,
   auto text = load_named_source(path, kMienFile, findings);
   const auto document = text ? scan_document(std::move(*text), findings) : std::nullopt;
   if (!document) return false;
-  const YamlValue root = find_root(*document, findings);
+  YamlValue root = find_root(*document, findings);
+  root.constants = build_file_constants(root, {});
   const YamlMapping entries = load_section(root, find_sections().file);
   check_version(root, entries);
   if (const YamlValue* other = find_value(entries, "head")) head = load_head(*other, inner);

@@ -3,6 +3,7 @@
 #include <array>
 #include <tuple>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 
 namespace mien {
@@ -149,7 +150,7 @@ void load_dial(const YamlValue& value, Dial& dial) {
 
 // A word, a number, or a mapping; a seed alone asks for the natural amount.
 void load_asymmetry(const YamlValue& value, AsymmetrySpec& asymmetry) {
-  if (is_text(value) && !parse_number(find_node(value).text)) {
+  if (is_word(value)) {
     const std::string& name = find_node(value).text;
     if (std::ranges::find(kAsymmetryWords, name, &Word::name) == kAsymmetryWords.end())
       return add_unexpected(value, fmt::format("natural, none or a number from 0 to {}",

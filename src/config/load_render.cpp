@@ -1,13 +1,34 @@
 #include <fmt/format.h>
 #include <algorithm>
+#include <cmath>
 
+#include "config/constants.hpp"
 #include "config/sections.hpp"
 
 namespace mien {
 
 namespace {
 
+// "240*k x 300*k".
+void load_size_formula(const YamlValue& value, RenderSpec& render) {
+  const auto size = load_two_constants(value);
+  if (!size) return;
+  const Form& form = find_form(value, FormKind::size);
+  const auto is_right = [&](double side_px) {
+    return side_px >= form.low && side_px <= form.high && side_px == std::floor(side_px);
+  };
+  if (!is_right(size->first) || !is_right(size->second))
+    return add_mistake(value,
+                       fmt::format("{} is the formula '{}', which comes to {:.7g}x{:.7g}; expected a width "
+                                   "and a height from {} to {} pixels",
+                                   describe_subject(value), show_word(find_node(value).text), size->first,
+                                   size->second, form.low, form.high));
+  render.width_px = static_cast<int>(size->first);
+  render.height_px = static_cast<int>(size->second);
+}
+
 void load_size(const YamlValue& value, RenderSpec& render) {
+  if (is_two_constants(value)) return load_size_formula(value, render);
   const YamlNode& node = find_node(value);
   const auto size = node.kind == NodeKind::text ? parse_size(node.text) : std::nullopt;
   if (!size) {

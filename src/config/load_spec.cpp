@@ -6,12 +6,14 @@
 #include <deque>
 #include <tuple>
 
+#include "config/constants.hpp"
 #include "config/data_table.hpp"
 #include "config/expressions.hpp"
 #include "config/facs_notation.hpp"
 #include "config/mapping_data.hpp"
 #include "config/named_file.hpp"
 #include "config/sections.hpp"
+#include "core/ticks.hpp"
 #include "core/utf8.hpp"
 
 namespace mien {
@@ -191,20 +193,52 @@ LanguagePointer load_language(const std::filesystem::path& data_folder) {
 
 namespace {
 
-Spec build_spec(const std::filesystem::path& file, const std::optional<YamlDocument>& document,
-                Findings findings, const Language& language) {
-  ExpressionBook book = language.libraries;
-  const std::size_t library_count = book.expressions.size();
+// The document as it reads if its clip lasts so long; with its mistakes in `findings`.
+Spec read_spec(const std::filesystem::path& file, const std::optional<YamlDocument>& document,
+               const Language& language, std::optional<double> runtime_s, RuntimeUse& use,
+               ExpressionBook& book, Findings& findings) {
   Spec spec;
   spec.file = file;
   spec.name = build_name(file);
   if (document) {
-    const YamlValue root = find_root(*document, findings);
+    YamlValue root = find_root(*document, findings);
+    root.constants = build_file_constants(root, runtime_s, &use);
+    if (root.constants->words.use != nullptr && mentions_runtime(*document)) use.is_asked = true;
     const YamlMapping entries = load_section(root, find_sections().file);
     append_notations(*document, book);
     if (find_node(root).kind == NodeKind::mapping) load_sections(root, entries, language.words, book, spec);
   }
   spec.files = findings.files;
+  return spec;
+}
+
+// How long a clip is that follows from its keys is known when it is read: if its formulas ask for that, it is
+// read again. Those that change it ask for what they decide themselves.
+void check_runtime(const RuntimeUse& use, double before_s, double after_s, Findings& findings) {
+  if (compute_ticks(before_s) == compute_ticks(after_s) || !findings.mistakes.empty()) return;
+  add_mistake(
+      findings, use.place,
+      fmt::format("{} asks for 'runtime', which follows from it: the clip lasts {:.7g}s without it and "
+                  "{:.7g}s with it; expected a 'length' of the clip",
+                  use.subject, before_s, after_s),
+      use.line);
+}
+
+Spec build_spec(const std::filesystem::path& file, const std::optional<YamlDocument>& document,
+                Findings findings, const Language& language) {
+  const Findings unread = findings;
+  ExpressionBook book = language.libraries;
+  const std::size_t library_count = book.expressions.size();
+  RuntimeUse use;
+  Spec spec = read_spec(file, document, language, {}, use, book, findings);
+  if (use.is_asked) {
+    const double length_s = spec.clip.length_s;
+    RuntimeUse ignored;
+    findings = unread;
+    book = language.libraries;
+    spec = read_spec(file, document, language, length_s, ignored, book, findings);
+    check_runtime(use, length_s, spec.clip.length_s, findings);
+  }
   throw_mistakes(std::move(findings));
 
   spec.mappings = book.mappings;

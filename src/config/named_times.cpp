@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "config/constants.hpp"
 #include "config/load_clip.hpp"
 
 namespace mien {
@@ -134,6 +135,11 @@ std::optional<double> resolve(Graph& graph, std::size_t number, std::vector<std:
   return node.time_s;
 }
 
+void add_time(const Node& node, const std::string& name, NamedTimes& named) {
+  named.times_s[name] = node.time_s;
+  if (!node.time_s && node.at && is_constant(*node.at)) named.formulas.insert(name);
+}
+
 }  // namespace
 
 std::vector<NamedTimes> load_named_times(const std::vector<NamedClip>& clips, int fps) {
@@ -150,11 +156,11 @@ std::vector<NamedTimes> load_named_times(const std::vector<NamedClip>& clips, in
     NamedTimes& named = all.emplace_back();
     for (const auto& [full, number] : graph.index) {
       named.names.push_back(full);
-      named.times_s[full] = graph.nodes[number].time_s;
+      add_time(graph.nodes[number], full, named);
     }
     for (const Node& node : graph.nodes)
       if (node.actor == clip.actor && !node.name.empty() && !clip.actor.empty())
-        named.times_s[node.name.substr(clip.actor.size() + 1)] = node.time_s;
+        add_time(node, node.name.substr(clip.actor.size() + 1), named);
   }
   return all;
 }
@@ -167,6 +173,12 @@ std::optional<double> load_named_time(const YamlValue& value, const ClipClock& c
     add_unknown_name(wait->after, wait->name, clock.times->names);
     return {};
   }
+  if (!found->second && clock.times->formulas.contains(wait->name))
+    add_mistake(
+        wait->after,
+        fmt::format("the time of '{}' is a formula that is not known here; expected one of the file's "
+                    "own inputs",
+                    show_word(wait->name)));
   if (!found->second) return {};
   return *found->second + wait->delay_s;
 }

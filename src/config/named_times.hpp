@@ -3,6 +3,7 @@
 
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -17,7 +18,8 @@ struct NamedTimes {
   // Seconds by what the clip calls them: of its own names "hello", of others' "ann.hello". Empty: its time is
   // wrong, which is told where it stands.
   std::map<std::string, std::optional<double>> times_s;
-  Names names;  // of all clips, in full; for messages
+  std::set<std::string> formulas;  // of those that are empty: that stand at a formula
+  Names names;                     // of all clips, in full; for messages
 };
 
 // The clip of one actor, or of the only one, whose name is empty.

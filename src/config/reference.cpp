@@ -23,7 +23,10 @@ as a JSON Schema for editors: `# yaml-language-server: $schema=mien.schema.json`
 | a length | `80mm`, `8cm`, or a bare number of millimetres |
 | an angle | `20deg`, or a bare number of degrees |
 | a colour | `"#dcae8f"`, in quotes: an unquoted `#` begins a comment |
-| a formula | in quotes where a number could stand: `"0.3*sin(2*pi*t/1.5)"`, of the time `t` in seconds, `pi` and inputs |
+| a formula | in quotes where a number could stand: `"0.3*sin(2*pi*t/1.5)"`, of the time `t` in seconds, `runtime`, `fps`, `pi` and inputs |
+
+In place of any other number, time, length or angle may stand a formula that does not use `t`: `from: "runtime/2"`, in the place's own unit
+([Timeline](timeline.md#formulas-tables-other-files)).
 
 A key in bold must be there. left and right are the character's own.
 )md";

@@ -102,10 +102,14 @@ Json build_section_reference(const Form& form) {
   return reference;
 }
 
+// It, or a formula that does not change with time.
+Json build_constant(const Json& number) { return {{"anyOf", {number, build_reference("constant")}}}; }
+
 Json build_curve(const Form& form) {
   Form x;
   x.high = 1;
-  const Json along = build_range(x, "number"), up = build_range(form, "number");
+  const Json along = build_constant(build_range(x, "number")),
+             up = build_constant(build_range(form, "number"));
   return {{"type", "array"}, {"prefixItems", {along, up, along, up}}, {"minItems", 4}, {"maxItems", 4}};
 }
 
@@ -138,11 +142,12 @@ Json build_form(const Form& form, const DataWords& data) {
     case FormKind::angle:
       return build_quantity(form);
     case FormKind::lengths:
-      return build_list(build_quantity(form), 3, 3);
+      return build_list(build_constant(build_quantity(form)), 3, 3);
     case FormKind::two_lengths:
-      return build_text(build_two_lengths_pattern());
+      return build_text(build_two_lengths_pattern() + "|" + build_two_constants_pattern());
     case FormKind::size:
-      return build_text(build_size_pattern(static_cast<int>(form.low), static_cast<int>(form.high)));
+      return build_text(build_size_pattern(static_cast<int>(form.low), static_cast<int>(form.high)) + "|" +
+                        build_two_constants_pattern());
     case FormKind::colour:
       return build_reference("colour");
     case FormKind::line: {
@@ -167,9 +172,27 @@ Json build_form(const Form& form, const DataWords& data) {
   return Json::object();
 }
 
+// Whether a formula that does not change with time may stand in its place; of lengths in that of each.
+bool is_numeric(const Form& form) {
+  switch (form.kind) {
+    case FormKind::number:
+    case FormKind::whole:
+    case FormKind::time:
+    case FormKind::duration:
+    case FormKind::seconds:
+    case FormKind::length:
+    case FormKind::angle:
+      return true;
+    default:
+      return false;
+  }
+}
+
 Json build_forms(const Forms& forms, const DataWords& data) {
   std::vector<Json> all;
   for (const Form& form : forms) all.push_back(build_form(form, data));
+  if (std::ranges::any_of(forms, is_numeric) && find_form(forms, FormKind::formula) == nullptr)
+    all.push_back(build_reference("constant"));
   return build_any(all);
 }
 
@@ -247,9 +270,14 @@ Json build_shared(const DataWords& data) {
   shared["formula"] = build_text("^[ !#-~]*$");
   shared["formula"]["maxLength"] = kMaxFormulaLength;
   shared["formula"]["description"] =
-      "A formula of the time t in seconds, in quotes: \"0.3*sin(2*pi*t/1.5)\". It may use pi, inputs, + - * "
-      "/ ^, "
-      "comparisons, a ? b : c, and functions such as sin, abs, min, max, clamp and mod.";
+      "A formula of the time t in seconds, in quotes: \"0.3*sin(2*pi*t/1.5)\". It may use runtime, fps, pi, "
+      "inputs, + - * / ^, comparisons, a ? b : c, and functions such as sin, abs, min, max, clamp and mod.";
+  shared["constant"] = build_text(build_constant_pattern());
+  shared["constant"]["maxLength"] = kMaxFormulaLength;
+  shared["constant"]["description"] =
+      "A formula in quotes of what does not change with time: \"runtime/2\". It may use runtime (the clip's "
+      "length in seconds), fps, pi, constant inputs and what other formulas use but t, and comes to the "
+      "place's own unit.";
   shared["colour"] = build_text("^#[0-9a-fA-F]{6}$");
   shared["colour"]["description"] = "A colour in quotes, as an unquoted '#' begins a comment.";
   for (const char* list : {"looks", "hair_colours", "designs", "places", "libraries", "expressions"}) {

@@ -44,6 +44,14 @@ std::string build_quantity_pattern(const std::vector<Unit>& units, bool has_sign
   return fmt::format("^{}{}([eE][-+]?[0-9]+)?({})$", has_sign ? "[-+]?" : "\\+?", kDigits, names);
 }
 
+std::string build_constant_pattern() {
+  return fmt::format("^(?![-+]?{0} *[A-Za-z]*$|{0}x{0} *[A-Za-z]*$)[ !#-~]+$", kDigits);
+}
+
+std::string build_two_constants_pattern() {
+  return fmt::format("^(?!{0} x {0} *[A-Za-z]*$)[ !#-~]+ x [ !#-~]+$", kDigits);
+}
+
 std::string build_two_lengths_pattern() { return fmt::format("^{0}x{0}(mm|cm)?$", kDigits); }
 
 std::string build_size_pattern(int low_px, int high_px) {

@@ -16,6 +16,9 @@ Measure find_measure(FormKind kind);
 
 // ECMAScript expressions for whole texts.
 std::string build_quantity_pattern(const std::vector<Unit>& units, bool has_sign);
+std::string
+build_constant_pattern();  // any formula, but for a number with a unit that the place does not know
+std::string build_two_constants_pattern();  // two of them with an x between blanks
 std::string build_two_lengths_pattern();
 std::string build_size_pattern(int low_px, int high_px);
 

@@ -43,9 +43,12 @@ struct ClipCounts {
 // What a clip is told by those around it.
 struct ClipSetting {
   const ClipSpec* shared = nullptr;   // of an actor's clip the file's own
+  bool is_everybodys = false;         // there are actors, with clips of their own
   const NamedTimes* times = nullptr;  // that its keys may wait for
   Names others = {};                  // actors that one may look at
   ClipCounts* counts = nullptr;       // of the file; none: its own
+  const Inputs* inputs = nullptr;     // everybody's
+  Inputs* found = nullptr;            // filled with the clip's own and those of its files
 };
 ClipSpec load_clip(const YamlValue* value, const ExpressionBook& book, const ClipSetting& setting = {});
 

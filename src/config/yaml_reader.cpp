@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "config/constants.hpp"
+
 namespace mien {
 
 namespace {
@@ -30,7 +32,8 @@ YamlValue build_value(const YamlValue& owner, std::uint32_t index, std::string p
                       const Forms* forms) {
   const YamlNode& node = owner.document->nodes[index];
   const std::uint32_t content = node.kind == NodeKind::alias ? node.target : index;
-  return {owner.document, owner.findings, content, node.spot, std::move(path), is_item, forms};
+  return {owner.document,  owner.findings, content, node.spot,
+          std::move(path), is_item,        forms,   owner.constants};
 }
 
 std::string describe_found(const YamlNode& node) {
@@ -53,6 +56,41 @@ bool is_kind(const YamlValue& value, NodeKind kind, std::string_view expected) {
   if (node.kind == kind) return true;
   add_unexpected(value, expected);
   return false;
+}
+
+// What stands in place of a number.
+struct FoundNumber {
+  std::optional<double> number = {};
+  bool is_formula = false;  // whose mistake was told if it has no number
+};
+
+FoundNumber find_number(const YamlValue& value, bool may_decide) {
+  if (is_constant(value)) return {load_constant(value, may_decide), true};
+  const YamlNode& node = find_node(value);
+  if (node.kind != NodeKind::text || node.is_quoted) return {};
+  return {parse_number(node.text), false};
+}
+
+FoundNumber find_quantity(const YamlValue& value, const Measure& measure) {
+  if (is_constant(value, measure)) return {load_constant(value, measure.units.front().name == "s"), true};
+  const YamlNode& node = find_node(value);
+  auto number = node.kind == NodeKind::text ? parse_quantity(node.text, measure) : std::nullopt;
+  if (number && node.is_quoted && parse_number(node.text)) number.reset();  // "80" in quotes is a text
+  return {number, false};
+}
+
+bool is_within(const FoundNumber& found, double low, double high) {
+  return found.number && *found.number >= low && *found.number <= high;
+}
+
+// Tells a number that is out of its range or of another type; of a formula that has none, all is told.
+void add_unexpected_number(const YamlValue& value, const FoundNumber& found, std::string_view unit,
+                           std::string_view expected) {
+  if (!found.is_formula) return add_unexpected(value, expected);
+  if (found.number)
+    add_mistake(value, fmt::format("{} is the formula '{}', which comes to {:.7g}{}; expected {}",
+                                   describe_subject(value), show_word(find_node(value).text), *found.number,
+                                   unit, expected));
 }
 
 std::string format_plain(double value) { return fmt::format("{:.7g}", value); }
@@ -84,7 +122,7 @@ std::string describe_unknown_key(const YamlValue& owner, const std::string& key,
 }  // namespace
 
 YamlValue find_root(const YamlDocument& document, Findings& findings) {
-  return {&document, &findings, document.root, document.nodes[document.root].spot, "", false, nullptr};
+  return {&document, &findings, document.root, document.nodes[document.root].spot, "", false, nullptr, {}};
 }
 
 const Form& find_form(const YamlValue& value, FormKind kind) {
@@ -172,39 +210,41 @@ const YamlValue* find_required(const YamlMapping& mapping, std::string_view key,
 }
 
 bool load_number(const YamlValue& value, double low, double high, double& into, std::string_view unit) {
-  const YamlNode& node = find_node(value);
-  const auto number = node.kind == NodeKind::text && !node.is_quoted ? parse_number(node.text) : std::nullopt;
-  const bool is_right = number && *number >= low && *number <= high;
+  const FoundNumber found = find_number(value, false);
+  const bool is_right = is_within(found, low, high);
   if (is_right)
-    into = *number;
+    into = *found.number;
   else
-    add_unexpected(value, fmt::format("a number from {} to {}{}", format_plain(low), format_plain(high),
-                                      format_unit(unit)));
+    add_unexpected_number(
+        value, found, "",
+        fmt::format("a number from {} to {}{}", format_plain(low), format_plain(high), format_unit(unit)));
   return is_right;
 }
 
 bool load_whole(const YamlValue& value, int low, int high, int& into, std::string_view unit) {
-  const YamlNode& node = find_node(value);
-  const auto number = node.kind == NodeKind::text && !node.is_quoted ? parse_number(node.text) : std::nullopt;
-  const bool is_right = number && *number >= low && *number <= high && *number == std::floor(*number);
+  constexpr double kRoundOff = 1e-9;  // of a formula: (0.1 + 0.2)*10 is 3
+  FoundNumber found = find_number(value, true);
+  if (found.is_formula && found.number && std::abs(*found.number - std::round(*found.number)) < kRoundOff)
+    found.number = std::round(*found.number);
+  const bool is_right = is_within(found, low, high) && *found.number == std::floor(*found.number);
   if (is_right)
-    into = static_cast<int>(*number);
+    into = static_cast<int>(*found.number);
   else
-    add_unexpected(value, fmt::format("a whole number from {} to {}{}", low, high, format_unit(unit)));
+    add_unexpected_number(value, found, "",
+                          fmt::format("a whole number from {} to {}{}", low, high, format_unit(unit)));
   return is_right;
 }
 
 bool load_quantity(const YamlValue& value, const Measure& measure, double low, double high, double& into) {
-  const YamlNode& node = find_node(value);
-  auto number = node.kind == NodeKind::text ? parse_quantity(node.text, measure) : std::nullopt;
-  if (number && node.is_quoted && parse_number(node.text)) number.reset();  // "80" in quotes is a text
-  const bool is_right = number && *number >= low && *number <= high;
+  const FoundNumber found = find_quantity(value, measure);
+  const bool is_right = is_within(found, low, high);
   if (is_right)
-    into = *number;
-  else if (!number)
-    add_unexpected(value, fmt::format("{} such as {}", measure.noun, measure.example));
+    into = *found.number;
+  else if (!found.number)
+    add_unexpected_number(value, found, "", fmt::format("{} such as {}", measure.noun, measure.example));
   else
-    add_unexpected(value, fmt::format("{} from {} to {}{}", measure.noun, format_quantity(low, measure),
+    add_unexpected_number(value, found, measure.units.front().name,
+                          fmt::format("{} from {} to {}{}", measure.noun, format_quantity(low, measure),
                                       format_quantity(high, measure), measure.note));
   return is_right;
 }

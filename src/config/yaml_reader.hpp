@@ -2,6 +2,7 @@
 // is added to the findings at its place, and the target keeps the default it had; nothing here throws.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,15 +15,19 @@
 
 namespace mien {
 
+struct Constants;  // constants.hpp
+using ConstantsPointer = std::shared_ptr<const Constants>;
+
 // One value of the tree. `node` is never an alias: it is what the alias stands for, at the alias's own place.
 struct YamlValue {
   const YamlDocument* document = nullptr;
   Findings* findings = nullptr;
   std::uint32_t node = 0;
   Spot spot;
-  std::string path;              // "clip.keys.at"; empty for the file as a whole
-  bool is_item = false;          // an item of the list `path`
-  const Forms* forms = nullptr;  // what the language lets stand here; none: of a file of another kind
+  std::string path;                 // "clip.keys.at"; empty for the file as a whole
+  bool is_item = false;             // an item of the list `path`
+  const Forms* forms = nullptr;     // what the language lets stand here; none: of a file of another kind
+  ConstantsPointer constants = {};  // what a formula in place of a number may use; none: no formula may
 };
 
 struct YamlEntry {
@@ -66,8 +71,9 @@ const YamlValue* find_value(YamlMapping&& mapping, std::string_view key) = delet
 const YamlValue* find_required(const YamlMapping& mapping, std::string_view key, const YamlValue& owner,
                                std::string_view expected);
 
-// One value each. False, with a mistake told, if it is of another type or out of its range. These take the
-// range and the words from the value's form.
+// One value each. False, with a mistake told, if it is of another type or out of its range. A formula in
+// quotes may stand in place of any number (constants.hpp). These take the range and the words from the
+// value's form.
 bool load_number(const YamlValue& value, double& into);
 bool load_whole(const YamlValue& value, int& into);
 bool load_seconds(const YamlValue& value, double& into_s);  // of what has no frames

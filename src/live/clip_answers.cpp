@@ -8,6 +8,7 @@
 
 #include "clip/reach.hpp"
 #include "config/edit_places.hpp"
+#include "config/law_numbers.hpp"
 #include "config/pose_mix.hpp"
 #include "config/words.hpp"
 #include "core/print_numbers.hpp"
@@ -62,6 +63,20 @@ Json describe_cue(const LiveSession& session, const CueSpec& cue, double length_
   }
   value["areas"] = areas;
   return value;
+}
+
+// A law of the camera, the head's turning, the lights or a place, as one of areas is told.
+Json describe_law(const LiveSession& session, const TrackLaw& law, double length_s,
+                  const std::string& actor) {
+  CueSpec cue;
+  cue.from_s = law.from_s;
+  cue.full_s = law.full_s;
+  cue.ebb_s = law.ebb_s;
+  cue.end_s = law.end_s;
+  cue.layer = Layer::law;
+  cue.what.label = law.label;
+  cue.what.place = law.place;
+  return describe_cue(session, cue, length_s, actor);
 }
 
 Json describe_mix(const Mix& mix) {
@@ -139,6 +154,9 @@ void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor
     else
       for (const Json& area : told["areas"]) tracks.cues.back()["areas"].push_back(area);
   }
+  for (const TrackLaw& law : spec.laws)
+    if (law.track == LawTrack::turn || law.track == LawTrack::place || actor.name.empty())
+      tracks.cues.push_back(describe_law(session, law, clip.spec.clip.length_s, actor.name));
   for (const TurnKey& key : spec.turn)
     tracks.turns.push_back(describe_key(
         session, "turn", key.at_s,
@@ -152,7 +170,7 @@ void add_tracks(const LiveSession& session, const Clip& clip, const Actor& actor
 }
 
 Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const EditText& text,
-                         const char* kind) {
+                         const char* kind, bool has_actors) {
   Json keys = Json::array();
   const std::vector<TimedPlace> places = list_timed_places(text, "", kind, clip.fps);
   const auto add = [&](double at_s, const std::string& label) {
@@ -165,6 +183,9 @@ Json describe_stage_keys(const LiveSession& session, const ClipSpec& clip, const
           fmt::format("{:.3g} deg, {:.3g} deg, {:.3g}", key.angle_deg, key.height_deg, key.distance));
   if (which == "light")
     for (const LightKey& key : clip.light) add(key.at_s, key.set);
+  for (const TrackLaw& law : clip.laws)
+    if (has_actors && which == kLawTracks[static_cast<std::size_t>(law.track)])
+      keys.push_back(describe_key(session, kind, law.from_s, law.label, {}, ""));
   if (which == "background")
     for (const BackgroundKey& key : clip.background)
       add(key.at_s, key.colour ? std::string(describe_colour(*key.colour)) : key.name);
@@ -178,6 +199,7 @@ Json describe_clip(const LiveSession& session, const Clip& clip, const EditText&
   Json drawn = Json::array(), actors = Json::array(), own = Json::array();
   for (int frame = 0; frame < clip.frame_count; ++frame) drawn.push_back(compute_drawn_frame(spec, frame));
   Tracks tracks;
+  const bool has_actors = !clip.spec.actors.empty();
   for (const Actor& actor : clip.actors) {
     actors.push_back({{"name", actor.name}, {"head_values", describe_head(actor.head)}});
     add_tracks(session, clip, actor, text, tracks);
@@ -197,9 +219,9 @@ Json describe_clip(const LiveSession& session, const Clip& clip, const EditText&
           {"cues", tracks.cues},
           {"blinks", tracks.blinks},
           {"turns", tracks.turns},
-          {"cameras", describe_stage_keys(session, spec, text, "camera")},
-          {"lights", describe_stage_keys(session, spec, text, "light")},
-          {"backgrounds", describe_stage_keys(session, spec, text, "background")},
+          {"cameras", describe_stage_keys(session, spec, text, "camera", has_actors)},
+          {"lights", describe_stage_keys(session, spec, text, "light", has_actors)},
+          {"backgrounds", describe_stage_keys(session, spec, text, "background", has_actors)},
           {"heads", tracks.heads},
           {"is_growing", !tracks.heads.empty()},
           {"expressions", own}};

@@ -10,6 +10,7 @@
 #include <functional>
 #include <set>
 
+#include "config/law_numbers.hpp"
 #include "config/quantity.hpp"
 #include "core/ticks.hpp"
 #include "timeline/layers.hpp"
@@ -187,6 +188,11 @@ void judge_swingers(const ClipSpec& clip, const Judge& judge) {
                  return turn[i];
                }});
   });
+  for (const TrackLaw& law : clip.laws)
+    if (law.track == LawTrack::turn && law.value.formula)
+      judge({fmt::format("the head's {} of a law", list_law_numbers(law.track)[law.number].name), law.place,
+             law.from_s, std::min(law.end_s, clip.length_s), kLeastTurn_deg,
+             [&law](double t) { return std::clamp(evaluate(law.value, t), law.range.low, law.range.high); }});
   for (const CueSpec& cue : clip.cues) {
     const double to_s = std::min(cue.end_s, clip.length_s);
     if (cue.script)

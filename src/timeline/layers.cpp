@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "timeline/track_laws.hpp"
+
 namespace mien {
 
 namespace {
@@ -151,6 +153,8 @@ Layers build_layers(const ClipSpec& clip, LayerStore& store) {
   layers.camera = build_track(build_track_keys(clip.camera), 3);
 
   layers.cues = build_cue_stack(clip, store);
+  layers.laws = clip.laws;
+  std::ranges::stable_sort(layers.laws, {}, &TrackLaw::from_s);
   layers.length = compute_ticks(clip.length_s);
   if (has_doctrine(clip, layers.cues)) layers.moves.set();
   return layers;
@@ -176,6 +180,7 @@ FaceState sample_layers(const Layers& layers, Ticks time) {
 FaceState sample_layers(const Layers& layers, Ticks time, const Moves& only) {
   FaceState face = sample_keys(layers, time, only);
   apply_cues(layers.cues, time, only, face);
+  if (is_whole(only)) apply_laws(layers.laws, LawTrack::turn, time, face.turn_deg);
   return face;
 }
 

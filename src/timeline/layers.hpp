@@ -21,6 +21,7 @@ struct Layers {
   double most_reach = 1;
   Moves moves = kAreaMoves;  // what the clip may move: muscles and units as well, if it names any
   CueStack cues;
+  std::vector<TrackLaw> laws;  // by time
   Ticks length = 0;
 };
 

@@ -6,6 +6,7 @@
 #include "timeline/easing.hpp"
 #include "timeline/lead.hpp"
 #include "timeline/most_held.hpp"
+#include "timeline/track_laws.hpp"
 
 namespace mien {
 
@@ -69,6 +70,10 @@ std::vector<MomentPart> list_parts(const Performance& performance, double time_s
     if (const double share = compute_most_weight(stack, cue, compute_ticks(time_s)); share > 0)
       parts.push_back({cue.spec.what.label, cue.spec.from_s, share, true, is_endless(cue.spec),
                        cue.spec.what.reach, cue.spec.what.held});
+  const std::vector<TrackLaw>& laws = performance.layers->laws;
+  for (const TrackLaw& law : laws)
+    if (const double share = compute_law_weight(laws, law, compute_ticks(time_s)); share > 0)
+      parts.push_back({law.label, law.from_s, share, true, false, 1, {}});
   return parts;
 }
 

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "config/law_numbers.hpp"
+#include "timeline/track_laws.hpp"
+
 namespace mien {
 namespace {
 
@@ -32,6 +35,7 @@ TurnKey build_turn(const FaceState& face, double time_s) {
 CameraKey sample_camera(const Layers& layers, double time_s) {
   std::array<double, 3> numbers;
   sample_track(layers.camera, compute_ticks(time_s), numbers);
+  apply_laws(layers.laws, LawTrack::camera, compute_ticks(time_s), numbers);
   CameraKey camera;
   camera.at_s = time_s;
   camera.angle_deg = hold(numbers[0], kCameraBounds[0]);
@@ -77,6 +81,8 @@ void add_standing(const Performance& performance, double time_s, Moment& moment)
   if (clip.place.empty()) return;
   std::array<double, 4> numbers;
   sample_track(performance.layers->place, compute_ticks(time_s), numbers);
+  apply_laws(performance.layers->laws, LawTrack::place, compute_ticks(time_s), numbers);
+  for (std::size_t axis = 0; axis < 3; ++axis) numbers[axis] = hold(numbers[axis], kPlaceBounds);
   moment.place = PlaceKey{time_s, {}, {numbers[0], numbers[1], numbers[2]}, numbers[3]};
 }
 

@@ -2,11 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "config/law_numbers.hpp"
 #include "core/text.hpp"
+#include "core/ticks.hpp"
 #include "timeline/bytes.hpp"
 #include "timeline/key_span.hpp"
+#include "timeline/track_laws.hpp"
 
 namespace mien {
 
@@ -24,19 +28,34 @@ std::vector<Share> fade(const KeySpan<Key>& span, const Build& build, const IsSa
   return {build(*span.from, 1 - span.share), build(*span.to, span.share)};
 }
 
-std::vector<LightShare> sample_lights(const std::vector<LightKey>& keys, double time_s) {
-  if (keys.empty()) return {};
-  const KeySpan<LightKey> span = find_span(keys, time_s);
+// A key of the lights with the laws upon its numbers.
+LightShare build_light(const std::vector<TrackLaw>& laws, const LightKey& key, double time_s) {
+  std::array<double, 2> numbers{key.brightness, key.angle_deg};
+  apply_laws(laws, LawTrack::light, compute_ticks(time_s), numbers);
+  const Bounds& bright = list_law_numbers(LawTrack::light)[kBrightnessNumber].bounds;
+  return {key.set, std::clamp(numbers[kBrightnessNumber], bright.low, bright.high),
+          numbers[kLightAngleNumber]};
+}
+
+std::vector<LightShare> sample_lights(const ClipSpec& clip, double time_s) {
+  const bool has_laws = std::ranges::find(clip.laws, LawTrack::light, &TrackLaw::track) != clip.laws.end();
+  if (clip.light.empty() && !has_laws) return {};
+  if (clip.light.empty()) return {build_light(clip.laws, LightKey{}, time_s)};
+  const KeySpan<LightKey> span = find_span(clip.light, time_s);
   const auto is_same_set = [](const LightKey& a, const LightKey& b) { return a.set == b.set; };
   std::vector<LightShare> lights = fade<LightShare>(
       span,
-      [](const LightKey& key, double share) {
-        return LightShare{key.set, share * key.brightness, key.angle_deg};
+      [&](const LightKey& key, double share) {
+        LightShare light = build_light(clip.laws, key, time_s);
+        light.bright *= share;
+        return light;
       },
       is_same_set);
   if (is_same_set(*span.from, *span.to)) {
-    lights.front().bright = std::lerp(span.from->brightness, span.to->brightness, span.share);
-    lights.front().angle_deg = std::lerp(span.from->angle_deg, span.to->angle_deg, span.share);
+    LightKey now = *span.from;
+    now.brightness = std::lerp(span.from->brightness, span.to->brightness, span.share);
+    now.angle_deg = std::lerp(span.from->angle_deg, span.to->angle_deg, span.share);
+    lights.front() = build_light(clip.laws, now, time_s);
   }
   return lights;
 }
@@ -59,7 +78,10 @@ StageMoment sample_stage(const ClipSpec& clip, double time_s) {
   StageMoment moment;
   if (!clip.camera.empty()) {
     const KeySpan<CameraKey> span = find_span(clip.camera, time_s);
-    moment.lens_mm = std::lerp(span.from->lens_mm, span.to->lens_mm, span.share);
+    std::array<double, kLensNumber + 1> numbers{};
+    numbers[kLensNumber] = std::lerp(span.from->lens_mm, span.to->lens_mm, span.share);
+    apply_laws(clip.laws, LawTrack::camera, compute_ticks(time_s), numbers);
+    moment.lens_mm = std::clamp(numbers[kLensNumber], kShortestLens_mm, kLongestLens_mm);
     moment.aims = fade<AimShare>(
         span,
         [](const CameraKey& key, double share) {
@@ -67,7 +89,7 @@ StageMoment sample_stage(const ClipSpec& clip, double time_s) {
         },
         [](const CameraKey& a, const CameraKey& b) { return is_same(a.aim, b.aim); });
   }
-  moment.lights = sample_lights(clip.light, time_s);
+  moment.lights = sample_lights(clip, time_s);
   moment.backgrounds = sample_backgrounds(clip.background, time_s);
   return moment;
 }

@@ -87,7 +87,7 @@ function describeKind(node) {
     const kind = node.type === "integer" ? "a whole number" : "a number";
     return low !== undefined && high !== undefined ? `${kind} from ${low} to ${high}` : kind;
   }
-  if (node.from?.includes("formula")) return "a formula in quotes";
+  if (node.from?.includes("formula") || node.from?.includes("constant")) return "a formula in quotes";
   if (node.from?.includes("colour")) return "a colour in quotes";
   if (/\(s\|ms\|f\)/.test(node.pattern ?? "")) return "a time (1.5s, 36f, 500ms)";
   if (/deg/.test(node.pattern ?? "")) return "an angle (20deg)";

@@ -193,6 +193,25 @@ clip:
   EXPECT_EQ(evaluate_pose(*clip.cues[1].what.live, 3.5).pose.values[brow], 0.25) << "it counts from 3 s";
   EXPECT_EQ(evaluate_pose(*clip.cues[2].what.live, 0).pose.values[*find_move(Area::chin, Side::none, "down")],
             0.25);
+  // What another file made of them stays what it is.
+  write_file(folder / "twice.yaml", R"(mien: 1
+clip:
+  inputs: {both: "2*size"}
+  laws: [{area: chin, move: down, value: "both/4"}]
+)");
+  write_file(
+      folder / "c.yaml",
+      "mien: 1\nclip: {include: [wave.yaml, twice.yaml, {file: wave.yaml, at: 3s}], laws: [{area: chin, "
+      "move: up, value: \"both/2\"}]}\n");
+  EXPECT_EQ(find_mistakes(folder / "c.yaml"), "");
+  const ClipSpec again = load_spec(folder / "c.yaml", *find_language()).clip;
+  for (const CueSpec& cue : again.cues)
+    if (cue.layer == Layer::law) {
+      const std::size_t move =
+          *find_move(Area::chin, Side::none, cue.what.label.ends_with("up") ? "up" : "down");
+      EXPECT_EQ(evaluate_pose(*cue.what.live, 0).pose.values[move],
+                move == *find_move(Area::chin, Side::none, "up") ? 0.5 : 0.25);
+    }
   // Two files that name the same number are two opinions.
   write_file(folder / "other.yaml", "mien: 1\nclip: {inputs: {size: 1}}\n");
   write_file(folder / "b.yaml", "mien: 1\nclip: {include: [wave.yaml, other.yaml]}\n");

@@ -439,8 +439,9 @@ TEST(edit, refuses_a_move_in_words) {
             "'clip.keys[1].at' waits for another key; expected a time such as 1.5s, 36f or 500ms");
   EXPECT_EQ(refuse(keys, 5, 7, "at", 1),
             "'clip.keys[2].at' is 'soon'; expected a time such as 1.5s, 36f or 500ms");
-  EXPECT_EQ(refuse(keys, 6, 7, "at", 1),
-            "'clip.keys[3].at' is '3'; expected a time such as 1.5s, 36f or 500ms");
+  EXPECT_EQ(
+      refuse(keys, 6, 7, "at", 1),
+      "'clip.keys[3].at' is the formula '3'; expected a time such as 1.5s, 36f or 500ms, which can be moved");
   EXPECT_EQ(refuse(keys, 3, 7, "to", 1), "there is no 'clip.keys[0].to'; expected a key or cue that has it");
   EXPECT_EQ(refuse(keys, 0, 0, "at", 1),
             "it has no place in this text, but comes from another file or from mien itself; expected a key "

@@ -48,6 +48,41 @@ TEST(formula, uses_inputs_and_what_they_use) {
   EXPECT_EQ(value_of("a40", 0, many), std::pow(2.0, 40));
 }
 
+TEST(formula, knows_the_clip_and_what_it_depends_on) {
+  FormulaFault fault;
+  FormulaWords words{.runtime_s = 4, .fps = 24};
+  const FormulaPointer half = build_formula("runtime/2 + t", {}, 1, fault, words);
+  ASSERT_NE(half, nullptr);
+  EXPECT_EQ(evaluate(*half, 3), 4);
+  EXPECT_EQ(evaluate(*shift_formula(*half, 1), 3), 5);
+  EXPECT_EQ(evaluate(*build_formula("fps*mood", {{"mood", 0.5, {}}}, 0, fault, words), 0), 12);
+  // An input keeps the words that it was read with.
+  const Inputs inputs{
+      {"half", 0, half}, {"mood", 0.5, {}}, {"rate", 0, build_formula("fps", {}, 0, fault, words)}};
+  const FormulaPointer later =
+      build_formula("half + runtime", inputs, 0, fault, {.runtime_s = 10, .fps = 24});
+  EXPECT_EQ(evaluate(*later, 3), 14);
+  EXPECT_TRUE(uses_word(*later, "runtime"));
+  EXPECT_TRUE(uses_word(*later, "t"));
+  EXPECT_FALSE(uses_word(*later, "fps"));
+  EXPECT_EQ(find_changing_word(*later), "half");
+  EXPECT_EQ(find_changing_word(*half), "t");
+  const FormulaPointer rate = build_formula("rate*mood", inputs, 0, fault, words);
+  EXPECT_EQ(find_changing_word(*rate), "");
+  EXPECT_TRUE(uses_word(*rate, "fps"));
+  EXPECT_FALSE(uses_word(*rate, "t"));
+  // What is not known is told, and that it was asked for.
+  RuntimeUse use;
+  words.runtime_s = {};
+  words.use = &use;
+  EXPECT_EQ(build_formula("2 + runtime", {}, 0, fault, words), nullptr);
+  EXPECT_EQ(fault.message, "'runtime' is not known here");
+  EXPECT_EQ(fault.byte, 4u);
+  EXPECT_TRUE(use.is_asked);
+  EXPECT_EQ(find_word("runtimes + runtime", "runtime"), 11u);
+  EXPECT_EQ(find_word("runtimes", "runtime"), 0u);
+}
+
 TEST(formula, is_greater_by_what_it_is_shifted) {
   FormulaFault fault;
   const FormulaPointer mood = build_formula("2*t", {}, 0, fault);
@@ -95,7 +130,7 @@ TEST(formula, survives_nonsense) {
 
 TEST(formula, names_of_inputs_are_words_of_their_own) {
   for (const char* name : {"mood", "_x", "beat2"}) EXPECT_TRUE(is_input_name(name)) << name;
-  for (const char* name : {"", "t", "pi", "sin", "clamp", "2x", "a-b", "_pi"})
+  for (const char* name : {"", "t", "pi", "sin", "clamp", "2x", "a-b", "_pi", "runtime", "fps"})
     EXPECT_FALSE(is_input_name(name)) << name;
 }
 

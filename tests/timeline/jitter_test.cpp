@@ -66,6 +66,16 @@ TEST(jitter, of_laws_that_tremble) {
             "");
 }
 
+TEST(jitter, of_laws_that_shake_the_head) {
+  const std::string law = "  length: 1s\n  laws: [{turn: nod, value: \"2*sin(2*pi*9*t)\"}]\n";
+  EXPECT_TRUE(
+      report("  draw: twos\n" + law).starts_with("a.yaml:5:10: warning: the head's nod of a law swings "))
+      << report("  draw: twos\n" + law);
+  EXPECT_EQ(report("  length: 1s\n  draw: twos\n  laws: [{turn: nod, value: \"2*sin(2*pi*2*t)\"}]\n"), "");
+  EXPECT_EQ(report("  length: 1s\n  draw: twos\n  laws: [{camera: angle, value: \"2*sin(2*pi*9*t)\"}]\n"), "")
+      << "a camera may shake";
+}
+
 TEST(jitter, of_cues_whose_scripts_shake) {
   const std::string script =
       "  length: 3s\n"
