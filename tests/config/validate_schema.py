@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""validate_schema.py SCHEMA FILE... : what a JSON Schema validator says of YAML files, one line each:
+"""validate_schema.py SCHEMA <LIST: what a JSON Schema validator says of the YAML files that the list names, one a line:
 "accepted NAME", "refused NAME PATH: MESSAGE" or "no-yaml NAME MESSAGE". Exit status 77 without python3-jsonschema or
 python3-yaml."""
 import json
@@ -63,7 +63,7 @@ def main():
         schema = json.load(file)
     jsonschema.Draft202012Validator.check_schema(schema)
     validator = jsonschema.Draft202012Validator(schema)
-    for path in sys.argv[2:]:
+    for path in sys.stdin.read().splitlines():
         print(judge(validator, path))
 
 
