@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/table.hpp"
+#include "config/conformation.hpp"
 #include "config/findings.hpp"
 #include "config/head_parts.hpp"
 #include "config/language.hpp"
@@ -110,6 +111,8 @@ Rows list_doctrines(const fs::path&) {
   add_all(kCandideKey, kUnitRows);
   for (const ParkeRow& row : kParkeRows)
     add(kParkeKey, std::string(row.name), row.low, row.high, row.meaning);
+  for (const ConformationRow& row : kConformationRows)
+    add(kConformationKey, std::string(row.name), -1, 1, row.meaning);
   return rows;
 }
 

@@ -25,7 +25,7 @@ std::vector<const Section*> list_sections() {
   for (const auto* moves : {&all.moves, &all.live_moves})
     for (const Section& section : *moves) list.push_back(&section);
   for (const Section* section :
-       {&all.muscles, &all.live_muscles, &all.candide, &all.live_candide, &all.parke})
+       {&all.muscles, &all.live_muscles, &all.candide, &all.live_candide, &all.parke, &all.conformation})
     list.push_back(section);
   for (const Section* section :
        {&all.expression,     &all.dominance,   &all.growth,   &all.clip,        &all.pose_key,

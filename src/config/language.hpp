@@ -92,7 +92,7 @@ struct Sections {
   Section head, guides, look, sculpt, limits;
   Section areas, live_areas;                             // areas of a pose; in a clip with formulas
   std::array<Section, kAreas.size()> moves, live_moves;  // of an area
-  Section muscles, live_muscles, candide, live_candide, parke;
+  Section muscles, live_muscles, candide, live_candide, parke, conformation;
   Section expression, dominance, growth;
   Section clip, pose_key, release, camera_key, turn_key, head_key, light_key, background_key, draw_change;
   Section input, input_point;  // of `inputs`

@@ -1,6 +1,7 @@
 // The table of language.hpp: `clip` and its keys.
 #include <fmt/format.h>
 
+#include "config/conformation.hpp"
 #include "config/language_forms.hpp"
 #include "config/law_numbers.hpp"
 
@@ -164,7 +165,8 @@ void fill_head_key(Sections& all) {
   head.name = "head_key";
   head.help = "One key of a head that changes; what it leaves out stays as it was.";
   head.expected = "a key such as {at: 1s, age: child}";
-  head.keys = copy_keys(all.head, {"age", "skull", "character", "design", "guides", "features", "look"});
+  head.keys = copy_keys(all.head, {"age", "skull", "character", "design", "guides", "features",
+                                   std::string(kConformationKey), "look"});
   for (Key& key : head.keys) key.otherwise.clear();
   head.keys.insert(head.keys.begin(), build_at(all.wait));
   Key file = {

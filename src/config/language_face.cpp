@@ -17,12 +17,6 @@ constexpr double kMaxAttack_s = 10;                     // nothing that comes mo
 constexpr double kMaxDominance = 10;                    // more leaves nothing to see of the other
 constexpr double kLeastGrowth = 0.25, kMostGrowth = 4;  // beyond, half a strength is all or nothing
 
-std::string begin_great(std::string_view text) {
-  std::string sentence(text);
-  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
-  return sentence + ".";
-}
-
 // The moves of one area; those of one side where it has two.
 void fill_moves(const AreaInfo& area, bool is_live, Section& section) {
   section.name = fmt::format("{}{}", is_live ? "live_" : "", area.name);

@@ -143,6 +143,12 @@ std::string build_file_pattern(const Names& endings) {
   return fmt::format("[^/]\\.({})$", any);
 }
 
+std::string begin_great(std::string_view text) {
+  std::string sentence(text);
+  sentence[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(sentence[0])));
+  return sentence + ".";
+}
+
 std::string say_colour(const glm::vec3& srgb) {
   const auto byte = [](float channel) { return static_cast<int>(channel * 255 + 0.5f); };
   return fmt::format("#{:02x}{:02x}{:02x}", byte(srgb.r), byte(srgb.g), byte(srgb.b));

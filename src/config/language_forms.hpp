@@ -47,6 +47,9 @@ std::string build_file_pattern(const Names& endings);
 std::string say(double value, std::string_view unit = "");
 std::string say_colour(const glm::vec3& srgb);
 
+// A meaning as a sentence: "The jaw turned open."
+std::string begin_great(std::string_view text);
+
 // Rows that mappings have in common.
 Key build_name_key();
 Key build_strength_key(std::string help, bool is_live);

@@ -1,6 +1,7 @@
 // The table of language.hpp: `head` and what stands in it.
 #include <fmt/format.h>
 
+#include "config/conformation.hpp"
 #include "config/head_spec.hpp"
 #include "config/language_forms.hpp"
 #include "config/limits.hpp"
@@ -150,8 +151,21 @@ void fill_limits(Section& limits) {
 
 }  // namespace
 
+void fill_conformation(Section& section) {
+  section.name = kConformationKey;
+  section.help =
+      "Parke's conformation parameters (1982), in features of our heads; what they shape is so where "
+      "`features` "
+      "says nothing of it.";
+  section.noun = "parameter";
+  section.expected = "parameters such as {jaw_width: 0.5}";
+  for (const ConformationRow& row : kConformationRows)
+    section.keys.push_back({std::string(row.name), {as_number(-1, 1)}, begin_great(row.meaning)});
+}
+
 void fill_head_sections(Sections& all) {
   fill_look(all.look);
+  fill_conformation(all.conformation);
   fill_sculpt(all.sculpt);
   fill_guides(all.guides);
   fill_limits(all.limits);
@@ -179,6 +193,7 @@ void fill_head_sections(Sections& all) {
        HeadSpec{}.design.begin()->first},
       {"guides", {as_section(all.guides)}, all.guides.help},
       {"features", {features}, "Features of the face: 0 is the head's own. `mien list features` names them."},
+      {std::string(kConformationKey), {as_section(all.conformation)}, all.conformation.help},
       {"look", {as_section(all.look)}, "Colours, a beard, and spots."},
       {"mesh",
        {as_file({".obj"})},

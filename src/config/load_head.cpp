@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "config/conformation.hpp"
 #include "config/constants.hpp"
 #include "config/limits.hpp"
 #include "config/named_file.hpp"
@@ -80,6 +81,19 @@ void load_guides(const YamlValue& value, std::map<std::string, double>& into) {
   }
   for (const std::string& guide : kEarGuides)
     if (const YamlValue* line = find_value(entries, guide)) load_number(*line, into[guide]);
+}
+
+// The sums of what the parameters shape; `features` beside them stand above.
+void load_conformation(const YamlValue& value, std::map<std::string, double>& into) {
+  std::map<std::string, double> sums;
+  for (const YamlEntry& entry : load_section(value)) {
+    const auto row = std::ranges::find(kConformationRows, entry.key, &ConformationRow::name);
+    double number = 0;
+    if (row == kConformationRows.end() || !load_number(entry.value, number)) continue;
+    for (const FeatureShare& share : row->shares)
+      if (!share.feature.empty()) sums[std::string(share.feature)] += number * share.value;
+  }
+  for (const auto& [feature, sum] : sums) into[feature] = std::clamp(sum, -1.0, 1.0);
 }
 
 void load_features(const YamlValue& value, const Names& features, std::map<std::string, double>& into) {
@@ -234,6 +248,12 @@ std::set<std::string> find_said(const YamlMapping& entries) {
   std::set<std::string> said;
   for (const YamlEntry& entry : entries) {
     said.insert(entry.key);
+    if (entry.key == kConformationKey && find_node(entry.value).kind == NodeKind::mapping)
+      for (const YamlEntry& parameter : load_free_mapping(entry.value, "a mapping"))
+        if (const auto row = std::ranges::find(kConformationRows, parameter.key, &ConformationRow::name);
+            row != kConformationRows.end())
+          for (const FeatureShare& share : row->shares)
+            said.insert(fmt::format("features.{}", share.feature));
     if ((entry.key != "features" && entry.key != "look") || find_node(entry.value).kind != NodeKind::mapping)
       continue;
     for (const YamlEntry& part : load_free_mapping(entry.value, "a mapping")) {
@@ -286,6 +306,8 @@ void load_growth(const YamlMapping& entries, const HeadWords& words, HeadSpec& h
   if (const YamlValue* character = find_value(entries, "character"))
     load_character(*character, head.character);
   if (const YamlValue* guides = find_value(entries, "guides")) load_guides(*guides, head.guides);
+  if (const YamlValue* conformation = find_value(entries, kConformationKey))
+    load_conformation(*conformation, head.features);
   if (const YamlValue* names = find_value(entries, "features"))
     load_features(*names, words.features, head.features);
   if (const YamlValue* look = find_value(entries, "look")) load_look(*look, words, head.look);

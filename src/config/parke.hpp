@@ -3,7 +3,7 @@
 // Source: F. I. Parke, "Parameterized models for facial animation" (IEEE CG&A, 1982), whose face is moved by
 // interpolation, rotation, scaling and offsets of regions, each hard-wired to a number. The parameters are
 // those that his papers and the thesis name; how far each goes is that of our moves. His conformation
-// parameters shape a head and move nothing: `head` has them under `guides`, `features` and `look`.
+// parameters shape a head and move nothing: conformation.hpp.
 #pragma once
 
 #include <array>

@@ -99,6 +99,8 @@ function makeGroup(title, ...lines) {
 
 const makers = {skin: makeColour, lips: makeColour, iris: makeColour, brow: makeColour, hair: makeColour, beard: makeWords};
 
+const kOnlyWritten = ["texture"];  // a file's name: it has its place in the text
+
 function makeLook({word, meaning}) {
   const name = `look.${word}`;
   return makers[word] ? makers[word](name, word, meaning) : makeNumber(name, word, meaning, 0, 1);
@@ -129,7 +131,7 @@ export function startHead(element) {
   element.append(make("div", {className: "scroll"},
     makeGroup("Head", ...["age", "skull", "design"].map((word) => makeMixLine(word, word, meanings[word])),
               makeNumber("character", "character", "female (-1) to male (1)", -1, 1), makeWords("hair", "hair", meanings.hair)),
-    makeGroup("Look", ...listKeys(["head", "look"]).map(makeLook)),
+    makeGroup("Look", ...listKeys(["head", "look"]).filter(({word}) => !kOnlyWritten.includes(word)).map(makeLook)),
     makeGroup("Features", ...listKeys(["head", "features"]).map(({word, meaning}) =>
       makeNumber(`features.${word}`, word, `1: ${meaning}`, -1, 1)))));
   on("clip", show);
