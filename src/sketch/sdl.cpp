@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -242,11 +243,10 @@ void call_macro(SdlReader& reader, const std::string& name, const SdlMacro& macr
 SdlValue parse_component(SdlReader& reader, const SdlValue& value) {
   if (!take_if(reader, ".")) return value;
   const std::string component = take_word(reader);
-  constexpr std::string_view kComponents = "xyz";
-  const std::size_t index = kComponents.find(component);
-  if (component.size() != 1 || index == std::string_view::npos)
-    fail_sdl(reader, fmt::format("unknown component '{}'", component));
-  return make_number(value.v[index]);
+  constexpr std::array<std::string_view, 6> kComponents{"x", "y", "z", "red", "green", "blue"};
+  const auto found = std::ranges::find(kComponents, component);
+  if (found == kComponents.end()) fail_sdl(reader, fmt::format("unknown component '{}'", component));
+  return make_number(value.v[static_cast<std::size_t>(found - kComponents.begin()) % 3]);
 }
 
 template <typename T>

@@ -35,6 +35,9 @@ TEST(sdl, computes_as_povray_does) {
   expect_vector("<1, 2, 3> * 2 + x - z * 4", {3, 4, 2});
   expect_vector("vcross(x, y) + vnormalize(<0, 3, 4>)", {0, 0.6, 1.8});
   EXPECT_DOUBLE_EQ(read_value("<4, 5, 6>.y + vlength(<2, 3, 6>)").number(), 12);
+  EXPECT_DOUBLE_EQ(
+      read_value("(.5 * rgb <1, 2, 4>).red + 10 * (rgb <1, 2, 4>).green + (rgb <1, 2, 4>).blue").number(),
+      24.5);
 }
 
 TEST(sdl, turns_about_x_then_y_then_z) {
