@@ -109,8 +109,9 @@ void fill_stage_keys(Sections& all) {
        say(kPortraitLens_mm, "mm")},
       build_ease(),
       build_key_between()};
-  camera.keys[4].forms[0].data = "places";
-  camera.keys[4].forms[0].pattern = "^[a-z][a-z0-9_]*\\.[a-z_]+$";  // ann.nose_tip
+  Form& place = find_first_form(camera, "look_at");
+  place.data = "places";
+  place.pattern = "^[a-z][a-z0-9_]*\\.[a-z_]+$";  // ann.nose_tip
 
   Section& turn = all.turn_key;
   turn.name = "turn_key";

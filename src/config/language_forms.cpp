@@ -190,6 +190,10 @@ Key build_express_key(bool is_live) {
       "neutral"};
 }
 
+Form& find_first_form(Section& section, std::string_view name) {
+  return std::ranges::find(section.keys, name, &Key::name)->forms.front();
+}
+
 std::vector<Key> copy_keys(const Section& from, const Names& names) {
   std::vector<Key> keys;
   for (const std::string& name : names)

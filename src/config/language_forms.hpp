@@ -58,6 +58,9 @@ Key build_seed_key();
 Key build_express_key(bool is_live);
 std::vector<Key> copy_keys(const Section& from, const Names& names);
 
+// The first form of a key that the section has.
+Form& find_first_form(Section& section, std::string_view name);
+
 // The parts of Sections::Sections().
 void fill_head_sections(Sections& all);
 void fill_face_sections(Sections& all);

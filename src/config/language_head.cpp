@@ -57,7 +57,7 @@ void fill_look(Section& look) {
        "A painted skin: a picture on the layout that `mien export FILE --uv uv.png` draws, the same for "
        "every head. Its "
        "colours take the place of the skin's, as finely as the skin has points."}};
-  look.keys[5].forms[0].data = "beards";
+  find_first_form(look, "beard").data = "beards";
 }
 
 void fill_sculpt(Section& sculpt) {
@@ -233,8 +233,8 @@ void fill_head_sections(Sections& all) {
        "says "
        "so, as tezuka is.",
        std::string(kAreaRuleWords[0].name)}};
-  head.keys[9].forms[0].pattern = build_file_pattern(kYamlEndings);
-  head.keys[11].forms[0].data = "hair";
+  find_first_form(head, "mix").pattern = build_file_pattern(kYamlEndings);
+  find_first_form(head, "hair").data = "hair";
   head.rules = {{KeyRule::Kind::apart, {"mesh", "scan", "mix"}}, {KeyRule::Kind::apart, {"scan", "mix"}}};
 }
 
