@@ -147,14 +147,14 @@ void print_doctrines(const Pose& pose) {
 
 void print_rows(const std::vector<Row>& rows) {
   constexpr std::size_t kAreaWidth = kLongestAreaKey + 1;
-  fmt::print("\n{:<{}}{:<7}{:>6}  {:<17}{:<13}{}\n", "area", kAreaWidth, "move", "value", "limit", "held",
+  fmt::print("\n{:<{}}{:<7}{:>6}  {:<16} {:<13}{}\n", "area", kAreaWidth, "move", "value", "limit", "held",
              "moved");
   std::string area, landmark;
   for (const Row& row : rows) {
     const MoveInfo& info = kMoves[row.move];
     const std::string name(find_area_key(info));
     const bool is_new = name != area || row.landmark != landmark;
-    fmt::print("{:<{}}{:<7}{:>+6.2f}  {:<17}{:<13}{}\n", name == area ? "" : name, kAreaWidth, info.move,
+    fmt::print("{:<{}}{:<7}{:>+6.2f}  {:<16} {:<13}{}\n", name == area ? "" : name, kAreaWidth, info.move,
                row.value, describe_limit(row), row.held ? fmt::format("asked {:+.3g}", row.held->asked) : "-",
                is_new ? describe_way(row) : "\"");
     area = name;
