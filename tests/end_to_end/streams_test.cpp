@@ -34,7 +34,7 @@ const std::vector<Said>& list_commands() {
                                           {"frames tiny.yaml", true, true},
                                           {"still tiny.yaml", true, false},
                                           {"sheet exposure tiny.yaml", true, false},
-                                          {"sheet views tiny.yaml --size 24x30 --quality draft", true, true},
+                                          {"sheet views tiny.yaml --size 24x30 --quality sketch", true, true},
                                           {"mesh tiny.yaml", true, false},
                                           {"bust tiny.yaml --no-stl --json", true, true},
                                           {"check tiny.yaml", true, false},
