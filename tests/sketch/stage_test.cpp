@@ -125,7 +125,7 @@ TEST(sketch_look, keeps_what_materials_say_of_shadows_and_of_what_shines_through
     model.parts.push_back(part);
   }
   const std::vector<SketchPart> parts = build_sketch_look(model, stage.names).parts;
-  const std::vector<bool> shadows{true, false, false, false, true}, clear{false, true, false, true, false};
+  const std::vector<bool> shadows{true, false, false, false, true}, clear{false, true, true, true, false};
   for (std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].has_shadow, shadows[i]) << i;
     EXPECT_EQ(parts[i].is_clear, clear[i]) << i;
