@@ -28,6 +28,11 @@ bool lets_through(const SketchTexture& texture) {
              : std::ranges::any_of(texture.others, [](const auto& other) { return lets_through(other); });
 }
 
+bool is_veil(const SketchTexture& texture) {
+  return texture.others.empty() && texture.pigment.pattern == SketchPattern::plain &&
+         lets_through(texture.pigment);
+}
+
 // Colours of a palette that a thread reads at a time; the skin has thousands.
 constexpr std::size_t kShare = 256;
 
@@ -65,6 +70,7 @@ void read_look(LookShare& share, SdlNames& names) {
     throw RunError(fmt::format("part '{}': material '{}' is not one texture", part.name, part.material));
   look.is_clear =
       std::ranges::any_of(look.textures, [](const auto& texture) { return lets_through(texture); });
+  look.is_veil = std::ranges::all_of(look.textures, is_veil);
 }
 
 }  // namespace
@@ -85,6 +91,7 @@ SketchLook build_sketch_look(const Model& model, const SdlNames& names) {
     SketchPart& part = look.parts.back();
     std::ranges::move(share.look.textures, std::back_inserter(part.textures));
     part.is_clear = part.is_clear || share.look.is_clear;
+    part.is_veil = part.is_veil && share.look.is_veil;
   }
   return look;
 }

@@ -14,6 +14,7 @@ struct SketchPart {
   bool is_seen = true;                  // by the camera
   bool has_shadow = true;
   bool is_clear = false;  // something of it lets light through
+  bool is_veil = false;   // all of it does, everywhere alike
 };
 
 // One for each part of the model, in its order.

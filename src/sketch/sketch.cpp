@@ -137,6 +137,18 @@ glm::vec3 find_through(const SketchSurface& surface) {
   return surface.colour.transmit + surface.colour.filter * surface.colour.rgb;
 }
 
+// Between the strands of a lock's tip there is nothing, and a strand is whole: what POV-Ray blends is one or
+// the other here. Returns whether there is something.
+bool is_there(const SketchPage& page, const SketchHit& hit, SketchSurface& surface) {
+  const float clear = surface.colour.transmit;
+  if (clear <= 0 || page.tracer.parts[hit.part].look->is_veil) return true;
+  constexpr float kHalf = 0.5f;
+  if (clear >= kHalf) return false;
+  surface.colour.rgb /= 1 - clear;  // it was blended with black
+  surface.colour.transmit = 0;
+  return true;
+}
+
 // What a wet surface mirrors: cards, else what lies behind the stage.
 glm::vec3 find_mirrored(const SketchPage& page, const SketchSurface& surface, const SketchRay& ray) {
   if (surface.finish.reflection <= 0) return glm::vec3(0);
@@ -153,12 +165,14 @@ glm::vec4 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t 
       const float clear = (through.r + through.g + through.b) / 3 * (1 - sky.a);
       return {sum + through * glm::vec3(sky), 1 - clear};
     }
-    const SketchSurface surface = find_surface(page.tracer, ray, hit);
-    measure_visible(page, surface, hit, near, turn);
-    sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.seen) +
-                      find_mirrored(page, surface, ray));
-    through *= find_through(surface);
-    if (std::max({through.r, through.g, through.b}) < kFaint) break;
+    SketchSurface surface = find_surface(page.tracer, ray, hit);
+    if (is_there(page, hit, surface)) {
+      measure_visible(page, surface, hit, near, turn);
+      sum += through * (light_surface(page.stage, surface, -ray.direction, page.tracer.seen) +
+                        find_mirrored(page, surface, ray));
+      through *= find_through(surface);
+      if (std::max({through.r, through.g, through.b}) < kFaint) break;
+    }
     ray.near = hit.along_mm + kBehind_mm;
     hit = find_hit(page.tracer, ray);
   }
@@ -168,9 +182,11 @@ glm::vec4 trace_ray(SketchPage& page, SketchRay ray, SketchHit hit, std::size_t 
 // Pixels are met in tiles of kPacket.
 constexpr int kWide = 4, kHigh = 4;
 
-// Goes on from `hit` to the first thing that lets no light through.
+// Goes on from `hit` through what lets light through everywhere: a hair of the brow is not what a pixel
+// shows, a lock of the head is, though its tip is clear.
 void find_base(const SketchPage& page, SketchRay ray, SketchHit& hit) {
-  for (int layer = 0; layer < kLayers && hit.part != SketchHit::kNone && is_clear(page, hit); ++layer) {
+  const auto is_veil = [&] { return page.tracer.parts[hit.part].look->is_veil; };
+  for (int layer = 0; layer < kLayers && hit.part != SketchHit::kNone && is_veil(); ++layer) {
     ray.near = hit.along_mm + kBehind_mm;
     hit = find_hit(page.tracer, ray);
   }
