@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include "config/load_spec.hpp"
-#include "frames/place.hpp"
 #include "shipped.hpp"
 #include "timeline/drawings.hpp"
 #include "timeline/performance.hpp"
@@ -57,13 +56,6 @@ TEST(place_track, follows_the_spline_of_the_worked_example) {
   }
   const glm::dvec3 bend = at(0) - 2.0 * at(kStep_s) + at(2 * kStep_s);
   EXPECT_LT(glm::length(bend) / (kStep_s * kStep_s), 100);
-}
-
-TEST(place_track, takes_the_figure_along) {
-  const PlaceSpec first{{-100, 0, 20}, 30}, now{{50, 10, -40}, 75};
-  const glm::dmat4 moved = find_motion(first, now) * find_place(first), wanted = find_place(now);
-  for (int column = 0; column < 4; ++column)
-    EXPECT_LT(glm::distance(moved[column], wanted[column]), 1e-9) << column;
 }
 
 TEST(place_track, actors_enter_and_leave) {
