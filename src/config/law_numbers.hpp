@@ -2,8 +2,11 @@
 // actor's place, each of its track's own in the order of the rows.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "config/clip_spec.hpp"
 #include "config/words.hpp"

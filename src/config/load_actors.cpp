@@ -157,6 +157,7 @@ ActorSpec load_actor(const Part& part, const StageSource& source, const NamedTim
       if (law.number == 0) law.shift = actor.place.turn_deg;
       actor.clip.laws.push_back(std::move(law));
     }
+  std::ranges::stable_sort(actor.clip.laws, {}, &TrackLaw::from_s);
   return actor;
 }
 

@@ -154,7 +154,6 @@ Layers build_layers(const ClipSpec& clip, LayerStore& store) {
 
   layers.cues = build_cue_stack(clip, store);
   layers.laws = clip.laws;
-  std::ranges::stable_sort(layers.laws, {}, &TrackLaw::from_s);
   layers.length = compute_ticks(clip.length_s);
   if (has_doctrine(clip, layers.cues)) layers.moves.set();
   return layers;

@@ -125,10 +125,12 @@ TEST(sketch_look, keeps_what_materials_say_of_shadows_and_of_what_shines_through
     model.parts.push_back(part);
   }
   const std::vector<SketchPart> parts = build_sketch_look(model, stage.names).parts;
-  const std::vector<bool> shadows{true, false, false, false, true}, clear{false, true, true, true, false};
+  const std::vector<bool> shadows{true, false, false, false, true}, clear{false, true, true, true, false},
+      veil{false, true, false, true, false};  // a lock's root is dense
   for (std::size_t i = 0; i < parts.size(); ++i) {
     EXPECT_EQ(parts[i].has_shadow, shadows[i]) << i;
     EXPECT_EQ(parts[i].is_clear, clear[i]) << i;
+    EXPECT_EQ(parts[i].is_veil, veil[i]) << i;
   }
   EXPECT_FLOAT_EQ(parts[0].textures[0].finish.diffuse, 0.72f);
   EXPECT_FLOAT_EQ(parts[2].textures[0].finish.brilliance, 0.8f);
