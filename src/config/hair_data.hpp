@@ -72,6 +72,7 @@ struct HairCut {
   double edge_mm = 0, round_mm = 0, inset_mm = 7, mass = 0.4, sheet_mm = 6, tuck = 0, scalp = 0.8,
          soft_mm = 5, infant = 1;
   bool covers_ears = false, is_mirrored = false;
+  bool is_drawn = false;  // in ink: its locks are strokes
   HairComb comb;
   HairLocks locks;
   HairDown down;

@@ -85,6 +85,7 @@ HairLocks read_locks(const DataTable& table) {
   table.read_if("from_part", locks.from_part);
   table.read_if("deepest", locks.deepest);
   table.read_if("risen", locks.risen);
+  table.read_if("widest", locks.widest);
   if (const YamlValue* value = table.find("fall_in")) {
     const DataTable fall(*value);
     fall.read("count", locks.gathers);

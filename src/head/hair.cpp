@@ -97,6 +97,7 @@ HairCut draw_cut(HairCut cut) {
     }
   cut.comb.scalp_mm = 0;  // in an outline its groove is a notch
   cut.down.count = 0;
+  cut.is_drawn = true;
   cut.locks.widest = kWidest;
   cut.locks.rings *= kFiner;
   const HairLocks as_they_grow;  // few and broad ones lie as they grow

@@ -148,6 +148,16 @@ double compute_steepness(const HairScene& scene, double azimuth_deg) {
 
 constexpr double kWeight_mm = 80;  // a lock has its own weight after so much
 
+// Hair is stiff: where ways part, or a root lies on the far side of them, it bends in an arc and has no
+// elbow.
+glm::dvec3 bend(const glm::dvec3& before, const glm::dvec3& way, const glm::dvec3& normal, double most_deg) {
+  const glm::dvec3 on = flatten(before, normal);
+  if (on == glm::dvec3(0) || way == glm::dvec3(0)) return way;
+  const double turn =
+      std::atan2(glm::dot(glm::cross(on, way), normal), glm::dot(on, way)) / kRadiansPerDegree;
+  return std::abs(turn) <= most_deg ? way : turn_about(on, normal, std::copysign(most_deg, turn));
+}
+
 // The lock's way over the ground in small equal steps.
 struct Path {
   std::vector<HairPlace> places;
@@ -164,6 +174,9 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
                among = index == family ? own : std::lerp(own, scatter(kSeries, family, kTip), kFamily);
   const double tip = (among - 0.5) * 2 * cut.locks.tips_mm * size;
   const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
+  constexpr double kBend_deg = 14;  // in a step: an arc of 12 mm; ink's broad strokes turn as they must
+  const double most_deg = cut.is_drawn || cut.comb.is_gathered ? 180 : kBend_deg;
+  glm::dvec3 before(0);
   HairPlace place = root;
   double gone_mm = 0;
   while (gone_mm < wanted_mm) {
@@ -176,6 +189,8 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
     glm::dvec3 way = compute_comb(scene, at, normal, cut.comb.droop * share);
     way = turn_about(way, normal, turn + swirl);
     way = turn_aside(scene, place, at, normal, way);
+    way = bend(before, way, normal, most_deg);
+    before = way;
     const HairPlace next = compute_hair_place(scene.chart, at + path.step_mm * way);
     if (next.way > HairChart::kLongest - 0.02) break;
     if (!scene.ends.empty() && compute_open(scene, next) < 0.05 &&
@@ -255,7 +270,7 @@ double compute_inside_mm(const HairScene& scene, const HairPlace& place) {
 double compute_thickness_mm(const HairScene& scene, const HairPlace& place) {
   constexpr double kLies =
       0.65;  // of the thickness at a fringe's tips; less, and raised brows push skin through
-  const bool is_drawn = scene.cut.locks.widest > 0;  // brows that rise would come out of what does not move
+  const bool is_drawn = scene.cut.is_drawn;  // brows that rise would come out of what does not move
   const double border = sample_border(scene.hairline, place.azimuth_deg);
   const double thick_mm =
       sample_spread(scene.cut.thick_mm, place.azimuth_deg, std::min(1.0, place.way / border));
@@ -297,25 +312,50 @@ std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double ba
   return roots;
 }
 
-std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
-  constexpr double kStep = 0.6180339887498949;   // of the golden section: even at any count
-  constexpr double kLast_deg = 84;               // before the ear
-  constexpr double kLeast_mm = 1, kMost_mm = 9;  // inside the hairline
-  constexpr double kHangs = 0.5;                 // less of it, and hair is combed out of the face
-  constexpr double kSteepest = 4;                // more, and roots lie far above the temple
-  double first_deg = 0;
-  while (first_deg < kLast_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+namespace {
+
+// A stretch of the hairline, degrees from the front, and how far inside it roots lie.
+struct BorderBand {
+  double first_deg, last_deg, least_mm, most_mm;
+};
+
+// Roots on both sides alike, evenly along the stretch.
+std::vector<HairPlace> spread_along(const HairScene& scene, int count, const BorderBand& band,
+                                    std::uint32_t series) {
+  constexpr double kStep = 0.6180339887498949;  // of the golden section: even at any count
+  constexpr double kSteepest = 4;               // more, and roots lie far above the temple
   std::vector<HairPlace> roots;
   for (int i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     const int pair = i / 2;  // one root a side
     const double turn = std::fmod((pair + 1) * kStep, 1.0);
-    const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(first_deg, kLast_deg, turn);
-    const double inside_mm = std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 2, index, 0));
+    const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(band.first_deg, band.last_deg, turn);
+    const double inside_mm = std::lerp(band.least_mm, band.most_mm, scatter(series, index, 0));
     const double up_mm = inside_mm * std::min(kSteepest, compute_steepness(scene, azimuth));
     roots.push_back({azimuth, sample_border(scene.hairline, azimuth) - up_mm / kWay_mm});
   }
   return roots;
+}
+
+// Where hair begins to fall from the hairline, degrees from the front.
+double find_first_fall(const HairScene& scene, double last_deg) {
+  constexpr double kHangs = 0.5;  // less of it, and hair is combed out of the face
+  double first_deg = 0;
+  while (first_deg < last_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+  return first_deg;
+}
+
+constexpr double kBeforeEar_deg = 84;
+
+}  // namespace
+
+std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
+  return spread_along(scene, count, {find_first_fall(scene, kBeforeEar_deg), kBeforeEar_deg, 1, 9},
+                      kSeries + 2);
+}
+
+std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {
+  return spread_along(scene, count, {0, find_first_fall(scene, kBeforeEar_deg), 0.5, 17}, kSeries + 3);
 }
 
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
@@ -360,6 +400,20 @@ double compute_wave(const HairScene& scene, const HairPlace& place) {
          std::abs(place.azimuth_deg) / kSlant_deg;
 }
 
+namespace {
+
+// A short lock bends less than a long one; waves, curls and ink's outlines want all that the cut has.
+int count_rings(const HairScene& scene, double length_mm) {
+  constexpr double kRing_mm = 5.5;
+  constexpr int kLeast = 3;
+  const HairLocks& locks = scene.cut.locks;
+  if (scene.cut.is_drawn || locks.wave_mm > 0 || locks.curl_mm > 0) return locks.rings;
+  const int needed = 1 + static_cast<int>(std::ceil(length_mm / (kRing_mm * scene.chart.size)));
+  return std::clamp(needed, std::min(kLeast, locks.rings), locks.rings);
+}
+
+}  // namespace
+
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index,
                        std::uint32_t family) {
   const HairCut& cut = scene.cut;
@@ -389,8 +443,12 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   // Over the mass, which hides what is deeper.
   const double deepest = locks.deepest * cut.mass,
                lift = deepest + (1 - deepest) * strand.layer * strand.layer;
-  for (int ring = 0; ring < locks.rings; ++ring) {
-    const double s = static_cast<double>(ring) / (locks.rings - 1), at = s * steps;
+  const int rings = count_rings(scene, strand.length_mm);
+  // What hangs bends over the crown, and then falls straight: rings lie closer there.
+  constexpr double kCloser = 1.5;
+  const double closer = cut.covers_ears && !cut.is_drawn && locks.wave_mm == 0 ? kCloser : 1;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double s = std::pow(static_cast<double>(ring) / (rings - 1), closer), at = s * steps;
     const auto i = std::min(static_cast<std::size_t>(at), path.places.size() - 1);
     const auto j = std::min(i + 1, path.places.size() - 1);
     const HairPlace &a = path.places[i], &b = path.places[j];

@@ -53,6 +53,10 @@ std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double ba
 // Roots along the hairline about the face where hair falls from it, `count` of them on both sides.
 std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count);
 
+// Roots along the hairline over an open forehead, from where hair is combed aside; `count` of them on both
+// sides.
+std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count);
+
 // How many waves a place is behind the whorl: neighbours wave together.
 double compute_wave(const HairScene& scene, const HairPlace& place);
 

@@ -27,6 +27,15 @@ std::uint16_t compute_tone(double shade) {
   return static_cast<std::uint16_t>(std::lround(std::clamp(shade, 0.0, 1.0) * (kHairTones - 1)));
 }
 
+// How far along the grain a place of a lock is, 0 at the root, 100 at the tip. From kThins on strands end one
+// by one (materials.inc): over the last centimetres of a long lock, or all of it would be threads.
+double compute_grain(double way, double length_mm) {
+  constexpr double kThins = 0.5, kThinning_mm = 60;
+  const double last = length_mm > 0 ? std::min(1 - kThins, kThinning_mm / length_mm) : 1 - kThins;
+  const double first = 1 - last;
+  return 100 * (way < first ? kThins * way / first : kThins + (1 - kThins) * (way - first) / last);
+}
+
 // What lies deep is dark, and no two locks are the same.
 double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t family) {
   constexpr double kFamily = 0.5;
@@ -87,7 +96,8 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
       mesh.normals.emplace_back(
           glm::normalize(std::cos(fan) * lit + (is_tip ? 0 : hand) * std::sin(fan) * side));
       part.part.grain.emplace_back(
-          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s, form)), 100 * s);
+          grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s, form)),
+          compute_grain(s, strand.length_mm));
     }
   }
   const auto count = static_cast<std::uint32_t>(mesh.positions.size()) - first;
@@ -131,38 +141,50 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr double kAtFace = 0.18;
   constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
   constexpr double kFaceAway = 0.35;   // more, and all of it is swept behind the ears
-  constexpr LockForm kAboutFace{0.3, 4, 0.02};
+  constexpr LockForm kAboutFace{0.3, 4, 0.02}, kOverForehead{0.12, 8, 0.05}, kBetween{0.15, 8, 0.02};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
+  // Over an open forehead they begin at its border, or it is a bare edge.
+  constexpr double kAtFront = 0.2;
+  const bool is_open = cut.locks.from_part > 0 && !scene.hangs.empty() && scene.hangs.front() == 0;
+  const int at_front = is_open && !cut.is_drawn ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   std::vector<HairPlace> roots =
-      spread_roots(scene, cut.locks.count - at_face, cut.locks.root_band, cut.is_mirrored);
+      spread_roots(scene, cut.locks.count - at_face - at_front, cut.locks.root_band, cut.is_mirrored);
   const std::size_t first_at_face = roots.size();
   for (const HairPlace& root : spread_border_roots(scene, at_face)) roots.push_back(root);
+  const std::size_t first_at_front = roots.size();
+  for (const HairPlace& root : spread_front_roots(scene, at_front)) roots.push_back(root);
+  HairScene over_forehead = scene;
+  over_forehead.cut.locks.rise_mm = kFaceRise_mm;
   HairScene about_face = scene;
   about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
   // In ink a lock is one stroke, which ends in a point; elsewhere its strands end one by one, and its outline
   // late.
-  const bool is_drawn = cut.locks.widest > 0;
+  const bool is_drawn = cut.is_drawn;
   const LockForm alone = is_drawn ? LockForm{} : LockForm{0.16, 5};
   const LockForm together{0.04, is_drawn ? 4.0 : 8.0};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
     const std::uint32_t family = middle != nullptr ? middle->index : index;
-    const bool is_about_face = index >= first_at_face;
-    const bool is_long = !is_about_face && scatter(kSeries, index, kBegin) < cut.locks.from_part;
+    const bool is_over_forehead = index >= first_at_front;
+    const bool is_about_face = index >= first_at_face && !is_over_forehead;
+    const bool is_long = index < first_at_face && scatter(kSeries, index, kBegin) < cut.locks.from_part;
     HairStrand strand =
-        grow_strand(is_about_face ? about_face : scene,
+        grow_strand(is_about_face      ? about_face
+                    : is_over_forehead ? over_forehead
+                                       : scene,
                     is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
     if (strand.points.empty()) continue;
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
-    if (is_drawn) width = std::min(width, cut.locks.widest * strand.length_mm);
+    if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
     if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width,
                 compute_lock_shade(strand.layer, index, family), index,
                 is_about_face       ? kAboutFace
-                : middle != nullptr ? together
+                : is_over_forehead  ? kOverForehead
+                : middle != nullptr ? (is_long || is_drawn ? together : kBetween)
                                     : alone);
     if (is_drawn) bind_by_vertex(part, scene);
   }

@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "config/words.hpp"
+#include "core/conventions.hpp"
 #include "core/data.hpp"
 #include "core/error.hpp"
 #include "core/holes.hpp"
@@ -262,6 +263,71 @@ TEST(hair, that_falls_beside_a_face_grows_along_its_hairline) {
 }
 
 // Along the ground, nothing lies further inside than it is away from the hairline, level or steep.
+TEST(hair, over_an_open_forehead_begins_at_its_border) {
+  for (const char* name : {"long", "wavy"})
+    for (const char* age : {"infant", "child", "adult"}) {
+      const HairScene scene = build_hair_scene(build(age), shipped().stock.head->hair.cuts.at(name));
+      const std::vector<HairPlace> roots = spread_front_roots(scene, 60);
+      ASSERT_EQ(roots.size(), 60u);
+      double across_deg = 0;
+      int near = 0;
+      for (const HairPlace& root : roots) {
+        across_deg += root.azimuth_deg;
+        EXPECT_LT(std::abs(root.azimuth_deg), 60) << name;
+        EXPECT_GT(compute_inside_mm(scene, root), 0) << name << " " << root.azimuth_deg;
+        EXPECT_LT(compute_inside_mm(scene, root), 25) << name << " " << root.azimuth_deg;
+        near += compute_inside_mm(scene, root) < 9 ? 1 : 0;
+      }
+      EXPECT_NEAR(across_deg, 0, 1e-9) << name << ": as many on both sides";
+      EXPECT_GT(near, 15) << name << ": no bare edge";
+    }
+}
+
+TEST(hair, bends_in_arcs_and_has_no_elbows) {
+  for (const char* name : {"crop", "side_part", "pixie"}) {
+    const HairCut& cut = shipped().stock.head->hair.cuts.at(name);
+    const HairScene scene = build_hair_scene(adult(), cut);
+    const std::vector<HairPlace> roots = spread_roots(scene, 600, 0, false);
+    double worst_deg = 0;
+    for (std::uint32_t i = 0; i < roots.size(); ++i) {
+      const HairStrand strand = grow_strand(scene, roots[i], i, i);
+      EXPECT_LE(static_cast<int>(strand.points.size()), cut.locks.rings);
+      // Along the head: how they come out of the skin is another thing.
+      const auto run = [&](std::size_t k) {
+        const glm::dvec3 way = strand.points[k] - strand.points[k - 1], &out = strand.outs[k - 1];
+        return glm::normalize(way - out * glm::dot(way, out));
+      };
+      for (std::size_t k = 2; k < strand.points.size(); ++k)
+        worst_deg = std::max(
+            worst_deg, std::acos(std::clamp(glm::dot(run(k - 1), run(k)), -1.0, 1.0)) / kRadiansPerDegree);
+    }
+    EXPECT_LT(worst_deg, 45) << name;
+  }
+}
+
+TEST(hair, that_is_short_is_fine) {
+  const HairCut& cut = shipped().stock.head->hair.cuts.at("crop");
+  const std::vector<HeadPart> parts = build_hair(adult(), "crop", {}, false);
+  const auto part = std::ranges::find(parts, "hair", [](const HeadPart& p) { return p.part.name; });
+  ASSERT_NE(part, parts.end());
+  ASSERT_GT(cut.locks.widest, 0);
+  int fewest = 1000;
+  for (const Binding& lock : part->bindings) {
+    const auto* at = &part->part.rest.positions[lock.first];
+    const std::uint32_t rings = (lock.count + 1) / 2;
+    double length_mm = 0, width_mm = 0;
+    for (std::uint32_t r = 0; r + 1 < rings; ++r) {
+      const glm::vec3 here = 0.5f * (at[2 * r] + at[2 * r + 1]);
+      const glm::vec3 next = r + 2 < rings ? 0.5f * (at[2 * r + 2] + at[2 * r + 3]) : at[2 * r + 2];
+      length_mm += glm::distance(here, next);
+      width_mm = std::max<double>(width_mm, glm::distance(at[2 * r], at[2 * r + 1]));
+    }
+    EXPECT_LT(width_mm, 1.25 * cut.locks.widest * length_mm) << lock.first;
+    fewest = std::min(fewest, static_cast<int>(rings));
+  }
+  EXPECT_EQ(fewest, 3) << "and takes few points";
+}
+
 TEST(hair, distances_from_the_hairline_are_as_long_as_the_ground) {
   for (const char* age : {"child", "adult"}) {
     const HairScene scene = build_hair_scene(build(age), shipped().stock.head->hair.cuts.at("long"));
