@@ -355,7 +355,7 @@ std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
 }
 
 std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {
-  return spread_along(scene, count, {0, find_first_fall(scene, kBeforeEar_deg), 0.5, 17}, kSeries + 3);
+  return spread_along(scene, count, {0, find_first_fall(scene, kBeforeEar_deg), 0.5, 32}, kSeries + 3);
 }
 
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {

