@@ -52,8 +52,8 @@ std::vector<Key> build_area_keys(const std::array<Section, kAreas.size()>& moves
 
 // Muscles or units by their names; those of a pair by both or by one.
 template <std::size_t Count>
-void fill_channels(const std::array<ChannelRow, Count>& rows, std::string name, std::string what,
-                   bool is_live, Section& section) {
+void fill_channels(const std::array<ChannelRow, Count>& rows, const std::string& name,
+                   const std::string& what, bool is_live, Section& section) {
   section.name = (is_live ? "live_" : "") + name;
   section.help = what + (is_live ? " Each may be a formula of t, in quotes." : "");
   section.noun = name == kMusclesKey ? "muscle" : "unit";
