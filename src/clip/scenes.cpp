@@ -7,6 +7,7 @@
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
+#include "render/picture.hpp"
 #include "render/process.hpp"
 #include "sketch/casters.hpp"
 #include "sketch/stage.hpp"
@@ -16,6 +17,8 @@ namespace mien {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kWhite = 255;
 
 std::string build_parts(const std::vector<FigurePointer>& figures, const Templates& templates) {
   std::string parts;
@@ -204,7 +207,27 @@ std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const 
   return keys;
 }
 
+void write_part_picture(const PartPicture& picture, const fs::path& folder) {
+  const fs::path path = folder / picture.name;
+  if (fs::exists(path)) return;  // it is named by what is in it
+  Pixels pixels = read_pixels(picture.file);
+  for (std::size_t i = 0; i < pixels.alpha.size(); ++i)
+    for (std::size_t k = 0; k < 3; ++k) {
+      std::uint8_t& byte = pixels.rgb[3 * i + k];
+      byte = static_cast<std::uint8_t>(kWhite - (kWhite - byte) * pixels.alpha[i] / kWhite);
+    }
+  pixels.alpha.clear();  // on white, as the skin is painted
+  write_file(path, build_png(pixels));
+}
+
+void write_part_pictures(const Model& model, const fs::path& folder) {
+  for (const Part& part : model.parts)
+    if (part.picture) write_part_picture(*part.picture, folder);
+}
+
 void write_scene(const SceneText& scene, const fs::path& path) {
+  for (const FigurePointer& figure : scene.heads->heads.figures)
+    if (figure) write_part_pictures(figure->get_drawn_model(), path.parent_path());
   if (!scene.heads->include.empty())
     write_file(path.parent_path() / scene.heads->include, scene.heads->parts);
   write_file(path, scene.text);
@@ -227,6 +250,9 @@ StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& st
                      drawn.start, clip.spec.render, buffers);
   scene.text = std::move(buffers.text);
   scene.held = list_still_held(heads, still);
+  for (const FigurePointer& figure : heads.figures)
+    for (const Part& part : figure->get_drawn_model().parts)
+      if (part.picture) scene.pictures.push_back(part.picture);
   return scene;
 }
 

@@ -31,6 +31,10 @@ struct DrawnHeads {
   std::vector<std::vector<bool>> castable;  // of each figure's drawn model
 };
 
+// Puts the pictures that lie over a model's parts beside its scene, as PNG without transparency.
+void write_part_pictures(const Model& model, const std::filesystem::path& folder);
+void write_part_picture(const PartPicture& picture, const std::filesystem::path& folder);
+
 // A clip's scenes on their way to text, in any order. However long the clip, few heads are in memory at once.
 // Neither copied nor moved; what it was made of must outlive it.
 struct SceneRun {
@@ -76,6 +80,7 @@ std::vector<std::string> write_scenes(const Clip& clip, const Cast& cast, const 
 // it: not of `pose`.
 struct StillScene {
   std::string text, include;
+  std::vector<std::shared_ptr<const PartPicture>> pictures;  // that lie over parts of it
   std::vector<Held> held;
 };
 StillScene build_still_scene(const Clip& clip, const Cast& cast, const Still& still,

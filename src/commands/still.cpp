@@ -60,6 +60,7 @@ void render_still(const Options& options, const Clip& clip, const Cast& cast, co
   report_still(options, clip, resources, std::move(held), scene.held);
   write_file(work.path / "still.pov", scene.text);
   write_file(work.path / "head.inc", scene.include);
+  for (const auto& over : scene.pictures) write_part_picture(*over, work.path);
   render_frames({{1, work.path / "still.pov", picture, ""}}, list_settings(clip.spec.render, {work.path}, 1),
                 {[](int, bool) {}});
 }

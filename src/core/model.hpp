@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "core/atlas.hpp"
 #include "core/mesh.hpp"
 
 namespace mien {
@@ -15,6 +18,14 @@ namespace mien {
 struct Shade {
   glm::vec3 srgb{1};  // 0..1 a channel, as in "#rrggbb"
   float gloss = 0;    // 0 matt .. 1 wet; what it means is the material's affair
+};
+
+// A picture that lies over a part.
+struct PartPicture {
+  std::filesystem::path file;          // PNG or JPEG
+  std::string name;                    // its name beside a scene: of its bytes, "skin_0123456789abcdef.png"
+  std::shared_ptr<const Atlas> atlas;  // its triangles are the part's
+  float side_mm = 1;                   // how long on the part a side of the picture is
 };
 
 // One part: what of it never changes in a clip.
@@ -33,7 +44,9 @@ struct Part {
   bool is_rigid = false;  // true: a drawing gives a transform only; false: it gives positions and normals
   bool is_outline = false;  // a drawing gives its triangles too (PartShape::triangles), and `rest` is empty
   bool may_bend = false;    // of a rigid part: a drawing may give its positions and normals all the same
-  bool is_printed = true;   // false: too fine for a bust (lashes, tear line, cornea)
+  std::shared_ptr<const PartPicture> picture =
+      {};                  // in place of the palette's colours, where it can be shown; or none
+  bool is_printed = true;  // false: too fine for a bust (lashes, tear line, cornea)
 };
 
 struct Model {

@@ -12,6 +12,7 @@ void cast_in_plaster(Model& model) {
     part.palette = {{kPlaster, 0}};
     part.shade.clear();
     part.grain.clear();
+    part.picture.reset();
     part.wear = 0;
   }
 }

@@ -21,7 +21,7 @@ Atlas build_figure_atlas(const Figure& figure) {
 void paint_figure(const HeadStock& stock, const HeadSpec& spec, Figure& figure) {
   if (!spec.look.texture) return;
   const auto atlas = share_stock_thing(stock, "skin atlas", [&] { return build_figure_atlas(figure); });
-  paint_skin(*atlas, *spec.look.texture, figure.model.parts.front());
+  paint_skin(atlas, *spec.look.texture, figure.model.parts.front());
 }
 
 }  // namespace mien

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/error.hpp"
+#include "core/text.hpp"
 #include "import/read_picture.hpp"
 
 namespace mien {
@@ -61,19 +62,39 @@ std::vector<glm::vec3> average_around(const Atlas& atlas, const Picture& picture
   return sums;
 }
 
+// How long a side of the picture is on the skin, mm: of a picture of as much area.
+float compute_side_mm(const Atlas& atlas, const Mesh& rest) {
+  double skin_mm2 = 0, picture = 0;
+  for (const Triangle& triangle : atlas.triangles) {
+    std::array<glm::dvec3, 3> at{};
+    std::array<glm::dvec2, 3> place{};
+    for (int k = 0; k < 3; ++k) {
+      at[k] = rest.positions[atlas.vertices[triangle[k]]];
+      place[k] = atlas.places[triangle[k]];
+    }
+    skin_mm2 += 0.5 * glm::length(glm::cross(at[1] - at[0], at[2] - at[0]));
+    const glm::dvec2 a = place[1] - place[0], b = place[2] - place[0];
+    picture += 0.5 * std::abs(a.x * b.y - a.y * b.x);
+  }
+  return picture > 0 ? static_cast<float>(std::sqrt(skin_mm2 / picture)) : 1;
+}
+
 }  // namespace
 
-void paint_skin(const Atlas& atlas, const FileReference& texture, Part& skin) {
+void paint_skin(const std::shared_ptr<const Atlas>& atlas, const FileReference& texture, Part& skin) {
   Picture picture;
   if (const std::string fault = read_picture(texture.path, picture); !fault.empty())
     throw InputError({Diagnostic{
         texture.place, fmt::format("'{}' {}", texture.path.filename().string(), fault), "", false}});
-  const std::vector<glm::vec3> colours = average_around(atlas, picture, skin.rest.positions.size());
+  const std::vector<glm::vec3> colours = average_around(*atlas, picture, skin.rest.positions.size());
   std::vector<Shade> wanted;
   for (std::size_t v = 0; v < colours.size(); ++v)
     wanted.push_back({colours[v], skin.palette[skin.shade.empty() ? 0 : skin.shade[v]].gloss});
   for (int steps = 128; !share_shades(wanted, steps, skin); steps /= 2) {
   }
+  skin.picture = std::make_shared<PartPicture>(
+      PartPicture{texture.path, fmt::format("skin_{}.png", hash_hex(read_file(texture.path))), atlas,
+                  compute_side_mm(*atlas, skin.rest)});
 }
 
 }  // namespace mien

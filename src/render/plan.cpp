@@ -28,7 +28,8 @@ std::optional<int> parse_frame_number(const std::string& file_name) {
 }  // namespace
 
 bool is_clip_file(const std::string& name) {
-  return parse_frame_number(name) || name == "head.inc" || name == "loop.pov" || name.ends_with(".ini");
+  return parse_frame_number(name) || (name.starts_with("skin_") && name.ends_with(".png")) ||
+         name == "head.inc" || name == "loop.pov" || name.ends_with(".ini");
 }
 
 std::string name_frame(int frame) { return fmt::format("f{:04}", frame); }

@@ -28,6 +28,7 @@ constexpr int kRigidNormalDecimals = 5;  // of parts written once a clip: wet ey
 constexpr int kMatrixDecimals = 7;
 constexpr int kColourDecimals = 4;
 constexpr int kGrainDecimals = 2;
+constexpr int kPictureDecimals = 6;  // of places on a picture: a hundredth of a pixel of one 8192 wide
 
 // How far the camera stands at distance 1. With the box of CameraView this is a 100 mm lens on 24 x 36 film:
 // nearer makes the nose big, farther flattens the face.
@@ -124,27 +125,75 @@ void check_part(const Part& part) {
     for (const std::uint32_t v : triangle)
       if (v >= count) fail_part(part, "has a triangle outside its vertices");
   if (part.is_rigid && part.rest.normals.size() != count) fail_part(part, "has not one normal a vertex");
+  if (part.picture && part.picture->atlas->triangles.size() != part.rest.triangles.size())
+    fail_part(part, "has not one triangle of its picture a triangle");
   if (part.may_bend && (!part.is_rigid || part.is_outline)) fail_part(part, "bends, and is not rigid");
 }
 
-// The grain as uv_vectors: POV-Ray's uv_mapping then bends a pattern with the skin. z is not in it.
-void append_grain(std::string& text, const std::vector<glm::vec2>& grain) {
-  text += fmt::format("uv_vectors {{ {}", grain.size());
-  for (const glm::vec2& uv : grain) {
+// The grain, or places on a picture, as uv_vectors: POV-Ray's uv_mapping then bends a pattern with the skin.
+// z is not in it.
+void append_places(std::string& text, const std::vector<glm::vec2>& places, int decimals) {
+  text += fmt::format("uv_vectors {{ {}", places.size());
+  for (const glm::vec2& uv : places) {
     text += ",\n<";
-    append_number(text, uv.x, kGrainDecimals);
+    append_number(text, uv.x, decimals);
     text += ',';
-    append_number(text, uv.y, kGrainDecimals);
+    append_number(text, uv.y, decimals);
     text += '>';
   }
   text += " }\n";
 }
 
-// Wear, texture_list and face_indices, the object's words: all that follows the vertices in a mesh2. POV-Ray
-// blends three textures over a face; a face of one shade names it once and costs a third.
-void append_surface(std::string& text, const Part& part, bool has_object_macro) {
-  if (!part.grain.empty()) append_grain(text, part.grain);
-  if (part.wear > 0) text += fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
+// A part under a picture: its palette has only its gloss left, in few steps.
+struct GlossSteps {
+  std::vector<float> gloss;
+  std::vector<std::uint16_t> step;  // of each vertex
+};
+
+GlossSteps list_gloss_steps(const Part& part) {
+  constexpr float kSteps = 12;
+  GlossSteps steps;
+  for (std::size_t v = 0; v < part.rest.positions.size(); ++v) {
+    const float gloss =
+        std::round(part.palette[part.shade.empty() ? 0 : part.shade[v]].gloss * kSteps) / kSteps;
+    const auto found = std::ranges::find(steps.gloss, gloss);
+    steps.step.push_back(static_cast<std::uint16_t>(found - steps.gloss.begin()));
+    if (found == steps.gloss.end()) steps.gloss.push_back(gloss);
+  }
+  return steps;
+}
+
+void append_face(std::string& text, const Triangle& triangle) {
+  fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", triangle[0], triangle[1], triangle[2]);
+}
+
+// The textures of a face's corners. POV-Ray blends three over a face; one is named once and costs a third.
+void append_face_textures(std::string& text, std::uint16_t a, std::uint16_t b, std::uint16_t c) {
+  if (a == b && b == c)
+    fmt::format_to(std::back_inserter(text), ",{}", a);
+  else
+    fmt::format_to(std::back_inserter(text), ",{},{},{}", a, b, c);
+}
+
+// The picture through POV-Ray's own image_map, by places of its own: where it is cut a vertex has two.
+void append_painted_faces(std::string& text, const Part& part) {
+  const PartPicture& picture = *part.picture;
+  const GlossSteps steps = list_gloss_steps(part);
+  text += fmt::format("texture_list {{ {}", steps.gloss.size());
+  for (const float gloss : steps.gloss)
+    text += fmt::format(",\npainted_skin_texture(painted_{}, {}, {})", part.name, format_number(gloss, 3),
+                        format_number(picture.side_mm, 2));
+  text += fmt::format(" }}\nface_indices {{ {}", part.rest.triangles.size());
+  for (const Triangle& triangle : part.rest.triangles) {
+    append_face(text, triangle);
+    append_face_textures(text, steps.step[triangle[0]], steps.step[triangle[1]], steps.step[triangle[2]]);
+  }
+  text += fmt::format(" }}\nuv_indices {{ {}", picture.atlas->triangles.size());
+  for (const Triangle& triangle : picture.atlas->triangles) append_face(text, triangle);
+  text += " }\n";
+}
+
+void append_shaded_faces(std::string& text, const Part& part) {
   const bool is_faced = !part.triangle_shade.empty();
   const bool is_shaded = is_faced || (!part.shade.empty() && part.palette.size() > 1);
   if (is_shaded) {
@@ -155,19 +204,29 @@ void append_surface(std::string& text, const Part& part, bool has_object_macro) 
   if (!part.is_outline) text += fmt::format("face_indices {{ {}", part.rest.triangles.size());
   for (std::size_t i = 0; i < part.rest.triangles.size(); ++i) {
     const auto& [a, b, c] = part.rest.triangles[i];
-    fmt::format_to(std::back_inserter(text), ",\n<{},{},{}>", a, b, c);
-    if (is_faced) fmt::format_to(std::back_inserter(text), ",{}", part.triangle_shade[i]);
-    if (is_faced || !is_shaded) continue;
-    const auto sa = part.shade[a], sb = part.shade[b], sc = part.shade[c];
-    if (sa == sb && sb == sc)
-      fmt::format_to(std::back_inserter(text), ",{}", sa);
-    else
-      fmt::format_to(std::back_inserter(text), ",{},{},{}", sa, sb, sc);
+    append_face(text, part.rest.triangles[i]);
+    if (is_faced)
+      fmt::format_to(std::back_inserter(text), ",{}", part.triangle_shade[i]);
+    else if (is_shaded)
+      append_face_textures(text, part.shade[a], part.shade[b], part.shade[c]);
   }
   if (!part.is_outline) text += " }\n";
   if (!is_shaded)
     text += fmt::format("{}\n",
                         format_povray_texture(part, part.palette[part.shade.empty() ? 0 : part.shade[0]]));
+}
+
+// Wear, texture_list and face_indices, the object's words: all that follows the vertices in a mesh2.
+void append_surface(std::string& text, const Part& part, bool has_object_macro) {
+  if (part.picture)
+    append_places(text, part.picture->atlas->places, kPictureDecimals);
+  else if (!part.grain.empty())
+    append_places(text, part.grain, kGrainDecimals);
+  if (part.wear > 0) text += fmt::format("#declare Wear = {};\n", format_number(part.wear, 3));
+  if (part.picture)
+    append_painted_faces(text, part);
+  else
+    append_shaded_faces(text, part);
   if (part.wear > 0) text += "#declare Wear = 0;\n";
   if (has_object_macro) text += fmt::format("{}_object()\n", part.material);
 }
@@ -180,6 +239,11 @@ void append_part(std::string& text, const Part& part, const std::string& materia
   };
   if (!has_macro("texture"))
     throw RunError(fmt::format("part '{}': unknown material '{}'", part.name, part.material));
+  if (part.picture)
+    text += fmt::format(
+        "\n#declare painted_{} = pigment {{ uv_mapping image_map {{ png \"{}\" gamma srgb interpolate 2 }} "
+        "}}\n",
+        part.name, part.picture->name);
   if (part.is_rigid) {
     text += fmt::format("\n#declare part_{} = mesh2 {{\n", part.name);
     append_vectors(text, "vertex_vectors", part.rest.positions, kPositionDecimals + 1);
@@ -273,6 +337,8 @@ std::string build_povray_parts(const Model& model, const Templates& templates) {
   const std::string materials = find_template(templates, "povray/materials.inc").text +
                                 find_template(templates, "povray/materials_drawn.inc").text;
   std::string parts;
+  if (std::ranges::any_of(model.parts, [](const Part& part) { return part.picture != nullptr; }))
+    parts = find_template(templates, "povray/materials_painted.inc").text;
   for (const Part& part : model.parts) append_part(parts, part, materials);
   return parts;
 }

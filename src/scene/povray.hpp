@@ -63,8 +63,8 @@ std::string format_povray_texture(const Part& part, const Shade& shade);
 
 // Each part's shades, faces and (for rigid parts) vertices, as frames refer to them by the parts' names. A
 // material is the macro NAME_texture(Colour, Gloss) of materials.inc; NAME_object(), where there is one, adds
-// words to the object, such as no_shadow. Throws RunError on an unknown material and a part that does not fit
-// together.
+// words to the object, such as no_shadow. A part with a picture names the file beside the scene that the
+// picture is in. Throws RunError on an unknown material and a part that does not fit together.
 std::string build_povray_parts(const Model& model, const Templates& templates);
 
 // Light sets and backgrounds of templates/povray that frames name, besides the studio and the render's own.

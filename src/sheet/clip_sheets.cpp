@@ -9,6 +9,7 @@
 
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
+#include "clip/scenes.hpp"
 #include "clip/view.hpp"
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -92,6 +93,7 @@ void render_pictures(const Performance& performance, const Figure& figure, const
                      StripPage& page) {
   const WorkFolder work(folder);
   write_file(work.path / "head.inc", build_povray_include(figure.model, render, templates));
+  write_part_pictures(figure.model, work.path);
   DeformBuffers buffers;
   Drawing drawing;
   std::vector<FrameJob> jobs;

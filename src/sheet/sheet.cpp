@@ -9,6 +9,7 @@
 
 #include "clip/outputs.hpp"
 #include "clip/pictures.hpp"
+#include "clip/scenes.hpp"
 #include "clip/view.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
@@ -65,6 +66,7 @@ void write_cell_scenes(const CellHead& head, std::size_t index, const std::vecto
   const fs::path folder = work / fmt::format("head{}", index);
   const Model& model = head.figure.get_drawn_model();
   write_file(folder / "head.inc", build_povray_include(model, head.render, templates));
+  write_part_pictures(model, folder);
   CellBuffers buffers;
   for (std::size_t i = 0; i < cells.size(); ++i) {
     if (cells[i]->head != index) continue;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <set>
+#include <cstdlib>
 
 #include "core/error.hpp"
 #include "core/text.hpp"
@@ -40,6 +40,34 @@ TEST(skin_texture, paints_the_skin_and_keeps_its_gloss) {
     EXPECT_EQ(shade.srgb, after.rest.positions[v].x > 0 ? glm::vec3(1, 0, 0) : glm::vec3(0, 0, 1)) << v;
     EXPECT_NEAR(shade.gloss, before.palette[before.shade[v]].gloss, 0.1);
   }
+}
+
+// How many pixels of a row are far from the one before.
+int count_edges(const Pixels& pixels, int y, int from, int to) {
+  constexpr int kFar = 40;
+  const auto green = [&](int x) {
+    return static_cast<int>(pixels.rgb[3 * static_cast<std::size_t>(y * pixels.size.width_px + x) + 1]);
+  };
+  int edges = 0;
+  for (int x = from; x + 1 < to; ++x)
+    if (std::abs(green(x + 1) - green(x)) > kFar) ++edges;
+  return edges;
+}
+
+// A chequer of squares of 1 mm on the cheek, where the skin's points are 2.5 mm apart.
+TEST(skin_texture, is_seen_as_sharp_as_it_was_painted) {
+  const auto folder = make_folder("skin_texture_sharp");
+  constexpr int kSide_px = 2048, kSquare_px = 4;
+  Pixels pixels = make_pixels({kSide_px, kSide_px});
+  for (std::size_t i = 0; i < std::size_t{kSide_px} * kSide_px; ++i)
+    if ((i % kSide_px / kSquare_px + i / kSide_px / kSquare_px) % 2 == 0)
+      for (std::size_t k = 0; k < 3; ++k) pixels.rgb[3 * i + k] = 255;
+  write_file(folder / "skin.png", build_png(pixels));
+  write_file(folder / "face.yaml", "mien: 1\nhead: {look: {texture: skin.png}}\n");
+  const ProgramRun run =
+      run_shell(folder, "mien still face.yaml -o face.png --quality draft --size 960x1200 --quiet");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_GT(count_edges(read_pixels(folder / "face.png"), 660, 230, 340), 40);
 }
 
 TEST(skin_texture, keeps_the_palette_small) {

@@ -201,6 +201,36 @@ TEST(povray, writes_the_grain_as_texture_coordinates) {
   EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one place on its grain a vertex");
 }
 
+TEST(povray, a_picture_lies_over_a_part_by_places_of_its_own) {
+  Part part = build_square("card", false);
+  part.material = "skin";
+  part.grain = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
+  // Cut along the diagonal: two of its corners are there twice.
+  const auto atlas =
+      std::make_shared<Atlas>(Atlas{{{0, 0}, {0.5f, 0}, {0.5f, 1}, {0.5f, 0}, {1, 1}, {0.5f, 0.125f}},
+                                    {0, 1, 2, 0, 2, 3},
+                                    {{0, 1, 2}, {3, 4, 5}}});
+  part.picture =
+      std::make_shared<PartPicture>(PartPicture{"skin.png", "skin_0123456789abcdef.png", atlas, 250});
+  const std::string text = build_povray_parts({{part}}, shipped_stock().templates);
+  EXPECT_THAT(text,
+              HasSubstr("#declare painted_card = pigment { uv_mapping image_map { png "
+                        "\"skin_0123456789abcdef.png\" gamma srgb interpolate 2 } }\n"
+                        "\n#macro surface_of_card()\nuv_vectors { 6,\n<0,0>,\n<0.5,0>,\n<0.5,1>,\n<0.5,0>,"
+                        "\n<1,1>,\n<0.5,0.125> }\n"
+                        "texture_list { 2,\npainted_skin_texture(painted_card, 0, 250),\n"
+                        "painted_skin_texture(painted_card, 1, 250) }\n"
+                        "face_indices { 2,\n<0,1,2>,0,\n<0,2,3>,0,0,1 }\n"
+                        "uv_indices { 2,\n<0,1,2>,\n<3,4,5> }\n"));
+  EXPECT_THAT(text, HasSubstr("#macro painted_skin_texture("));
+  part.picture = nullptr;
+  EXPECT_EQ(build_povray_parts({{part}}, shipped_stock().templates).find("painted"), std::string::npos);
+  atlas->triangles.pop_back();
+  part.picture =
+      std::make_shared<PartPicture>(PartPicture{"skin.png", "skin_0123456789abcdef.png", atlas, 250});
+  EXPECT_EQ(find_error({{part}}), "internal: part 'card' has not one triangle of its picture a triangle");
+}
+
 TEST(povray, tells_a_material_how_worn_its_part_is_and_no_other) {
   Part fresh = build_square("fresh", false), worn = build_square("worn", false);
   worn.wear = 0.25;
