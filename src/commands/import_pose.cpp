@@ -34,16 +34,6 @@ Take build_pose_take(const UnitPose& pose) {
   return take;
 }
 
-// A word that can name an expression of ours.
-std::string build_expression_word(const UnitPose& pose, const std::filesystem::path& file) {
-  std::string word = pose.name.empty() ? build_name(file) : pose.name;
-  for (char& c : word)
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
-  if (std::isalpha(static_cast<unsigned char>(word.front())) == 0) word.insert(0, "face_");
-  word.resize(std::min(word.size(), kMaxExpressionName));
-  return word;
-}
-
 void print_pose_report(const TakeReport& report) {
   fmt::print("lost: {:.1f} % of the motion, {:.3g} of {:.3g} mm2\n", report.lost_percent(), report.lost_mm2,
              report.moved_mm2);
@@ -54,6 +44,14 @@ void print_pose_report(const TakeReport& report) {
 }
 
 }  // namespace
+
+std::string build_expression_word(std::string word) {
+  for (char& c : word)
+    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '-') c = '_';
+  if (word.empty() || std::isalpha(static_cast<unsigned char>(word.front())) == 0) word.insert(0, "face_");
+  word.resize(std::min(word.size(), kMaxExpressionName));
+  return word;
+}
 
 void import_pose(const Options& options) {
   const std::filesystem::path output = find_import_output(options);
@@ -67,7 +65,7 @@ void import_pose(const Options& options) {
                     options.file.string(), moves.report.lost_percent(), *most));
   Pose posed;
   for (std::size_t i = 0; i < kMoveCount; ++i) posed.values[i] = static_cast<double>(moves.values[i]);
-  const std::string word = build_expression_word(pose, options.file);
+  const std::string word = build_expression_word(pose.name.empty() ? build_name(options.file) : pose.name);
   const std::string text = fmt::format(
       "# An expression of another program, {}, in our areas.\nmien: 1\ntitle: {}\nexpressions:\n  {}: "
       "{{{}}}\n"

@@ -7,109 +7,44 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "import/reading.hpp"
 #include "import/take_reading.hpp"
+#include "import/vrm_file.hpp"
 
 namespace mien {
 
 namespace {
 
-using Json = nlohmann::json;
-
-constexpr std::uintmax_t kMostGltfBytes = 256U << 20;  // an animation has some megabytes
 constexpr double kVrmRate = 60;
 constexpr int kFloat = 5126;  // glTF's number of it
 
-struct GltfFile {
-  std::string file;
-  std::string bytes;
-  std::string_view binary;
-  Json json;
-};
-
-std::uint32_t read_word(std::string_view bytes, std::size_t at) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 4; i-- > 0;) word = word << 8 | static_cast<unsigned char>(bytes[at + i]);
-  return word;
-}
-
-[[noreturn]] void fail_gltf(const GltfFile& gltf, const std::string& message) {
-  fail_file(gltf.file, message + "; expected an animation of VRM");
-}
-
-GltfFile open_gltf(const std::filesystem::path& path) {
-  GltfFile gltf{
-      path.string(), read_plain_file(path, path.string(), "an animation of VRM", kMostGltfBytes), {}, {}};
-  const std::string_view bytes = gltf.bytes;
-  constexpr std::uint32_t kJsonChunk = 0x4E4F534A, kBinaryChunk = 0x004E4942;
-  if (bytes.size() < 20 || !bytes.starts_with("glTF") || read_word(bytes, 4) != 2)
-    fail_gltf(gltf, "does not begin as a binary glTF of version 2 does");
-  bool has_json = false;
-  for (std::size_t at = 12; at + 8 <= bytes.size();) {
-    const std::size_t length = read_word(bytes, at);
-    const std::uint32_t kind = read_word(bytes, at + 4);
-    if (length > bytes.size() - at - 8)
-      fail_gltf(gltf, fmt::format("the part at byte {} has {} bytes, of which {} are there", at, length,
-                                  bytes.size() - at - 8));
-    const std::string_view part = bytes.substr(at + 8, length);
-    if (kind == kJsonChunk && !has_json) {
-      gltf.json = Json::parse(part, nullptr, false);
-      has_json = !gltf.json.is_discarded() && gltf.json.is_object();
-      if (!has_json) fail_gltf(gltf, fmt::format("the part at byte {} is no JSON", at));
-    } else if (kind == kBinaryChunk && gltf.binary.empty()) {
-      gltf.binary = part;
-    }
-    at += 8 + length + (4 - length % 4) % 4;
-  }
-  if (!has_json) fail_gltf(gltf, "has no JSON");
-  return gltf;
-}
-
-// A member that is a whole number from 0 on; empty if it is not.
-std::optional<std::size_t> find_index(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  if (found == json.end() || !found->is_number_unsigned()) return std::nullopt;
-  return found->get<std::size_t>();
-}
-
-const Json* find_object(const Json& json, const char* key) {
-  const auto found = json.find(key);
-  return found != json.end() && found->is_object() ? &*found : nullptr;
-}
-
-const Json* find_item(const Json& json, const char* key, std::size_t index) {
-  const auto found = json.find(key);
-  if (found == json.end() || !found->is_array() || index >= found->size() || !(*found)[index].is_object())
-    return nullptr;
-  return &(*found)[index];
-}
-
 // The numbers of an accessor of floats, `width` each.
-std::vector<float> read_accessor(const GltfFile& gltf, std::optional<std::size_t> index, std::size_t width) {
-  const Json* accessor = index ? find_item(gltf.json, "accessors", *index) : nullptr;
-  if (accessor == nullptr) fail_gltf(gltf, "an animation names numbers that are not there");
+std::vector<float> read_accessor(const VrmFile& gltf, std::optional<std::size_t> index, std::size_t width) {
+  const VrmJson* accessor = index ? find_json_item(gltf.json, "accessors", *index) : nullptr;
+  if (accessor == nullptr) fail_vrm_file(gltf, "an animation names numbers that are not there");
   const std::string name = fmt::format("accessor {}", *index);
-  const auto view_index = find_index(*accessor, "bufferView"), count = find_index(*accessor, "count");
-  const Json* view = view_index ? find_item(gltf.json, "bufferViews", *view_index) : nullptr;
+  const auto view_index = find_json_index(*accessor, "bufferView"),
+             count = find_json_index(*accessor, "count");
+  const VrmJson* view = view_index ? find_json_item(gltf.json, "bufferViews", *view_index) : nullptr;
   const std::string_view kinds[] = {"", "SCALAR", "", "VEC3", "VEC4"};
-  if (view == nullptr || !count || accessor->value("componentType", Json(0)) != Json(kFloat) ||
-      accessor->value("type", Json("")) != Json(kinds[width]))
-    fail_gltf(gltf, fmt::format("{} is no list of {} of floats", name, width == 1 ? "numbers" : "vectors"));
-  const std::size_t size = 4 * width, stride = find_index(*view, "byteStride").value_or(size);
+  if (view == nullptr || !count || accessor->value("componentType", VrmJson(0)) != VrmJson(kFloat) ||
+      accessor->value("type", VrmJson("")) != VrmJson(kinds[width]))
+    fail_vrm_file(gltf,
+                  fmt::format("{} is no list of {} of floats", name, width == 1 ? "numbers" : "vectors"));
+  const std::size_t size = 4 * width, stride = find_json_index(*view, "byteStride").value_or(size);
   const std::size_t begin =
-      find_index(*view, "byteOffset").value_or(0) + find_index(*accessor, "byteOffset").value_or(0);
+      find_json_index(*view, "byteOffset").value_or(0) + find_json_index(*accessor, "byteOffset").value_or(0);
   const std::size_t all = gltf.binary.size();
   if (*count == 0 || *count > all || stride < size || stride > all || begin > all ||
       (*count - 1) * stride + size > all - begin)
-    fail_gltf(gltf, fmt::format("{} lies beyond the file's {} bytes of numbers", name, all));
+    fail_vrm_file(gltf, fmt::format("{} lies beyond the file's {} bytes of numbers", name, all));
   std::vector<float> numbers;
   for (std::size_t i = 0; i < *count; ++i)
     for (std::size_t j = 0; j < width; ++j) {
-      const float number = std::bit_cast<float>(read_word(gltf.binary, begin + i * stride + 4 * j));
-      if (!std::isfinite(number)) fail_gltf(gltf, fmt::format("{} has a number that is none", name));
+      const float number = std::bit_cast<float>(read_vrm_word(gltf.binary, begin + i * stride + 4 * j));
+      if (!std::isfinite(number)) fail_vrm_file(gltf, fmt::format("{} has a number that is none", name));
       numbers.push_back(number);
     }
   return numbers;
@@ -122,24 +57,24 @@ struct NodeWay {
   bool is_stepped = false;
 };
 
-std::optional<NodeWay> read_way(const GltfFile& gltf, std::size_t node, std::string_view path,
+std::optional<NodeWay> read_way(const VrmFile& gltf, std::size_t node, std::string_view path,
                                 std::size_t width) {
-  const Json* animation = find_item(gltf.json, "animations", 0);
+  const VrmJson* animation = find_json_item(gltf.json, "animations", 0);
   if (animation == nullptr || !animation->contains("channels") || !(*animation)["channels"].is_array())
-    fail_gltf(gltf, "has no animation");
-  for (const Json& channel : (*animation)["channels"]) {
-    const Json* target = channel.is_object() ? find_object(channel, "target") : nullptr;
-    if (target == nullptr || find_index(*target, "node") != node ||
-        target->value("path", Json("")) != Json(path))
+    fail_vrm_file(gltf, "has no animation");
+  for (const VrmJson& channel : (*animation)["channels"]) {
+    const VrmJson* target = channel.is_object() ? find_json_object(channel, "target") : nullptr;
+    if (target == nullptr || find_json_index(*target, "node") != node ||
+        target->value("path", VrmJson("")) != VrmJson(path))
       continue;
-    const auto index = find_index(channel, "sampler");
-    const Json* sampler = index ? find_item(*animation, "samplers", *index) : nullptr;
-    if (sampler == nullptr) fail_gltf(gltf, fmt::format("the way of node {} has no sampler", node));
-    NodeWay way{width, read_accessor(gltf, find_index(*sampler, "input"), 1),
-                read_accessor(gltf, find_index(*sampler, "output"), width)};
-    const Json between = sampler->value("interpolation", Json("LINEAR"));
-    way.is_stepped = between == Json("STEP");
-    if (between == Json("CUBICSPLINE")) {  // of tangent, value, tangent the value
+    const auto index = find_json_index(channel, "sampler");
+    const VrmJson* sampler = index ? find_json_item(*animation, "samplers", *index) : nullptr;
+    if (sampler == nullptr) fail_vrm_file(gltf, fmt::format("the way of node {} has no sampler", node));
+    NodeWay way{width, read_accessor(gltf, find_json_index(*sampler, "input"), 1),
+                read_accessor(gltf, find_json_index(*sampler, "output"), width)};
+    const VrmJson between = sampler->value("interpolation", VrmJson("LINEAR"));
+    way.is_stepped = between == VrmJson("STEP");
+    if (between == VrmJson("CUBICSPLINE")) {  // of tangent, value, tangent the value
       std::vector<float> middle;
       for (std::size_t i = width; i + 2 * width <= way.values.size(); i += 3 * width)
         middle.insert(middle.end(), way.values.begin() + static_cast<std::ptrdiff_t>(i),
@@ -147,8 +82,9 @@ std::optional<NodeWay> read_way(const GltfFile& gltf, std::size_t node, std::str
       way.values = std::move(middle);
     }
     if (way.values.size() != way.at_s.size() * width || !std::ranges::is_sorted(way.at_s) || way.at_s[0] < 0)
-      fail_gltf(gltf, fmt::format("the way of node {} has {} times and {} values, or times that do not rise",
-                                  node, way.at_s.size(), way.values.size() / width));
+      fail_vrm_file(
+          gltf, fmt::format("the way of node {} has {} times and {} values, or times that do not rise", node,
+                            way.at_s.size(), way.values.size() / width));
     return way;
   }
   return std::nullopt;
@@ -191,13 +127,13 @@ std::array<float, 3> find_quaternion_turn(std::array<double, 4> q) {
 }
 
 // The ways of the bones that turn the head, from the neck up.
-std::vector<NodeWay> read_head_ways(const GltfFile& gltf, const Json& extension) {
+std::vector<NodeWay> read_head_ways(const VrmFile& gltf, const VrmJson& extension) {
   std::vector<NodeWay> ways;
-  const Json* humanoid = find_object(extension, "humanoid");
-  const Json* bones = humanoid != nullptr ? find_object(*humanoid, "humanBones") : nullptr;
+  const VrmJson* humanoid = find_json_object(extension, "humanoid");
+  const VrmJson* bones = humanoid != nullptr ? find_json_object(*humanoid, "humanBones") : nullptr;
   for (const char* name : {"neck", "head"}) {
-    const Json* bone = bones != nullptr ? find_object(*bones, name) : nullptr;
-    const auto node = bone != nullptr ? find_index(*bone, "node") : std::nullopt;
+    const VrmJson* bone = bones != nullptr ? find_json_object(*bones, name) : nullptr;
+    const auto node = bone != nullptr ? find_json_index(*bone, "node") : std::nullopt;
     if (!node) continue;
     if (auto way = read_way(gltf, *node, "rotation", 4)) ways.push_back(std::move(*way));
   }
@@ -207,21 +143,22 @@ std::vector<NodeWay> read_head_ways(const GltfFile& gltf, const Json& extension)
 }  // namespace
 
 Take read_vrma(const std::filesystem::path& file, double fps) {
-  const GltfFile gltf = open_gltf(file);
+  const VrmFile gltf = open_vrm_file(file, "an animation of VRM");
   Take take;
   take.file = gltf.file;
   take.mapping = "vrm";
-  const Json* extensions = find_object(gltf.json, "extensions");
-  const Json* extension = extensions != nullptr ? find_object(*extensions, "VRMC_vrm_animation") : nullptr;
-  if (extension == nullptr) fail_gltf(gltf, "has no VRMC_vrm_animation");
+  const VrmJson* extensions = find_json_object(gltf.json, "extensions");
+  const VrmJson* extension =
+      extensions != nullptr ? find_json_object(*extensions, "VRMC_vrm_animation") : nullptr;
+  if (extension == nullptr) fail_vrm_file(gltf, "has no VRMC_vrm_animation");
   std::vector<NodeWay> ways;
-  const Json* expressions = find_object(*extension, "expressions");
+  const VrmJson* expressions = find_json_object(*extension, "expressions");
   for (const char* group : {"preset", "custom"}) {
-    const Json* named = expressions != nullptr ? find_object(*expressions, group) : nullptr;
+    const VrmJson* named = expressions != nullptr ? find_json_object(*expressions, group) : nullptr;
     if (named == nullptr) continue;
     for (const auto& [name, value] : named->items()) {
-      const auto node = value.is_object() ? find_index(value, "node") : std::nullopt;
-      if (!node) fail_gltf(gltf, fmt::format("expression '{}' names no node", show_found(name)));
+      const auto node = value.is_object() ? find_json_index(value, "node") : std::nullopt;
+      if (!node) fail_vrm_file(gltf, fmt::format("expression '{}' names no node", show_found(name)));
       auto way = read_way(gltf, *node, "translation", 3);
       if (!way) continue;
       add_take_channel(take, {gltf.file, 0, {}, 0, 0},
@@ -237,7 +174,7 @@ Take read_vrma(const std::filesystem::path& file, double fps) {
   std::ranges::for_each(ways, reach);
   std::ranges::for_each(head, reach);
   const double rate = fps > 0 ? fps : kVrmRate;
-  if (end_s > kMaxTakeTime_s) fail_gltf(gltf, fmt::format("lasts {:.7g} s", end_s));
+  if (end_s > kMaxTakeTime_s) fail_vrm_file(gltf, fmt::format("lasts {:.7g} s", end_s));
   const auto rows = static_cast<std::size_t>(std::ceil(end_s * rate - 1e-6)) + 1;
   for (std::size_t row = 0; row < rows && !ways.empty(); ++row) {
     const double at_s = static_cast<double>(row) / rate;

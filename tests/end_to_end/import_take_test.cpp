@@ -60,6 +60,21 @@ TEST(import_take, more_loss_than_allowed_writes_nothing) {
   EXPECT_TRUE(fs::exists(folder / "said.yaml"));
 }
 
+// Our own avatar back again: its shapes have no names of ARKit's, so that VRM's names say what is meant.
+TEST(import_take, expressions_of_an_avatar_become_ours) {
+  const fs::path folder = make_take_folder("import_avatar");
+  write_file(folder / "face.yaml", "mien: 1\nclip: {length: 0.1s}\n");
+  ASSERT_EQ(run_shell(folder, "mien export face.yaml -o face.vrm --quiet").status, 0);
+  const ProgramRun run = run_shell(folder, "mien import face.vrm -o said.yaml");
+  ASSERT_EQ(run.status, 0) << run.err;
+  EXPECT_NE(run.out.find("expressions; lost: "), std::string::npos) << run.out;
+  const std::string said = read_file(folder / "said.yaml");
+  for (const char* name : {"happy", "angry", "sad", "surprised", "aa", "ih", "ou", "ee", "oh", "blinkLeft"})
+    EXPECT_NE(said.find(std::string("\n  ") + name + ": {"), std::string::npos) << name << "\n" << said;
+  const ProgramRun check = run_shell(folder, "mien check said.yaml --quiet");
+  EXPECT_EQ(check.status, 0) << check.err << said;
+}
+
 TEST(import_take, a_broken_file_writes_nothing) {
   const fs::path folder = make_take_folder("import_broken");
   std::string text = read_file(folder / "live_link.csv");
