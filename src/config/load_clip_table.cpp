@@ -56,6 +56,11 @@ std::vector<std::size_t> find_moves(const std::string& column) {
   for (std::size_t i = 0; i < kChannelCount; ++i)
     if (column == name_move(i) || (kChannels[i].side != Side::none && column == name_move(i, true)))
       moves.push_back(i);
+  if (!moves.empty() || !column.starts_with(kCandideKey)) return moves;
+  // By the action unit that it stands for: "candide.AU10".
+  for (const ChannelRow& row : kUnitRows)
+    if (column == fmt::format("{}.{}", kCandideKey, row.alias))
+      moves.push_back(find_channel(kCandideKey, Side::none, row.name).value());
   return moves;
 }
 

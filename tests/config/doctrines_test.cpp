@@ -32,6 +32,21 @@ TEST(doctrines, are_written_for_both_sides_or_for_one) {
   EXPECT_EQ(value_of(units, kCandideKey, Side::none, "lip_corner_depressor"), -0.5);
 }
 
+// A tracker of CANDIDE's: its animation units by frame move ours, by either name.
+TEST(doctrines, of_candide_are_followed_as_columns_of_a_table) {
+  const auto folder = make_test_folder();
+  write_file(folder / "units.csv",
+             "time,candide.upper_lip_raiser,candide.AU26,candide.AU15\n0,0,0,0\n1,0.5,0.4,-1\n");
+  write_file(folder / "main.yaml", "mien: 1\nclip: {tracks: [{csv: units.csv}]}\n");
+  const Spec spec = load_spec(folder / "main.yaml", *find_language());
+  const TimeTable& table = *spec.clip.cues.at(0).table;
+  EXPECT_EQ(table.moves,
+            (std::vector<std::size_t>{*find_channel(kCandideKey, Side::none, "upper_lip_raiser"),
+                                      *find_channel(kCandideKey, Side::none, "jaw_drop"),
+                                      *find_channel(kCandideKey, Side::none, "lip_corner_depressor")}));
+  EXPECT_EQ(table.values, (std::vector<double>{0, 0, 0, 0.5, 0.4, -1}));
+}
+
 TEST(doctrines, have_no_name_twice_and_a_twin_for_each_side) {
   std::set<std::string> names;
   for (std::size_t i = 0; i < kChannelCount; ++i)
