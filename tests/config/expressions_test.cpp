@@ -59,9 +59,9 @@ TEST(expressions, that_are_unknown_are_answered_with_the_nearest) {
   EXPECT_EQ(message("doubt_right"),
             "error: unknown expression 'doubt_right'; did you mean 'tezuka/doubt_right'?");
   EXPECT_EQ(message("tezka/smile"), "error: unknown library 'tezka'; did you mean 'tezuka'?");
-  EXPECT_EQ(
-      message("/sly"),
-      "error: unknown library ''; known: candide, emfacs, extras, mien, mouths, muscles, parke, tezuka");
+  EXPECT_EQ(message("/sly"),
+            "error: unknown library ''; known: candide, compound, emfacs, extras, mien, mouths, muscles, "
+            "parke, tezuka");
   EXPECT_EQ(message("tezuka/smlie"),
             "error: unknown expression 'tezuka/smlie'; did you mean 'tezuka/smile'?");
   EXPECT_EQ(message("mouths/smile"),
@@ -146,6 +146,7 @@ TEST(libraries, are_sorted_by_library_and_name_and_each_has_a_neutral_face) {
     neutral[all[i].library] += all[i].name == "neutral" && all[i].pose == Pose{};
   }
   EXPECT_EQ(neutral, (std::map<std::string, int>{{"candide", 1},
+                                                 {"compound", 1},
                                                  {"emfacs", 1},
                                                  {"extras", 1},
                                                  {"mien", 1},

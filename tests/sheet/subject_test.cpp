@@ -69,9 +69,10 @@ TEST(sheet_subject, is_a_file_with_its_posters_face_or_the_one_asked_for) {
 TEST(sheet_subject, names_what_was_meant) {
   EXPECT_EQ(find_mistake("expressions", "tezka"),
             "'tezka' is no FILE and no library; did you mean 'tezuka'?");
-  EXPECT_EQ(find_mistake("expressions", "zzz"),
-            "'zzz' is no FILE and no library; known libraries: candide, emfacs, extras, mien, mouths, "
-            "muscles, parke, tezuka");
+  EXPECT_EQ(
+      find_mistake("expressions", "zzz"),
+      "'zzz' is no FILE and no library; known libraries: candide, compound, emfacs, extras, mien, mouths, "
+      "muscles, parke, tezuka");
   EXPECT_EQ(find_mistake("heads", "smlie"),
             "'smlie' is no FILE; unknown expression 'smlie'; did you mean 'smile'?");
   EXPECT_EQ(find_mistake("heads", write_sly(), "slyy"), "unknown expression 'slyy'; did you mean 'sly'?");
