@@ -65,6 +65,9 @@ struct JawData {
   double m6_factor = 1;
   std::vector<std::pair<std::string, double>> points;  // pattern -> weight
   PointPatterns zero;
+  // How much of its weight each point lacks where lips stay shut over the open jaw: pattern -> share.
+  std::vector<std::pair<std::string, double>> shut;
+  PointPatterns unshut;  // that have none
   Handles corner_in;
 };
 

@@ -122,6 +122,17 @@ LidData read_lids(const DataTable& table, const PointNames& points) {
   return lids;
 }
 
+using PointShares = std::vector<std::pair<std::string, double>>;
+
+PointShares read_point_shares(const DataTable& table, const char* key, const PointNames& points) {
+  PointShares shares;
+  for (const YamlEntry& entry : table.list(key)) {
+    check_pattern(entry.value, entry.key, points);
+    load_datum(entry.value, shares.emplace_back(entry.key, 0).second);
+  }
+  return shares;
+}
+
 JawData read_jaw(const DataTable& table, const PointNames& points) {
   JawData jaw;
   table.read("axis", jaw.axis);
@@ -133,11 +144,10 @@ JawData read_jaw(const DataTable& table, const PointNames& points) {
   table.read("columns", jaw.columns);
   table.read("mb2", jaw.mb2);
   table.read("m6_factor", jaw.m6_factor);
-  for (const YamlEntry& entry : table.list("points")) {
-    check_pattern(entry.value, entry.key, points);
-    load_datum(entry.value, jaw.points.emplace_back(entry.key, 0).second);
-  }
+  jaw.points = read_point_shares(table, "points", points);
   if (const YamlValue* zero = table.require("zero")) read_patterns(*zero, points, jaw.zero);
+  jaw.shut = read_point_shares(table, "shut", points);
+  if (const YamlValue* unshut = table.require("unshut")) read_patterns(*unshut, points, jaw.unshut);
   jaw.corner_in = load_handles(table.list("corner_in"), points);
   return jaw;
 }

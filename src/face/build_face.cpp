@@ -267,13 +267,20 @@ JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const AreaD
   for (const char* ring : {"MB1", "M0", "M1", "M2", "M3", "M4", "MA", "M5"}) add_ring(ring, jaw.columns, 1);
   add_ring("M6", jaw.columns, jaw.m6_factor);
   add_ring("MB2", jaw.mb2, 1);
-  for (const auto& [pattern, weight] : jaw.points) {
-    const std::vector<bool> found = find_points(head.cage, {pattern});
-    for (std::size_t i = 0; i < found.size(); ++i)
-      if (found[i] && !head.cage.names[i].starts_with("R:")) values[head.cage.names[i]] = weight;
-  }
+  const auto add_points = [&](const std::vector<std::pair<std::string, double>>& told,
+                              std::map<std::string, double>& into) {
+    for (const auto& [pattern, share] : told) {
+      const std::vector<bool> found = find_points(head.cage, {pattern});
+      for (std::size_t i = 0; i < found.size(); ++i)
+        if (found[i] && !head.cage.names[i].starts_with("R:")) into[head.cage.names[i]] = share;
+    }
+  };
+  add_points(jaw.points, values);
+  std::map<std::string, double> shut;
+  add_points(jaw.shut, shut);
   JawRig rig;
   rig.weights = solve_weights(solver, values, find_points(head.cage, jaw.zero));
+  rig.shut = solve_weights(solver, shut, find_points(head.cage, jaw.unshut));
   rig.open_rad = jaw.degrees * kRadiansPerDegree;
   rig.forward = jaw.forward * (scales.here.mouth_nose / scales.adult.mouth_nose);
   rig.aside = jaw.aside * (scales.here.mouth_width / scales.adult.mouth_width);

@@ -60,6 +60,7 @@ struct JawRig {
   glm::dvec3 aside{0},
       protruded{0};             // at jaw.side and jaw.forward 1: of teeth and tongue, the skin has its fields
   std::vector<double> weights;  // of each control point
+  std::vector<double> shut;     // and what it lacks of that at lips.shut 1
 };
 
 struct LipColumn {
@@ -164,6 +165,9 @@ double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Y
 
 // Where the jaw takes a point of the head at these shares of its turn and of its way straight down.
 glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double turned, double straight);
+
+// How much of the jaw's way a control point goes: its weight, less what lips hold back that stay shut.
+double compute_jaw_share(const JawRig& jaw, std::size_t point, const Pose& pose);
 
 // How much of chin.straight a pose has: what chin.down leaves of the chin's one limit.
 double compute_straight(const Pose& pose);

@@ -55,6 +55,19 @@ double soften_stop(double room, double from, double least) {
   return room >= from ? room : least + (from - least) * std::exp((room - from) / (from - least));
 }
 
+// How much of lips.shut is left beside what else pushes the lips together.
+double compute_shut(const Pose& pose) {
+  // A chin that is pushed up and corners that are drawn in push together what shut lips draw out: all of both
+  // would fold the skin beside the mouth over.
+  constexpr double kChin = 0.6, kCorner = 0.25;
+  const double shut = value_of(pose, "lips", Side::none, "shut") *
+                      (1 - kChin * std::clamp(value_of(pose, "chin", Side::none, "up"), 0.0, 1.0));
+  double corners = 1;  // of two sides first: the mirrored pose has the same to the last bit
+  for (const Side side : {Side::left, Side::right})
+    corners *= 1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0);
+  return shut * corners;
+}
+
 // Skin that is pushed together keeps room in itself, and bulges.
 void give_way(const GiveWay& give, std::vector<glm::dvec3>& points) {
   for (const GiveWayLine& line : give.lines)
@@ -140,7 +153,8 @@ void bring_to_level(const Face& face, const std::vector<std::optional<double>>& 
 // LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
 // leaves open.
 void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
-  const double press = value_of(pose, "lips", Side::none, "press");
+  const double press =
+      std::max(value_of(pose, "lips", Side::none, "press"), value_of(pose, "lips", Side::none, "shut"));
   const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
   for (const LipColumn& column : face.lips) {
     const double gap = compute_gap_mm(column, points);
@@ -226,6 +240,10 @@ glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double tur
          glm::dvec3(0, straight * jaw.straight_mm, 0);
 }
 
+double compute_jaw_share(const JawRig& jaw, std::size_t point, const Pose& pose) {
+  return jaw.weights[point] - compute_shut(pose) * jaw.shut[point];
+}
+
 double compute_straight(const Pose& pose) {
   // A product: the lesser of both would be a jolt where one overtakes the other.
   return value_of(pose, "chin", Side::none, "straight") *
@@ -277,7 +295,7 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
   const double open = value_of(pose, "chin", Side::none, "down"), straight = compute_straight(pose);
   if (open != 0 || straight != 0)
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (const double weight = face.jaw.weights[i]; weight != 0)
+      if (const double weight = compute_jaw_share(face.jaw, i, pose); weight != 0)
         points[i] = move_jaw_point(face.jaw, points[i], open * weight, straight * weight);
   for (const DrivenField& driven : face.fields)
     if (driven.is_late) add_field(driven, pose, points);

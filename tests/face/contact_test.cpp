@@ -1,5 +1,6 @@
 // What the moves of two areas do to each other's skin: lips on the teeth and on each other, nostrils, the
 // cords of the neck, the cheek below the lid.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -70,6 +71,29 @@ TEST(contact, a_kiss_brings_the_lips_forward_and_keeps_their_red) {
     return find_skin(adult(), pose, "M3_0").y - find_skin(adult(), pose, "M1_0").y;
   };
   EXPECT_GT(red(kiss), 0.9 * red(Pose{}));
+}
+
+// People's lips over an open jaw: the lower one stays, and the skin below it is drawn out down to the chin.
+TEST(contact, lips_that_stay_shut_are_shut_over_an_open_jaw) {
+  for (const char* age : {"infant", "adult", "old"}) {
+    const Subject s = build(age);
+    for (const double down : {0.15, 0.5, 1.0}) {
+      const Pose open = build_pose({{"chin", "down", down}}),
+                 shut = build_pose({{"chin", "down", down}, {"lips", "shut", 1}});
+      for (const int column : {0, 2, 4}) {
+        const std::string upper = fmt::format("M1_{}", column), lower = fmt::format("M1_{}", 12 - column);
+        const auto gap = [&](const Pose& pose) {
+          return find_skin(s, pose, upper).y - find_skin(s, pose, lower).y;
+        };
+        EXPECT_LT(gap(shut), gap(Pose{}) + 0.3) << age << " " << down << " " << column;
+        EXPECT_GT(gap(shut), gap(Pose{}) - 0.7) << age << " " << down << " " << column;
+        EXPECT_GT(gap(open), gap(Pose{}) + 2) << age << " " << down << " " << column;
+      }
+      EXPECT_LT(glm::length(compute_way(s, shut, "M1_0")), 4) << age << " " << down;
+      EXPECT_GT(-compute_way(s, shut, "m12_D1").y, -0.8 * compute_way(s, open, "m12_D1").y)
+          << age << " " << down;
+    }
+  }
 }
 
 TEST(contact, a_smile_thins_the_red_of_both_lips) {
