@@ -80,7 +80,7 @@ void append_pose(const Pose& pose, std::vector<MappedMove>& into) {
 }
 
 MappedUnit read_unit(const YamlEntry& entry, const MappingNames& names, const Mapping& like,
-                     const ExpressionBook& libraries, std::optional<YamlValue>& at_most) {
+                     const ExpressionBook& libraries, std::optional<YamlValue>& corrects) {
   MappedUnit unit{entry.key};
   const DataTable table(entry.value);
   if (const YamlValue* units = table.find("like")) append_like(*units, like, unit);
@@ -103,7 +103,7 @@ MappedUnit read_unit(const YamlEntry& entry, const MappingNames& names, const Ma
     load_number(*motion, 0, kMostMotion_mm2, unit.motion_mm2);
   if (const YamlValue* residual = table.find("residual"))
     load_number(*residual, 0, kMostResidual, unit.residual);
-  if (const YamlValue* most = table.find("at_most")) at_most = *most;
+  if (const YamlValue* other = table.find("corrects")) corrects = *other;
   return unit;
 }
 
@@ -113,17 +113,17 @@ Names list_unit_names(const Mapping& mapping) {
   return names;
 }
 
-// What a unit may be no more than, looked up when all units are there.
-struct AtMost {
+// What a unit corrects, looked up when all units are there.
+struct Corrected {
   std::size_t unit = 0;
   YamlValue value;
 };
 
-void read_at_most(const std::vector<AtMost>& told, Mapping& mapping) {
+void read_corrected(const std::vector<Corrected>& told, Mapping& mapping) {
   for (const auto& [unit, value] : told) {
     std::string name;
     if (load_datum(value, name) && check_name(value, name, "unit", list_unit_names(mapping)))
-      mapping.units[unit].at_most = find_unit(mapping, name);
+      mapping.units[unit].corrects = find_unit(mapping, name);
   }
 }
 
@@ -131,7 +131,7 @@ void read_at_most(const std::vector<AtMost>& told, Mapping& mapping) {
 void append_all(const Mapping& like, Mapping& mapping) {
   const std::size_t before = mapping.units.size();
   for (MappedUnit unit : like.units) {
-    if (unit.at_most) *unit.at_most += before;
+    if (unit.corrects) *unit.corrects += before;
     mapping.units.push_back(std::move(unit));
   }
 }
@@ -179,13 +179,13 @@ void read_mapping(const std::filesystem::path& file, const std::string& name, co
   const auto known = data.mappings.find(like);
   static const Mapping kNoMapping{};
   const Mapping& alike = known == data.mappings.end() ? kNoMapping : known->second;
-  std::vector<AtMost> told;
+  std::vector<Corrected> told;
   for (const YamlEntry& entry : root.list("units")) {
-    std::optional<YamlValue> at_most;
-    mapping.units.push_back(read_unit(entry, names, alike, libraries, at_most));
-    if (at_most) told.push_back({mapping.units.size() - 1, *at_most});
+    std::optional<YamlValue> corrects;
+    mapping.units.push_back(read_unit(entry, names, alike, libraries, corrects));
+    if (corrects) told.push_back({mapping.units.size() - 1, *corrects});
   }
-  read_at_most(told, mapping);
+  read_corrected(told, mapping);
   bool is_all = false;
   root.read_if("all_of_like", is_all);
   if (is_all) append_all(alike, mapping);

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "config/mapping_data.hpp"
 #include "core/text.hpp"
 #include "exchange/target_sets.hpp"
 #include "render/work_folder.hpp"
@@ -73,14 +74,32 @@ constexpr std::array kUnits{"eyeBlinkLeft",
 
 constexpr int kDecimals = 6;
 
-// The units of a pose in the order of kUnits.
-std::array<double, kUnits.size()> weigh_units(const std::vector<TargetPose>& poses, const Pose& pose) {
-  const std::vector<double> shares = share_poses(poses, pose);
+// The units of a pose in the order of kUnits, and how far the worst move is off.
+struct WeighedUnits {
   std::array<double, kUnits.size()> weights{};
+  double lost = 0;
+};
+
+WeighedUnits weigh_units(const Spec& spec, const std::vector<TargetPose>& poses, const Pose& asked) {
+  // What units that correct others do is a share of those.
+  const Mapping& arkit = spec.mappings->mappings.at("arkit");
+  Pose pose = asked;
+  for (const MappedUnit& unit : arkit.units)
+    if (unit.corrects)
+      for (const MappedMove& moved : unit.moves) pose.values[moved.move] = 0;
+  std::vector<double> shares = share_poses(poses, pose);
+  WeighedUnits units;
+  units.lost = measure_unshared(poses, pose);
+  for (std::size_t i = 0; i < arkit.units.size(); ++i) {
+    const MappedUnit& unit = arkit.units[i];
+    if (!unit.corrects || unit.moves.empty()) continue;
+    const double share = asked.values[unit.moves.front().move] / unit.moves.front().value;
+    shares[i] = std::clamp(share, 0.0, 1.0) * shares[*unit.corrects];
+  }
   for (std::size_t u = 0; u < kUnits.size(); ++u)
     for (std::size_t i = 0; i < poses.size(); ++i)
-      if (poses[i].name == kUnits[u]) weights[u] = shares[i];
-  return weights;
+      if (poses[i].name == kUnits[u]) units.weights[u] = shares[i];
+  return units;
 }
 
 // "00:00:01:12.000" at the clip's rate.
@@ -118,11 +137,11 @@ ExportNotes export_live_link(const ExportWork& work, const std::filesystem::path
   double lost = 0;
   for (int frame = work.first; frame <= work.last; ++frame) {
     const Moment moment = sample_performance(work.performance, work.compute_time_s(frame));
-    const auto weights = weigh_units(poses, moment.pose);
-    lost = std::max(lost, measure_unshared(poses, moment.pose));
+    const WeighedUnits units = weigh_units(work.clip.spec, poses, moment.pose);
+    lost = std::max(lost, units.lost);
     text += fmt::format("{},{}", format_timecode(frame - work.first, static_cast<int>(work.fps())),
                         kUnits.size() + 9);
-    for (const double weight : weights) text += "," + format_number(weight, kDecimals);
+    for (const double weight : units.weights) text += "," + format_number(weight, kDecimals);
     for (const double angle : list_angles_rad(work.figure, moment))
       text += "," + format_number(angle, kDecimals);
     text += "\n";
@@ -137,10 +156,10 @@ ExportNotes export_live_link(const ExportWork& work, const std::filesystem::path
 ExportNotes export_face_units(const ExportWork& work, const std::filesystem::path& path) {
   const std::vector<TargetPose> poses = build_target_set("arkit", work.clip.spec);
   const Pose pose = sample_performance(work.performance, work.compute_time_s(work.first)).pose;
-  const auto weights = weigh_units(poses, pose);
+  const WeighedUnits weighed = weigh_units(work.clip.spec, poses, pose);
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   for (std::size_t u = 0; u < kUnits.size(); ++u)
-    if (weights[u] > 0.0005) units[kUnits[u]] = std::round(weights[u] * 1000) / 1000;
+    if (weighed.weights[u] > 0.0005) units[kUnits[u]] = std::round(weighed.weights[u] * 1000) / 1000;
   const nlohmann::ordered_json face{{"name", work.title()},
                                     {"description", ""},
                                     {"author", work.clip.spec.author},
@@ -150,7 +169,7 @@ ExportNotes export_face_units(const ExportWork& work, const std::filesystem::pat
   return {fmt::format(
       "{} of ARKit's {} units, frame {}; a move is off by at most {:.0f} % of its limit, for which there "
       "is no unit",
-      units.size(), kUnits.size(), work.first, 100 * measure_unshared(poses, pose))};
+      units.size(), kUnits.size(), work.first, 100 * weighed.lost)};
 }
 
 }  // namespace mien

@@ -62,7 +62,7 @@ std::vector<TargetPose> list_arkit_poses(const Spec& spec) {
   std::vector<TargetPose> poses;
   for (const MappedUnit& unit : spec.mappings->mappings.at("arkit").units) {
     TargetPose& target = poses.emplace_back(TargetPose{unit.name, {}});
-    if (unit.at_most) continue;
+    if (unit.corrects) continue;
     for (const MappedMove& move : unit.moves) target.pose.values[move.move] = move.value;
   }
   return poses;

@@ -22,7 +22,9 @@ struct MappedUnit {
   // At 1 the mean over the face's points of the square of their way, mm2, and the share of it that our moves
   // leave over.
   double motion_mm2 = 0, residual = 1;
-  std::optional<std::size_t> at_most = {};  // a unit than which it counts no more: a corrective of it
+  // Another unit, than which it counts no more, and of which it does a share: its moves are what they are
+  // where it is as much as that one, and so are motion and residual, of both together.
+  std::optional<std::size_t> corrects = {};
 };
 
 // Units that together do something else than their sum: the least of them takes so much of each.
@@ -41,7 +43,7 @@ struct Mapping {
 std::optional<std::size_t> find_unit(const Mapping& mapping, std::string_view name);
 
 // Adds to `moves` what the units come to, one weight each; the weights become what each counts for by itself:
-// less where it may be no more than another one.
+// of a unit that another one corrects, what that leaves of it.
 void add_mapped_moves(const Mapping& mapping, std::span<double> weights, std::span<double> moves);
 
 }  // namespace mien

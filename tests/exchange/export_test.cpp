@@ -254,6 +254,9 @@ TEST(exports, live_link_is_read_back_as_the_same_performance) {
         const double share = 0.1 * static_cast<double>(random() % 10);
         for (std::size_t m = 0; m < kMoveCount; ++m) pose.values[m] += share * unit.pose.values[m];
       }
+    // mouthClose: a share of how far the jaw is open.
+    if (pose.values[*find_move(Area::chin, Side::none, "down")] > 0)
+      pose.values[*find_move(Area::lips, Side::none, "shut")] = 0.1 * static_cast<double>(random() % 11);
     csv += fmt::format("{}", frame / 24.0);
     for (std::size_t m = 0; m < kMoveCount; ++m) csv += fmt::format(",{:.6f}", pose.values[m]);
     csv += "\n";
@@ -280,6 +283,32 @@ TEST(exports, live_link_is_read_back_as_the_same_performance) {
     for (std::size_t m = 0; m < kMoveCount; ++m)
       EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << name_move(m) << " frame " << frame;
   }
+}
+
+// Live Link Face's table tells how the head turns, and a take of it turns it so again.
+TEST(exports, head_turns_are_in_live_links_table) {
+  constexpr double kThinned_deg = 0.2;  // turns of a take are keys, as few as it needs
+  const auto folder = make_folder("export_turns");
+  const Exported made = open_exported(folder, "{}");
+  Options options;
+  options.targets = "arkit";
+  const std::string table = write_to(made, options, folder / "take.csv");
+  EXPECT_NE(table.substr(0, table.find('\n')).find(",HeadYaw,HeadPitch,HeadRoll,"), table.npos);
+  write_file(folder / "again.yaml",
+             "mien: 1\nclip: {fps: 24, length: 1.5s, tracks: [{live_link: take.csv, fps: 24, smooth: 0}]}\n");
+  Options again_options;
+  again_options.file = folder / "again.yaml";
+  const Clip again = plan_clip(again_options, *shipped().stock.language);
+  double most = 0;
+  for (int frame = 0; frame < 36; ++frame) {
+    const TurnKey asked = sample_performance(made.performance, frame / 24.0).turn;
+    const TurnKey told = sample_performance(again.actors.front().performance, frame / 24.0).turn;
+    EXPECT_NEAR(told.turn_deg, asked.turn_deg, kThinned_deg) << frame;
+    EXPECT_NEAR(told.nod_deg, asked.nod_deg, kThinned_deg) << frame;
+    EXPECT_NEAR(told.tilt_deg, asked.tilt_deg, kThinned_deg) << frame;
+    most = std::max(most, std::abs(asked.turn_deg));
+  }
+  EXPECT_GT(most, 25);
 }
 
 TEST(exports, arkit_targets_have_all_names) {

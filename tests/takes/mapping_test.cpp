@@ -24,14 +24,30 @@ std::array<double, 2> map_weights(std::array<double, 3> weights) {
   return moves;
 }
 
+// What each counts for by itself.
+std::array<double, 3> weigh(std::array<double, 3> weights) {
+  std::array<double, 2> moves{};
+  add_mapped_moves(build_small_mapping(), weights, moves);
+  return weights;
+}
+
 TEST(takes_mapping, units_add_up) {
   EXPECT_EQ(map_weights({0.5, 0, 0}), (std::array{0.5, 0.0}));
   EXPECT_EQ(map_weights({0, 0, 0.5}), (std::array{0.0, 0.25}));
 }
 
-TEST(takes_mapping, a_corrective_counts_no_more_than_what_it_corrects) {
+TEST(takes_mapping, a_corrective_does_its_share_of_what_it_corrects) {
   EXPECT_EQ(map_weights({0, 1, 0}), (std::array{0.0, 0.0}));
-  EXPECT_EQ(map_weights({0.25, 1, 0}), (std::array{0.25, -0.25}));
+  EXPECT_EQ(map_weights({0.25, 1, 0}), (std::array{0.25, -1.0}));
+  EXPECT_EQ(map_weights({0.5, 0.25, 0}), (std::array{0.5, -0.5}));
+  // Where both are next to nothing their share is noise.
+  EXPECT_NEAR(map_weights({0.01, 0.01, 0})[1], -0.2, 1e-9);
+}
+
+TEST(takes_mapping, a_corrective_counts_with_what_it_corrects) {
+  EXPECT_EQ(weigh({0.5, 0.25, 0}), (std::array{0.25, 0.25, 0.0}));
+  EXPECT_EQ(weigh({0.5, 1, 0.75}), (std::array{0.0, 0.5, 0.75}));
+  EXPECT_EQ(weigh({0, 1, 0}), (std::array{0.0, 0.0, 0.0}));
 }
 
 TEST(takes_mapping, a_combination_takes_the_least_of_its_units) {
