@@ -1,6 +1,7 @@
 // Cuts of hair and beards: templates/head/hair.yaml as plain values.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -57,8 +58,11 @@ struct HairTail {
   double radius_mm = 0, length_mm = 0, out_mm = 0;
 };
 
-// What a cut's locks are in ink: fewer and broader. 0 or less: as they are.
+// What a cut is in ink. The first two: the locks of its edge, none if 0. The others: what its locks are where
+// they are carved, fewer and broader; 0 or less: as they are.
 struct HairInk {
+  double lock_mm = 0;
+  std::array<double, 3> tips_mm{};  // at the front, the side and the back
   int count = 0;
   double width_mm = 0, longer = 1, mass = 0, jitter_deg = -1;
 };
@@ -72,7 +76,7 @@ struct HairCut {
   double edge_mm = 0, round_mm = 0, inset_mm = 7, mass = 0.4, sheet_mm = 6, tuck = 0, scalp = 0.8,
          soft_mm = 5, infant = 1;
   bool covers_ears = false, is_mirrored = false;
-  bool is_drawn = false;  // in ink: its locks are strokes
+  bool is_drawn = false;  // in ink
   HairComb comb;
   HairLocks locks;
   HairDown down;

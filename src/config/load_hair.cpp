@@ -108,6 +108,8 @@ HairDown read_down(const DataTable& table) {
 
 HairInk read_ink(const DataTable& table) {
   HairInk ink;
+  table.read_if("lock", ink.lock_mm);
+  table.read_if("tips", ink.tips_mm);
   table.read_if("count", ink.count);
   table.read_if("width", ink.width_mm);
   table.read_if("longer", ink.longer);

@@ -10,6 +10,7 @@
 #include "core/pool.hpp"
 #include "core/smooth.hpp"
 #include "head/binding.hpp"
+#include "head/hair_drawn.hpp"
 #include "head/hair_growth.hpp"
 #include "head/hair_locks.hpp"
 #include "head/hair_mass.hpp"
@@ -68,14 +69,6 @@ const HairCut& find_cut(const NeutralHead& head, const std::string& name) {
   return found->second;
 }
 
-std::vector<glm::vec3> list_ear_skin(const NeutralHead& head) {
-  const std::vector<HairGround> grounds = list_hair_grounds(head);
-  std::vector<glm::vec3> skin;
-  for (std::size_t v = 0; v < grounds.size(); ++v)
-    if (grounds[v] == HairGround::ear) skin.push_back(head.skin.positions[v]);
-  return skin;
-}
-
 HairCut draw_cut(HairCut cut) {
   constexpr double kWidest = 0.4;  // or the short ones beside the ears are blots
   constexpr int kFiner = 2;        // rings along a lock: its outline shows corners that shading hides
@@ -119,7 +112,10 @@ namespace {
 HeadPart build_mass(const NeutralHead&, const HairScene& scene, const Look& look, const glm::vec3& colour) {
   const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
   HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.3f}});
-  append_mass(mass, scene);
+  if (scene.cut.is_drawn)
+    append_drawn_mass(mass, scene);
+  else
+    append_mass(mass, scene);
   update_normals(mass.part.rest);
   return mass;
 }
@@ -150,7 +146,7 @@ std::vector<HeadPart> grow_hair(const NeutralHead& head, const HairScene& scene,
   const glm::vec3 colour = compute_colour(scene, look);
   std::vector<HeadPart (*)(const NeutralHead&, const HairScene&, const Look&, const glm::vec3&)> works;
   if (scene.cut.mass > 0) works.push_back(build_mass);
-  if (scene.cut.locks.count > 0) works.push_back(build_locks);
+  if (scene.cut.locks.count > 0 && !scene.cut.is_drawn) works.push_back(build_locks);
   if (scene.cut.down.count > 0) works.push_back(build_down);
   std::vector<HeadPart> parts(works.size());
   for_each_index(works.size(), count_workers(),
@@ -191,9 +187,7 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
                                  bool is_drawn) {
   if (name == "none") return {};
   const HairCut& worn = find_cut(head, name);
-  HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
-  // Ink's broad locks would come out of an ear here and there, as crumbs.
-  if (is_drawn && !scene.cut.covers_ears) scene.free = list_ear_skin(head);
+  const HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
   return grow_hair(head, scene, look);
 }
 

@@ -18,6 +18,7 @@
 #include "head/beard.hpp"
 #include "head/cage.hpp"
 #include "head/hair_chart.hpp"
+#include "head/hair_drawn.hpp"
 #include "head/hair_growth.hpp"
 #include "head/lids.hpp"
 #include "head/skin_tint.hpp"
@@ -125,56 +126,85 @@ TEST(hair, is_sound_on_all_heads_and_of_closed_masses) {
   }
 }
 
-// Of each lock the ring that is broadest. A lock's vertices follow each other, two a ring, and hang together.
-std::vector<double> list_widths_mm(const Mesh& locks) {
-  std::vector<std::uint32_t> first(locks.positions.size());
-  std::iota(first.begin(), first.end(), 0u);
-  for (bool has_changed = true; has_changed;) {
-    has_changed = false;
-    for (const Triangle& triangle : locks.triangles) {
-      const std::uint32_t least = std::min({first[triangle[0]], first[triangle[1]], first[triangle[2]]});
-      for (const std::uint32_t v : triangle) has_changed |= std::exchange(first[v], least) != least;
+NeutralHead build_comic(const char* age) {
+  HeadSpec spec;
+  spec.age = {{age, 1.0}};
+  spec.design = {{"comic", 1.0}};
+  return build_neutral_head(shipped().heads, spec);
+}
+
+TEST(hair, that_is_drawn_is_one_mass_and_nothing_that_is_loose) {
+  for (const char* age : {"infant", "adult"}) {
+    const NeutralHead head = build_comic(age);
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+      const std::vector<HeadPart> drawn = build_hair(head, name, Look{}, true);
+      const std::string what = std::string(age) + " " + name;
+      if (cut.mass <= 0 && cut.ink.mass <= 0) {
+        EXPECT_TRUE(drawn.empty()) << what << ": paint alone";
+        continue;
+      }
+      ASSERT_EQ(drawn.size(), 1u) << what;
+      EXPECT_EQ(drawn[0].part.name, "hair_mass") << what;
+      expect_sound(head, drawn[0], what);
+      EXPECT_EQ(count_open_edges(drawn[0].part.rest.triangles), 0u) << what;
+      const bool has_more = cut.bun_radius_mm > 0 || cut.tail.radius_mm > 0;
+      const std::vector<Mesh> pieces = split_pieces(drawn[0].part.rest);
+      EXPECT_EQ(pieces.size(), has_more ? 2u : 1u) << what << ": no sliver by itself";
+      for (const Mesh& piece : pieces) EXPECT_GT(compute_volume_mm3(piece), 1000) << what;
     }
   }
-  std::map<std::uint32_t, double> widths;  // by the lock's first vertex
-  for (std::uint32_t v = 0; v + 1 < first.size(); ++v) {
-    if (first[v] != first[v + 1] || (v - first[v]) % 2 != 0) continue;
-    double& width = widths[first[v]];
-    width = std::max<double>(width, glm::distance(locks.positions[v], locks.positions[v + 1]));
-  }
-  std::vector<double> sorted;
-  for (const auto& [vertex, width] : widths) sorted.push_back(width);
-  std::ranges::sort(sorted);
-  return sorted;
 }
 
-TEST(hair, that_is_drawn_has_fewer_and_broader_locks) {
-  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
-    const std::vector<HeadPart> worn = build_hair(adult(), name, Look{}, false);
-    const std::vector<HeadPart> drawn = build_hair(adult(), name, Look{}, true);
-    for (const HeadPart& part : drawn) expect_sound(adult(), part, name + " " + part.part.name);
-    EXPECT_EQ(find_part(drawn, "hair_fine"), nullptr) << name;
-    if (cut.locks.count == 0) continue;
-    const std::vector<double> few = list_widths_mm(find_part(drawn, "hair")->part.rest),
-                              many = list_widths_mm(find_part(worn, "hair")->part.rest);
-    EXPECT_LT(2 * few.size(), many.size() + 240) << name;  // a knot's own locks are as they were
-    EXPECT_GT(few[few.size() / 2], 1.5 * many[many.size() / 2]) << name;
-    EXPECT_NE(find_part(drawn, "hair_mass"), nullptr) << name;
+// Of the locks that an edge is cut into none is a sliver, and all of them end in one point.
+TEST(hair, that_is_drawn_ends_in_a_few_pointed_locks) {
+  constexpr double kLeast_mm = 9, kMost = 34;
+  for (const char* age : {"infant", "child", "adult"}) {
+    const NeutralHead head = build_comic(age);
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+      const HairScene scene = build_hair_scene(head, find_drawn_cut(head, name));
+      const std::vector<DrawnLock> locks = list_drawn_locks(scene);
+      const std::string what = std::string(age) + " " + name;
+      EXPECT_EQ(locks.empty(), cut.ink.lock_mm <= 0) << what;
+      if (locks.empty()) continue;
+      EXPECT_LT(static_cast<double>(locks.size()), kMost) << what;
+      for (std::size_t i = 0; i < locks.size(); ++i) {
+        const DrawnLock& lock = locks[i];
+        EXPECT_LT(lock.from_deg, lock.tip_deg) << what;
+        EXPECT_LT(lock.tip_deg, lock.to_deg) << what;
+        EXPECT_GT((lock.to_deg - lock.from_deg) * kRadiansPerDegree * 95, kLeast_mm) << what << ' ' << i;
+        const DrawnLock& next = locks[(i + 1) % locks.size()];
+        EXPECT_NEAR(std::remainder(next.from_deg - lock.to_deg, 360), 0, 1e-9) << what;
+        EXPECT_EQ(next.from_mm, lock.to_mm) << what;
+      }
+      EXPECT_NEAR(locks.back().to_deg - locks.front().from_deg, 360, 1e-9) << what;
+      // Seen along the edge, it goes down to each tip and up again, and nowhere else.
+      const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
+      std::size_t tips = 0;
+      for (std::size_t i = 0; i < edge.size(); ++i) {
+        const double before = edge[(i + edge.size() - 1) % edge.size()].way, here = edge[i].way,
+                     after = edge[(i + 1) % edge.size()].way;
+        tips += here > before && here >= after ? 1 : 0;
+      }
+      EXPECT_LE(tips, locks.size()) << what;
+    }
   }
 }
 
-// Ears that a cut leaves free have no crumbs of broad locks on them.
+// Seen from the side, nothing hangs over an ear that a cut leaves free.
 TEST(hair, that_is_drawn_keeps_off_free_ears) {
-  const std::vector<HairGround> grounds = list_hair_grounds(adult());
-  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
-    if (cut.covers_ears || cut.locks.count == 0) continue;
-    const std::vector<HeadPart> drawn = build_hair(adult(), name, Look{}, true);
-    float nearest = 1e9f;
-    for (std::size_t v = 0; v < grounds.size(); ++v)
-      if (grounds[v] == HairGround::ear)
-        for (const glm::vec3& p : find_part(drawn, "hair")->part.rest.positions)
-          nearest = std::min(nearest, glm::distance(p, adult().skin.positions[v]));
-    EXPECT_GT(nearest, 1.5f) << name;
+  constexpr float kNear_mm = 2.5f;
+  for (const char* age : {"infant", "adult"}) {
+    const NeutralHead head = build_comic(age);
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+      if (cut.covers_ears || cut.ink.mass <= 0) continue;
+      const std::vector<HeadPart> drawn = build_hair(head, name, Look{}, true);
+      for (const char* point : {"er5_2", "er5_4", "er5_6", "er5_8", "er5_10", "er8_4", "er8_8", "er9_6"}) {
+        const glm::vec3 ear = find_named_point(head, point);
+        for (const glm::vec3& p : drawn[0].part.rest.positions)
+          EXPECT_FALSE(p.x > ear.x && std::hypot(p.y - ear.y, p.z - ear.z) < kNear_mm)
+              << age << ' ' << name << ' ' << point;
+      }
+    }
   }
 }
 

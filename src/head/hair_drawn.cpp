@@ -1,0 +1,455 @@
+// Drawn hair is a silhouette first (Hart, "Manga Mania: How to Draw Japanese Comics", 2001): its mass, and
+// the few locks that its edge is cut into.
+#include "head/hair_drawn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/conventions.hpp"
+#include "core/smooth.hpp"
+#include "head/hair_locks.hpp"
+#include "head/hair_mass.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::uint32_t kDrawnSeries = 61;  // of scatter()
+enum DrawnChannel : std::uint32_t { kBreadth, kDeep, kTipAside, kBent };
+
+double wrap_azimuth(double turn_deg) { return turn_deg - 360 * std::floor((turn_deg + 180) / 360); }
+
+// Where hair would end if no lock parted from another: where its cut lets tips end, but above ears that it
+// leaves free.
+double compute_knotted_border(const HairScene& scene, double azimuth_deg) {
+  constexpr double kBefore_deg = 66, kEar_deg = 78, kBehind_deg = 94, kPast_deg = 108;
+  const double azimuth = std::abs(azimuth_deg), line = sample_border(scene.hairline, azimuth);
+  if (scene.ends.empty()) return line;
+  const double end = sample_border(scene.ends, azimuth);
+  // Brows tell more where they are drawn, and go further up: a fringe leaves them room.
+  constexpr double kFringe_mm = 6, kFront_deg = 44, kSide_deg = 58;
+  if (scene.cut.covers_ears)
+    return end - kFringe_mm * scene.chart.size / scene.chart.drop_mm * sample_border(scene.hangs, 0) *
+                     (1 - smooth_step(kFront_deg, kSide_deg, azimuth));
+  const double ear =
+      smooth_step(kBefore_deg, kEar_deg, azimuth) - smooth_step(kBehind_deg, kPast_deg, azimuth);
+  return std::lerp(end, line, ear);
+}
+
+// The same without the corners that it has at its knots: an outline shows them.
+double compute_plain_border(const HairScene& scene, double azimuth_deg) {
+  constexpr int kReach_deg = 5;
+  constexpr double kEarFirst_deg = 68, kEarLast_deg = 112;  // it comes no nearer to an ear
+  double sum = 0, weights = 0;
+  for (int i = -kReach_deg; i <= kReach_deg; ++i) {
+    const double weight = kReach_deg + 1 - std::abs(i);
+    sum += weight * compute_knotted_border(scene, wrap_azimuth(azimuth_deg + i));
+    weights += weight;
+  }
+  const double azimuth = std::abs(azimuth_deg), smooth = sum / weights;
+  const bool is_at_ear = !scene.cut.covers_ears && azimuth > kEarFirst_deg && azimuth < kEarLast_deg;
+  return is_at_ear ? std::min(smooth, compute_knotted_border(scene, azimuth)) : smooth;
+}
+
+// Where hair comes down the furthest before an ear.
+double find_sideburn_deg(const HairScene& scene) {
+  constexpr int kFirst_deg = 54, kLast_deg = 76;
+  int lowest = kFirst_deg;
+  for (int degree = kFirst_deg; degree <= kLast_deg; ++degree)
+    if (compute_plain_border(scene, degree) > compute_plain_border(scene, lowest)) lowest = degree;
+  return lowest;
+}
+
+// The same with sideburns that end in a point.
+double compute_drawn_border(const HairScene& scene, double azimuth_deg) {
+  constexpr double kWide_deg = 12, kPointed = 0.035;  // to both sides of the point; ways a degree
+  const double plain = compute_plain_border(scene, azimuth_deg);
+  if (scene.cut.covers_ears || scene.cut.ink.lock_mm <= 0) return plain;
+  const double tip_deg = find_sideburn_deg(scene), away_deg = std::abs(std::abs(azimuth_deg) - tip_deg);
+  if (away_deg > kWide_deg) return plain;
+  const double beside = std::max(compute_plain_border(scene, tip_deg - kWide_deg),
+                                 compute_plain_border(scene, tip_deg + kWide_deg));
+  return std::min(plain, std::max(beside, compute_plain_border(scene, tip_deg) - kPointed * away_deg));
+}
+
+// How deep locks are parted at an azimuth, mm: at the front, the sides and the back.
+double compute_lock_depth_mm(const HairScene& scene, double azimuth_deg) {
+  const HairInk& ink = scene.cut.ink;
+  const double azimuth = std::abs(azimuth_deg);
+  const double side = smooth_step(44, 58, azimuth), back = smooth_step(112, 140, azimuth);
+  return std::lerp(std::lerp(ink.tips_mm[0], ink.tips_mm[1], side), ink.tips_mm[2], back);
+}
+
+// Where hair that falls goes from the forehead down beside the face: from there, and there it is as long as
+// it gets; nothing where it does not.
+struct Fall {
+  double from_deg = 0, to_deg = 0;
+  bool is_there = false;
+};
+
+Fall find_fall(const HairScene& scene) {
+  constexpr double kFirst = 0.06, kWhole = 0.9;  // of how much longer it gets
+  constexpr double kLast_deg = 110, kLeast = 0.25;
+  if (!scene.cut.covers_ears) return {};
+  const double front = compute_drawn_border(scene, 0);
+  double most = front;
+  for (int degree = 0; degree < kLast_deg; ++degree)
+    most = std::max(most, compute_drawn_border(scene, degree));
+  if (most - front < kLeast) return {};
+  Fall fall{0, kLast_deg, true};
+  for (int degree = 0; degree < kLast_deg; ++degree) {
+    const double share = (compute_drawn_border(scene, degree) - front) / (most - front);
+    if (share < kFirst) fall.from_deg = degree;
+    if (share > kWhole) {
+      fall.to_deg = degree;
+      break;
+    }
+  }
+  return fall;
+}
+
+// Which way tips lean, -1..1 along the degrees: the fringe away from the part, all else toward the face.
+double compute_lean(const HairScene& scene, double azimuth_deg) {
+  constexpr double kFront_deg = 50, kSoft_deg = 8, kSkull_mm = 100;
+  const double part_deg = std::atan2(scene.cut.comb.side_mm, kSkull_mm) / kRadiansPerDegree;
+  const double away = std::clamp((azimuth_deg - part_deg) / kSoft_deg, -1.0, 1.0);
+  const double toward = azimuth_deg > 0 ? -1 : 1;
+  return std::lerp(away, toward,
+                   smooth_step(kFront_deg - kSoft_deg, kFront_deg + kSoft_deg, std::abs(azimuth_deg)));
+}
+
+// Locks of about the cut's width from one degree to another.
+void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
+                        std::vector<DrawnLock>& locks) {
+  constexpr double kRadius_mm = 95;  // of the adult's hair: what its width is told on
+  constexpr double kNarrowest = 0.65, kMore = 0.7;
+  constexpr double kAside = 0.05, kScattered = 0.1;      // of its breadth: how far off its middle a tip is
+  constexpr double kBend = 0.38, kBendScattered = 0.14;  // of its breadth
+  const double width_deg = scene.cut.ink.lock_mm / (kRadius_mm * kRadiansPerDegree);
+  const int count = std::max(1, static_cast<int>(std::lround((to_deg - from_deg) / width_deg)));
+  std::vector<double> ends{0};
+  const auto first = static_cast<std::uint32_t>(locks.size());
+  for (int i = 0; i < count; ++i)
+    ends.push_back(ends.back() + kNarrowest +
+                   kMore * scatter(kDrawnSeries, first + static_cast<std::uint32_t>(i), kBreadth));
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(locks.size());
+    const auto at = [&](int end) {
+      return std::lerp(from_deg, to_deg, ends[static_cast<std::size_t>(end)] / ends.back());
+    };
+    DrawnLock lock{at(i), 0, at(i + 1), 0, 0, 0};
+    const double middle = 0.5 * (lock.from_deg + lock.to_deg);
+    const double lean = compute_lean(scene, wrap_azimuth(middle)), wide = lock.to_deg - lock.from_deg;
+    const auto scatter_about = [&](double about, double most, DrawnChannel channel) {
+      return wide * (about + most * (2 * scatter(kDrawnSeries, index, channel) - 1));
+    };
+    lock.tip_deg = middle + scatter_about(kAside * lean, kScattered, kTipAside);
+    lock.bent_deg = scatter_about(kBend * lean, kBendScattered, kBent);
+    locks.push_back(lock);
+  }
+}
+
+// Where locks part, each as deep from both sides.
+void part_locks(const HairScene& scene, std::vector<DrawnLock>& locks) {
+  constexpr double kShallowest = 0.7, kDeeper = 0.5;
+  for (std::size_t i = 0; i < locks.size(); ++i) {
+    DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
+    locks[i].from_mm = before.to_mm =
+        compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg)) *
+        (kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep));
+  }
+}
+
+}  // namespace
+
+std::vector<DrawnLock> list_drawn_locks(const HairScene& scene) {
+  std::vector<DrawnLock> locks;
+  if (scene.cut.ink.lock_mm <= 0) return locks;
+  const Fall fall = find_fall(scene);
+  if (!fall.is_there) {
+    // Before each ear one ends in a point.
+    constexpr double kTemple_deg = 48, kEar_deg = 80;
+    const double tip_deg = find_sideburn_deg(scene);
+    locks.push_back({kTemple_deg, tip_deg, kEar_deg, 0, 0, 0});
+    append_drawn_locks(scene, kEar_deg, 360 - kEar_deg, locks);
+    locks.push_back({360 - kEar_deg, 360 - tip_deg, 360 - kTemple_deg, 0, 0, 0});
+    append_drawn_locks(scene, 360 - kTemple_deg, 360 + kTemple_deg, locks);
+    part_locks(scene, locks);
+    return locks;
+  }
+  // The one that frames the face has its tip where hair is as long as it gets.
+  constexpr double kFrame = 1.5;  // of the way till there: its end
+  const double end_deg = fall.from_deg + kFrame * (fall.to_deg - fall.from_deg);
+  const auto add_frame = [&](double from_deg, double tip_deg, double to_deg) {
+    locks.push_back({from_deg, tip_deg, to_deg, 0, 0, 0});
+  };
+  add_frame(fall.from_deg, fall.to_deg, end_deg);
+  append_drawn_locks(scene, end_deg, 360 - end_deg, locks);
+  add_frame(360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg);
+  append_drawn_locks(scene, 360 - fall.from_deg, 360 + fall.from_deg, locks);
+  part_locks(scene, locks);
+  return locks;
+}
+
+std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
+  constexpr double kStep_deg = 2.2;  // between columns of the mass at most
+  constexpr int kLeastSteps = 5;     // from a tip to where locks part: its outline is a curve
+  constexpr double kCurved_mm = 2;   // less deep, and there is nothing to see of it
+  constexpr double kBellied = 0.65;  // of its outline, as a power; 1: straight
+  constexpr double kLifted_mm = 5;   // deep locks stand off the skin
+  const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
+  std::vector<DrawnEdge> edge;
+  const auto add = [&](double turn_deg, double up_mm, double bent_deg) {
+    const double azimuth = wrap_azimuth(turn_deg), deep = compute_lock_depth_mm(scene, azimuth);
+    const double hangs = scene.cut.covers_ears ? sample_border(scene.hangs, azimuth) : 0;
+    // What has no end of its own hangs over its border by its locks.
+    const double over_mm = scene.ends.empty() ? deep : 0;
+    edge.push_back({turn_deg, compute_drawn_border(scene, azimuth) + (over_mm - up_mm) * way_of_mm, bent_deg,
+                    std::max(hangs, smooth_step(0, kLifted_mm, deep))});
+  };
+  const std::vector<DrawnLock> locks = list_drawn_locks(scene);
+  if (locks.empty())
+    for (int i = 0; i < 360 / kStep_deg; ++i) add(i * kStep_deg, 0, 0);
+  for (const DrawnLock& lock : locks) {
+    const auto walk = [&](double from_deg, double to_deg, double deep_mm, bool is_down) {
+      const int steps = std::max(deep_mm > kCurved_mm ? kLeastSteps : 1,
+                                 static_cast<int>(std::ceil(std::abs(to_deg - from_deg) / kStep_deg)));
+      for (int i = 0; i < steps; ++i) {
+        const double s = static_cast<double>(i) / steps, low = std::pow(is_down ? s : 1 - s, kBellied);
+        add(std::lerp(from_deg, to_deg, s), deep_mm * (1 - low), low * lock.bent_deg);
+      }
+    };
+    walk(lock.from_deg, lock.tip_deg, lock.from_mm, true);
+    walk(lock.tip_deg, lock.to_deg, lock.to_mm, false);
+  }
+  return edge;
+}
+
+namespace {
+
+struct DrawnShell {
+  const HairScene& scene;
+  std::vector<DrawnEdge> edge;  // one a column
+  Fall fall;
+  double level = 0;                    // the way above which all columns' rows lie at the same ways
+  std::vector<glm::dvec3> puffs = {};  // curls: points of the ground
+};
+
+constexpr int kLevelRows = 17, kEndRows = 13, kDrawnRows = kLevelRows + kEndRows;
+constexpr int kDrawnInnerRows = 8;  // of the inside, which nobody sees
+
+// A lock is bent from where it is free, and most at its tip.
+HairPlace bend_place(const DrawnShell& shell, const DrawnEdge& edge, double way) {
+  constexpr double kFree_mm = 40;  // of the adult
+  const double free = kFree_mm * shell.scene.chart.size / shell.scene.chart.drop_mm;
+  const double share = std::clamp(1 - (edge.way - way) / free, 0.0, 1.0);
+  return {wrap_azimuth(edge.turn_deg + edge.bent_deg * share * share), way};
+}
+
+HairPlace find_drawn_place(const DrawnShell& shell, const DrawnEdge& edge, int row) {
+  const double share = static_cast<double>(row - kLevelRows) / kEndRows;
+  return bend_place(
+      shell, edge,
+      row <= kLevelRows ? shell.level * row / kLevelRows : std::lerp(shell.level, edge.way, share));
+}
+
+double compute_drawn_size(const HairScene& scene) {
+  return scene.chart.size * (1 - (1 - scene.cut.infant) * scene.youth);
+}
+
+// Curls are balls of them, spread evenly.
+constexpr double kPuff_mm = 21;  // radius, of the adult
+
+std::vector<glm::dvec3> list_puffs(const HairScene& scene) {
+  constexpr int kPuffs = 90;
+  std::vector<glm::dvec3> puffs;
+  if (scene.cut.locks.curl_mm <= 0) return puffs;
+  for (const HairPlace& place : spread_roots(scene, kPuffs, 0, false))
+    puffs.push_back(compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)));
+  return puffs;
+}
+
+// How much of a ball stands over a point of the ground, 0..1.
+double compute_puff(const DrawnShell& shell, const glm::dvec3& ground) {
+  double most = 0;
+  const double radius = kPuff_mm * shell.scene.chart.size;
+  for (const glm::dvec3& puff : shell.puffs) {
+    const glm::dvec3 arm = (ground - puff) / radius;
+    most = std::max(most, 1 - glm::dot(arm, arm));
+  }
+  return std::sqrt(most);
+}
+
+// What hair hangs on at a place, distance from the axis: beside the face it comes in to the cheek, before the
+// ears.
+double compute_drawn_ground_mm(const DrawnShell& shell, const HairPlace& place) {
+  constexpr double kIn_mm = 22, kOver_mm = 4;                    // toward the cheek; over it
+  constexpr double kBehind_deg = 26, kHigh = 0.85, kLow = 1.15;  // over so much it goes out to cover the ear
+  const HairScene& scene = shell.scene;
+  const double ground = compute_ground_mm(scene, place);
+  if (!shell.fall.is_there) return ground;
+  const double in =
+      (1 - smooth_step(shell.fall.to_deg, shell.fall.to_deg + kBehind_deg, std::abs(place.azimuth_deg))) *
+      smooth_step(kHigh, kLow, place.way);
+  const double skin = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
+  const double least = std::min(ground, skin + kOver_mm * scene.chart.size);
+  return std::max(least, ground - in * kIn_mm * scene.chart.size);
+}
+
+// Distance from the axis of the outside.
+double compute_outer_mm(const DrawnShell& shell, const DrawnEdge& edge, const HairPlace& place) {
+  // Its edge: on the skin, or over what it hangs on. Sunk in the skin, it would be as ragged as skin is.
+  constexpr double kOn_mm = 0.9, kLifted_mm = 1.6;
+  const HairScene& scene = shell.scene;
+  const double size = compute_drawn_size(scene), round_mm = scene.cut.round_mm * scene.chart.size;
+  const double left_mm = std::max(0.0, edge.way - place.way) * scene.chart.drop_mm;
+  const double share = std::min(1.0, left_mm / round_mm);
+  const double full = std::sqrt(1 - (1 - share) * (1 - share));
+  const double rim_mm = size * std::lerp(kOn_mm, kLifted_mm, edge.lifts);
+  constexpr double kFlat = 0.2;  // between curls, of how thick they are
+  const double ground = compute_drawn_ground_mm(shell, place);
+  double thick_mm = compute_mass_height_mm(scene, place);
+  if (!shell.puffs.empty())
+    thick_mm *= std::lerp(kFlat, 1.0, compute_puff(shell, compute_hair_point(scene.chart, place, ground)));
+  return ground + rim_mm + full * (thick_mm - rim_mm);
+}
+
+double compute_inner_mm(const HairScene& scene, const HairPlace& place, double outer_mm, bool is_edge) {
+  constexpr double kDeep_mm = 3.5;  // in the skin: no light comes through a gap
+  constexpr double kSolid_mm = 60, kThin = 0.1;
+  const double free = scene.cut.covers_ears ? smooth_step(0.9, 1.15, place.way) : 0;
+  const double sheet = compute_drawn_size(scene) * scene.cut.sheet_mm * (is_edge ? kThin : 1);
+  const double skin = sample_hair_chart(scene.chart, scene.chart.skin_mm, place) - kDeep_mm;
+  return std::min(outer_mm - 0.5, std::max(skin, outer_mm - std::lerp(kSolid_mm, sheet, free)));
+}
+
+void append_drawn_vertex(HeadPart& part, const HairScene& scene, const HairPlace& place, double out_mm) {
+  const auto index = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  const HairSeat& seat = find_seat(scene, place);
+  part.part.rest.positions.emplace_back(compute_hair_point(scene.chart, place, out_mm));
+  part.bindings.push_back({seat.triangle, seat.barycentric, index, 1});
+}
+
+void append_drawn_shell(HeadPart& part, const HairScene& scene) {
+  DrawnShell shell{scene, trace_drawn_edge(scene), find_fall(scene), 0, list_puffs(scene)};
+  constexpr double kLevel = 0.9;  // of the highest place where locks part
+  shell.level = 1e9;
+  for (const DrawnEdge& edge : shell.edge) shell.level = std::min(shell.level, kLevel * edge.way);
+  const int columns = static_cast<int>(shell.edge.size());
+  const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  const double top_mm = compute_outer_mm(shell, shell.edge.front(), {0, 0});
+  append_drawn_vertex(part, scene, {0, 0}, top_mm);
+  for (const DrawnEdge& edge : shell.edge)
+    for (int row = 1; row <= kDrawnRows; ++row) {
+      const HairPlace place = find_drawn_place(shell, edge, row);
+      append_drawn_vertex(part, scene, place, compute_outer_mm(shell, edge, place));
+    }
+  const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
+  append_drawn_vertex(part, scene, {0, 0}, compute_inner_mm(scene, {0, 0}, top_mm, false));
+  for (const DrawnEdge& edge : shell.edge)
+    for (int row = 1; row <= kDrawnInnerRows; ++row) {
+      const HairPlace place = bend_place(shell, edge, edge.way * row / kDrawnInnerRows);
+      append_drawn_vertex(
+          part, scene, place,
+          compute_inner_mm(scene, place, compute_outer_mm(shell, edge, place), row == kDrawnInnerRows));
+    }
+  auto& triangles = part.part.rest.triangles;
+  const auto vertex = [&](std::uint32_t first, int rows, int column, int row) {
+    return row == 0 ? first : first + 1 + static_cast<std::uint32_t>((column % columns) * rows + row - 1);
+  };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+  };
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < kDrawnRows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(first_outer, kDrawnRows, column + c, row + r); };
+      add(at(0, 0), at(0, 1), at(1, 1));
+      add(at(0, 0), at(1, 1), at(1, 0));
+    }
+    for (int row = 0; row < kDrawnInnerRows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(first_inner, kDrawnInnerRows, column + c, row + r); };
+      add(at(0, 0), at(1, 1), at(0, 1));
+      add(at(0, 0), at(1, 0), at(1, 1));
+    }
+    const std::uint32_t a = vertex(first_outer, kDrawnRows, column, kDrawnRows),
+                        b = vertex(first_outer, kDrawnRows, column + 1, kDrawnRows),
+                        c = vertex(first_inner, kDrawnInnerRows, column + 1, kDrawnInnerRows),
+                        d = vertex(first_inner, kDrawnInnerRows, column, kDrawnInnerRows);
+    add(a, d, c);
+    add(a, c, b);
+  }
+}
+
+// A ring about a way: `up` and `aside` are unit and across it.
+Ring make_drawn_ring(const glm::dvec3& centre, const glm::dvec3& aside, const glm::dvec3& up,
+                     double radius_mm) {
+  constexpr int kSides = 20;
+  Ring ring;
+  for (int k = 0; k < kSides; ++k) {
+    const double turn = 2 * std::numbers::pi * k / kSides;
+    ring.emplace_back(centre + radius_mm * (std::sin(turn) * aside + std::cos(turn) * up));
+  }
+  return ring;
+}
+
+void append_drawn_body(HeadPart& part, const HairScene& scene, const std::vector<Ring>& rings,
+                       const glm::dvec3& start, const glm::dvec3& end, const glm::dvec3& knot) {
+  const std::size_t first = part.part.rest.positions.size();
+  append_loft(part.part.rest, glm::vec3(start), rings, glm::vec3(end));
+  const HairSeat& seat = find_seat(scene, compute_hair_place(scene.chart, knot));
+  part.bindings.push_back({seat.triangle, seat.barycentric, static_cast<std::uint32_t>(first),
+                           static_cast<std::uint32_t>(part.part.rest.positions.size() - first)});
+}
+
+// A ball on the knot.
+void append_drawn_bun(HeadPart& part, const HairScene& scene) {
+  constexpr int kRings = 14;
+  constexpr double kOut = 0.6, kFlat = 0.8;  // of its radius
+  const double radius = scene.cut.bun_radius_mm * scene.chart.size;
+  glm::dvec3 at, out;
+  compute_knot(scene, at, out);
+  const glm::dvec3 centre = at + kOut * radius * out, up(0, -out.z, out.y), aside(1, 0, 0);
+  std::vector<Ring> rings;
+  for (int i = 1; i < kRings; ++i) {
+    const double angle = std::numbers::pi * (1 - static_cast<double>(i) / kRings);
+    rings.push_back(make_drawn_ring(centre + kFlat * radius * std::cos(angle) * out, aside, up,
+                                    radius * std::sin(angle)));
+  }
+  append_drawn_body(part, scene, rings, centre - kFlat * radius * out, centre + kFlat * radius * out, at);
+}
+
+// A tail that hangs from the knot and runs out in one point.
+void append_drawn_tail(HeadPart& part, const HairScene& scene) {
+  constexpr int kRings = 26;
+  constexpr double kBegins = 0.45, kFull = 0.35, kRunsOut = 2.4;  // of its radius; of its length; a power
+  const HairTail& tail = scene.cut.tail;
+  const double size = scene.chart.size, reach = tail.out_mm * size, length = tail.length_mm * size;
+  glm::dvec3 at, out;
+  compute_knot(scene, at, out);
+  const auto find = [&](double s) {  // out, then down
+    const glm::dvec3 turn = at + out * reach, end = at + out * (0.85 * reach) - glm::dvec3(0, length, 0);
+    return glm::mix(glm::mix(at, turn, s), glm::mix(turn, end, s), s);
+  };
+  std::vector<Ring> rings;
+  const glm::dvec3 aside(1, 0, 0);
+  for (int i = 0; i < kRings; ++i) {
+    const double s = static_cast<double>(i) / kRings;
+    const glm::dvec3 along = glm::normalize(find(s + 0.01) - find(s - 0.01));
+    const double radius = (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) * (1 - std::pow(s, kRunsOut)) *
+                          tail.radius_mm * size;
+    rings.push_back(make_drawn_ring(find(s), aside, glm::normalize(glm::cross(aside, along)), radius));
+  }
+  append_drawn_body(part, scene, rings, find(-0.01), find(1), at);
+}
+
+}  // namespace
+
+void append_drawn_mass(HeadPart& part, const HairScene& scene) {
+  append_drawn_shell(part, scene);
+  if (scene.cut.bun_radius_mm > 0) append_drawn_bun(part, scene);
+  if (scene.cut.tail.radius_mm > 0) append_drawn_tail(part, scene);
+}
+
+}  // namespace mien
