@@ -55,10 +55,15 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
         "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
         "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
     add(point, margins);
-  // In an ear hulls leave crumbs of its many small folds: strokes draw it.
+  // In an ear hulls leave crumbs of its many small folds, and before it where the cheek goes over into it:
+  // strokes draw it.
+  constexpr float kEarNone_mm = 2.5f, kEarAll_mm = 4.5f;
+  std::vector<glm::vec3> ears;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"er7_", "er8_", "er9_", "er10_", "er11_"})
-      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+      if (has_prefix(figure.head.cage.names[i], ring)) ears.push_back(positions[i]);
+  for (const char* ring : {"er1", "er2", "er3", "er4", "er5", "er6"})
+    for (const char* place : {"12", "13", "14", "15"}) add(fmt::format("{}_{}", ring, place).c_str(), ears);
   for (const char* point :
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
@@ -69,11 +74,29 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
     const float margin = measure(margins, positions[v], 2 * kAll_mm) / ink.eye_size;
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
+    const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
-                       smooth_step(kCheekNone_mm, kCheekAll_mm, cheek));
+                       smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
+                       smooth_step(kEarNone_mm, kEarAll_mm, ear));
   }
   for (const Triangle& t : fine.triangles)
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
+}
+
+// What hangs before the face, 1, and what lies beside, behind and above it, 0.
+std::vector<float> measure_before(const std::vector<glm::vec3>& hair) {
+  constexpr float kFront_deg = 50, kSide_deg = 78;
+  constexpr float kForehead = 0.4f, kCrown = 0.75f;  // of the way up the crown's ball
+  const Box box = compute_bounds(hair);
+  const float middle = 0.5f * (box.low.z + box.high.z), radius = 0.5f * (box.high.x - box.low.x);
+  std::vector<float> before;
+  for (const glm::vec3& p : hair) {
+    const float aside_deg = glm::degrees(std::atan2(std::abs(p.x), p.z - middle)),
+                up = 1 - (box.high.y - p.y) / radius;
+    before.push_back((1 - smooth_step(kFront_deg, kSide_deg, aside_deg)) *
+                     (1 - smooth_step(kForehead, kCrown, up)));
+  }
+  return before;
 }
 
 Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
@@ -92,11 +115,26 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 }
 
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
-// theirs on their neighbours.
-Part make_caster(const Figure& figure) {
+// theirs on their neighbours. Lips and nostrils cast none: it would be crumbs about them.
+Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
+  constexpr float kLips_mm = 7, kNostril_mm = 3;
+  std::vector<std::pair<glm::vec3, float>> places;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},
+                                         {"M1_", kLips_mm},
+                                         {"M2_", kLips_mm},
+                                         {"M3_", kLips_mm},
+                                         {"nr_", kNostril_mm},
+                                         {"ni_", kNostril_mm}})
+      if (has_prefix(figure.head.cage.names[i], ring)) places.emplace_back(positions[i], reach_mm);
+  std::vector<bool> is_none;
+  for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v)
+    is_none.push_back(std::ranges::any_of(
+        places, [&](const auto& place) { return glm::distance(place.first, positions[v]) < place.second; }));
   Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
   part.rest.positions.resize(figure.head.skin.positions.size());
-  part.rest.triangles = figure.head.skin.triangles;
+  for (const Triangle& t : figure.head.skin.triangles)
+    if (!is_none[t[0]] || !is_none[t[1]] || !is_none[t[2]]) part.rest.triangles.push_back(t);
   return part;
 }
 
@@ -149,6 +187,7 @@ std::size_t find_part(const Model& model, std::string_view name) {
 void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth = find_part(ink.model, "teeth_upper");
   ink.tongue = find_part(ink.model, "tongue");
+  ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
   ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
@@ -159,9 +198,25 @@ void shift(const glm::vec3& way, PartShape& shape) {
   if (shape.positions.empty()) shape.world_from_rest[3] += glm::vec4(way, 0);
 }
 
+// The lower teeth and their gum, which are as dark as the mouth, would leave their scallops on the tongue:
+// all three lie lower, or it would fill the mouth. One that comes out lies where it did.
+void sink_lower_teeth(const Ink& ink, const Pose& pose, Drawing& drawing) {
+  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;  // of the upper ones' height
+  const auto out = static_cast<float>(pose.values[*find_move(Area::tongue, Side::none, "out")]);
+  PartShape& tongue = drawing.parts[ink.tongue];
+  shift(
+      -(1 - std::clamp(out, 0.0f, 1.0f)) * ink.teeth_high_mm * kTongue * glm::vec3(tongue.world_from_rest[1]),
+      tongue);
+  for (const std::size_t part : ink.lower) {
+    PartShape& shape = drawing.parts[part];
+    const glm::vec3 up(shape.world_from_rest[1]), forward(shape.world_from_rest[2]);
+    shift(-ink.teeth_high_mm * (kDown * up + kBack * forward), shape);
+  }
+}
+
 // Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
 void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
-  constexpr float kHidden_mm = 3.0f, kShown_mm = 5.5f;  // between an adult's lips
+  constexpr float kHidden_mm = 4.0f, kShown_mm = 6.0f;  // between an adult's lips
   constexpr float kUp = 0.35f,
                   kBack = 0.35f;  // of the teeth's height: more, and they come out beside the nose
   const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
@@ -285,13 +340,14 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.data = figure.head.data;
   ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
-  ink.model.parts.push_back(make_caster(figure));
+  ink.model.parts.push_back(make_caster(figure, positions));
   ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
     if (ink.model.parts[i].material == "ink_hair") {
       outlines.push_back(make_outline(ink.model.parts[i].name, colours));
       ink.outlined.push_back(i);
+      ink.before.push_back(measure_before(ink.model.parts[i].rest.positions));
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
   add_strokes(figure, spec, colours, ink);
@@ -309,6 +365,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
   hide_teeth(ink, skin.positions, drawing);
+  sink_lower_teeth(ink, asked, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
@@ -327,17 +384,27 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   }
   const Box hair_ball =
       ink.outlined.empty() ? Box{} : compute_bounds(drawing.parts[ink.outlined.front()].positions);
+  const glm::vec3 hair_middle = 0.5f * (hair_ball.low + hair_ball.high);
+  std::size_t index = 0;
   for (const std::size_t part : ink.outlined) {
     // What is drawn behind hair is all of it, larger by a line: thin locks have no far side that a hull would
-    // need. A lock has no outline before another one, so far behind it lies.
-    constexpr float kHair = 1.0f, kBehind_mm = 32;  // of a line; nearer and hidden locks leave dashes
-    const PartShape& shape = drawing.parts[part];
+    // need. A fringe comes nearer on the way that it is seen on, before the forehead and what is drawn there:
+    // whatever a brow does, it looks the same.
+    constexpr float kHair = 1.0f;     // of a line
+    constexpr float kBehind_mm = 16;  // nearer, and it shows inside the outline of what is round
+    constexpr float kBefore_mm = 21;
+    constexpr float kAside = 0.15f, kFaced = 0.8f;  // where the ball looks toward the camera: cosines
+    PartShape& shape = drawing.parts[part];
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
     buffers.turn.resize(shape.positions.size());
+    const std::vector<float>& before = ink.before[index++];
     for (std::size_t v = 0; v < shape.positions.size(); ++v) {
       const glm::vec3 way = glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
       const glm::vec3 aside = shape.normals[v] - glm::dot(shape.normals[v], way) * way;
+      const glm::vec3 out = shape.positions[v] - hair_middle;
+      const float faced = -(out.x * way.x + out.z * way.z) / std::max(1e-3f, std::hypot(out.x, out.z));
+      shape.positions[v] -= kBefore_mm * before[v] * smooth_step(kAside, kFaced, faced) * way;
       buffers.turn[v] =
           shape.positions[v] + kBehind_mm * way +
           kHair * static_cast<float>(view.line_mm) * aside / std::max(glm::length(aside), 1e-4f);

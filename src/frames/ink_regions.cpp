@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "core/smooth.hpp"
 #include "head/beard.hpp"
 #include "head/cage.hpp"
 #include "head/hair.hpp"
@@ -15,8 +16,8 @@ namespace mien {
 namespace {
 
 // What is nearer to the front of this list stands before the others where they overlap.
-// A blush pales toward its edge in steps, the reddest first: two or three of them and each is a disc.
-constexpr int kFlushSteps = 6;
+// A blush pales toward its edge in steps, the reddest first: with fewer each of them is seen.
+constexpr int kFlushSteps = 10;
 enum Region : std::uint16_t {
   kInside,
   kHole,
@@ -83,29 +84,35 @@ std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> value
 }
 
 std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kWide_mm = 13.5f, kHigh_mm = 9.0f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
-  constexpr glm::vec3 kAside_mm(0, 1, 0);
+  constexpr float kWide_mm = 16, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
+  constexpr glm::vec3 kAside_mm(2.5f, 2, 0);
+  constexpr float kRise_deg = 17, kBow = 0.3f;  // its outer end lies higher, as the cheekbone does; it hangs
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
   // Round on the cheek, which turns to the side, and not on a plane before the face.
   const glm::vec3 out = glm::normalize(figure.head.skin.normals[find_point(figure.head.cage, "q12_C4")]);
-  const glm::vec3 level = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out)), up = glm::cross(out, level);
+  const glm::vec3 across = glm::normalize(glm::cross(glm::vec3(0, 1, 0), out)),
+                  over = glm::cross(out, across);
+  const float rise = glm::radians(kRise_deg);
+  const glm::vec3 level = std::cos(rise) * across + std::sin(rise) * over,
+                  up = std::cos(rise) * over - std::sin(rise) * across;
   std::vector<float> field;
   for (const glm::vec3& p : positions) {
     const glm::vec3 arm = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / size;
-    const glm::vec3 share(glm::dot(arm, level) / kWide_mm, glm::dot(arm, up) / kHigh_mm,
+    const float along = glm::dot(arm, level) / kWide_mm;
+    const glm::vec3 share(along, glm::dot(arm, up) / kHigh_mm - kBow * along * along,
                           glm::dot(arm, out) / kDeep_mm);
     field.push_back(1 - glm::length(share));
   }
   return field;
 }
 
-// Of a tint that may be thin all over: its border lies at so much of its most.
-std::vector<float> find_border(const FineSkin& fine, const std::vector<float>& covers) {
-  constexpr float kNothing = 0.02f, kBorder = 0.3f;
+// Of a tint that may be thin all over: its border lies at `border` of its most.
+std::vector<float> find_border(const FineSkin& fine, const std::vector<float>& covers, float border) {
+  constexpr float kNothing = 0.02f;
   std::vector<float> field = covers.empty() ? std::vector<float>(fine.base_count, -1.0f) : covers;
   const float most = covers.empty() ? 0 : *std::ranges::max_element(covers);
-  for (float& value : field) value = most > kNothing ? value / most - kBorder : -1;
+  for (float& value : field) value = most > kNothing ? value / most - border : -1;
   return spread_to_fine(fine, std::move(field));
 }
 
@@ -123,7 +130,7 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
       colours.blush.value_or(skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush));
   for (int step = 0; step < kFlushSteps; ++step)
     shades[kFlush + step].srgb =
-        glm::mix(flush, skin, static_cast<float>(step) / static_cast<float>(kFlushSteps));
+        glm::mix(flush, skin, smooth_share(static_cast<float>(step) / static_cast<float>(kFlushSteps)));
   return shades;
 }
 
@@ -132,6 +139,7 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
 InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColours& colours,
                        const std::vector<glm::vec3>& positions) {
   constexpr float kMouthBorder = 0.5f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
+  constexpr float kTintBorder = 0.3f, kUnderMass = 0.96f;  // what shows beside a mass is a crumb
   constexpr float kRim = 0.2f;  // so little of the mask about an opening is its rim still
   const FineSkin& fine = figure.folds.skin;
   const SkinMasks masks = paint_skin_masks(figure.head);
@@ -145,10 +153,17 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   cutting.fields[kHole] = find_field(kNostril, kNostrilBorder);
   cutting.fields[kRed] = find_field(kLips, kLipBorder);
   cutting.fields[kBearded] = find_border(
-      fine, spec.look.beard == "none" ? std::vector<float>{} : paint_beard(figure.head, spec.look.beard));
-  cutting.fields[kHaired] = find_border(fine, paint_scalp(figure.head, spec.hair));
-  constexpr float kFlushWhole = 0.5f;  // of the way from its edge to its middle it is as red as it gets
-  const std::vector<float> flush = paint_flush(figure, positions);
+      fine, spec.look.beard == "none" ? std::vector<float>{} : paint_beard(figure.head, spec.look.beard),
+      kTintBorder);
+  const bool has_mass =
+      std::ranges::any_of(figure.model.parts, [](const Part& part) { return part.name == "hair_mass"; });
+  cutting.fields[kHaired] =
+      find_border(fine, paint_scalp(figure.head, spec.hair), has_mass ? kUnderMass : kTintBorder);
+  constexpr float kFlushWhole = 0.75f;  // of the way from its edge to its middle it is as red as it gets
+  // A cheek of the skin's own colour is not cut.
+  const bool is_flushed = figure.head.design.blush > 0 || colours.blush;
+  const std::vector<float> flush =
+      is_flushed ? paint_flush(figure, positions) : std::vector<float>(positions.size(), -1.0f);
   for (int step = 0; step < kFlushSteps; ++step) {
     std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
     field = flush;

@@ -46,11 +46,17 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   // What folds at a mouth's corner says nothing: its tone is that of the cheek about it, or light specks
   // stand in the shade there.
   constexpr double kCorner = 0.02;
+  const auto hush = [&](const std::string& name) {
+    const std::uint32_t left = find_point(cage, name);
+    for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
+  };
   for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_"})
-    for (const char* place : {"5", "6", "7"}) {
-      const std::uint32_t left = find_point(cage, std::string(ring) + place);
-      for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
-    }
+    for (const char* place : {"5", "6", "7"}) hush(std::string(ring) + place);
+  // Nor does a nostril's rim, nor do the lids' margins.
+  for (const char* ring : {"nr_", "ni_", "nd_"})
+    for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));
+  for (const char* ring : {"E0_", "E1_"})
+    for (int place = 0; place < 16; ++place) hush(ring + std::to_string(place));
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;

@@ -77,7 +77,7 @@ TEST(ink, regions_meet_on_crisp_borders) {
   ASSERT_EQ(skin.triangle_shade.size(), skin.rest.triangles.size());
   EXPECT_GT(ink.cuts.size(), 200U);
   std::set<std::uint16_t> used(skin.triangle_shade.begin(), skin.triangle_shade.end());
-  EXPECT_EQ(used.size(), 11U) << "all but a beard, a blush in six steps";
+  EXPECT_EQ(used.size(), 5U) << "all but a beard and a blush, which a grown comic has not";
   // Cutting leaves the surface whole: each edge of two triangles runs once each way.
   std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
   for (const Triangle& t : skin.rest.triangles)
@@ -196,18 +196,16 @@ TEST(ink, outlines_of_hair_are_all_of_it_behind_it_and_a_line_larger) {
   const Subject& subject = comic();
   const InkView view{{300, 40, 850}, glm::normalize(glm::dvec3(-1, 1, 1)), 1.5};
   const Drawing drawing = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, view);
-  for (const std::string name : {"hair", "hair_mass"}) {
-    const std::size_t part = find_part(subject.ink.model, name);
-    const PartShape &hair = drawing.parts[part],
-                    &outline = drawing.parts[find_part(subject.ink.model, name + "_outline")];
-    EXPECT_EQ(outline.triangles, subject.ink.model.parts[part].rest.triangles) << name;
-    ASSERT_EQ(outline.positions.size(), hair.positions.size()) << name;
-    for (std::size_t v = 0; v < hair.positions.size(); v += 7) {
-      const glm::vec3 way = glm::normalize(hair.positions[v] - glm::vec3(view.camera_mm)),
-                      moved = outline.positions[v] - hair.positions[v];
-      EXPECT_GT(glm::dot(moved, way), 20) << name;
-      EXPECT_NEAR(glm::length(moved - glm::dot(moved, way) * way), view.line_mm, 0.02) << name;
-    }
+  const std::size_t part = find_part(subject.ink.model, "hair_mass");
+  const PartShape &hair = drawing.parts[part],
+                  &outline = drawing.parts[find_part(subject.ink.model, "hair_mass_outline")];
+  EXPECT_EQ(outline.triangles, subject.ink.model.parts[part].rest.triangles);
+  ASSERT_EQ(outline.positions.size(), hair.positions.size());
+  for (std::size_t v = 0; v < hair.positions.size(); v += 7) {
+    const glm::vec3 way = glm::normalize(hair.positions[v] - glm::vec3(view.camera_mm)),
+                    moved = outline.positions[v] - hair.positions[v];
+    EXPECT_GT(glm::dot(moved, way), 12);
+    EXPECT_NEAR(glm::length(moved - glm::dot(moved, way) * way), view.line_mm, 0.02);
   }
 }
 
@@ -215,7 +213,7 @@ TEST(ink, outlines_of_hair_are_all_of_it_behind_it_and_a_line_larger) {
 TEST(ink, hair_is_as_light_as_it_is_high) {
   const Subject& subject = comic();
   const Drawing drawing = draw(subject, Pose{}, TurnKey{}, InkView{});
-  const PartShape& hair = drawing.parts[find_part(subject.ink.model, "hair")];
+  const PartShape& hair = drawing.parts[find_part(subject.ink.model, "hair_mass")];
   std::vector<std::pair<float, float>> front;  // height, how far up it looks
   for (std::size_t v = 0; v < hair.positions.size(); ++v)
     if (std::abs(hair.positions[v].x) < 4 && hair.positions[v].z > 20)
@@ -226,24 +224,64 @@ TEST(ink, hair_is_as_light_as_it_is_high) {
     EXPECT_GT(front[i].second, front[i - 1].second - 0.03f) << front[i].first;
 }
 
-float find_nearest_mm(const std::vector<glm::vec3>& points, const glm::vec3& at) {
-  float nearest = 1e9f;
-  for (const glm::vec3& p : points) nearest = std::min(nearest, glm::distance(p, at));
-  return nearest;
+// Where a camera sees a point: aside and up against how far it is, and how far.
+glm::vec3 see(const InkView& view, const glm::vec3& p) {
+  const glm::vec3 arm = p - glm::vec3(view.camera_mm);
+  return {arm.x / -arm.z, arm.y / -arm.z, glm::length(arm)};
 }
 
-// The locks' vertices are hardly farther off the mass when it is drawn out: nothing is seen between them.
-TEST(ink, locks_stay_on_the_mass_while_the_head_stretches) {
+// What brows do to the forehead is behind the fringe, where there is one: its skin, its lines and the brows.
+TEST(ink, a_fringe_lies_before_the_forehead_and_its_lines) {
+  constexpr float kNear = 0.0025f;  // 2 mm at the head
+  for (const char* design : {"comic", "manga"})
+    for (const char* age : {"child", "adult"}) {
+      HeadSpec spec = make_spec(design);
+      spec.age = {{age, 1.0}};
+      const Subject subject = build_subject(spec);
+      const InkView view{{0, 0, 900}, {0, 0, 1}, 1};
+      const Drawing drawing = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, view);
+      const Part& mass = subject.ink.model.parts[find_part(subject.ink.model, "hair_mass")];
+      std::vector<glm::vec3> fringe;
+      for (std::size_t v = 0; v < mass.rest.positions.size(); ++v) {
+        const glm::vec3& p = drawing.parts[find_part(subject.ink.model, "hair_mass")].positions[v];
+        const glm::vec3& normal = mass.rest.normals[v];
+        if (normal.z > 0.5f && std::abs(p.x) < 60 && p.z > 40) fringe.push_back(see(view, p));
+      }
+      ASSERT_GT(fringe.size(), 300u) << design << ' ' << age;
+      std::size_t met = 0;
+      for (const char* name : {"lines", "brow_strokes"})
+        for (const glm::vec3& p : drawing.parts[find_part(subject.ink.model, name)].positions) {
+          const glm::vec3 line = see(view, p);
+          for (const glm::vec3& hair : fringe)
+            if (std::hypot(hair.x - line.x, hair.y - line.y) < kNear) {
+              ++met;
+              EXPECT_LT(hair.z, line.z) << design << ' ' << age << ' ' << name;
+            }
+        }
+      EXPECT_GT(met, 50u) << design << ' ' << age << ": lines run under it";
+    }
+}
+
+// Whatever is drawn near to it, hair is seen where it is: the way to its own place is the way to its drawn
+// one.
+TEST(ink, a_fringe_is_seen_where_it_hangs) {
   const Subject& subject = comic();
-  const std::size_t locks = find_part(subject.ink.model, "hair"),
-                    mass = find_part(subject.ink.model, "hair_mass");
-  const Drawing rest = draw(subject, Pose{}, TurnKey{}, InkView{}),
-                tall = draw(subject, make_pose({{"chin.down", 1}, {"brow.up", 1}}), TurnKey{}, InkView{});
-  for (std::size_t v = 0; v < rest.parts[locks].positions.size(); v += 11) {
-    EXPECT_LT(find_nearest_mm(tall.parts[mass].positions, tall.parts[locks].positions[v]),
-              find_nearest_mm(rest.parts[mass].positions, rest.parts[locks].positions[v]) + 4)
-        << v;
+  const InkView view{{250, 30, 850}, {0, 0, 1}, 1};
+  DeformBuffers buffers;
+  Drawing plain;
+  deform_figure(subject.figure, Pose{}, TurnKey{}, buffers, plain);
+  const std::size_t part = find_part(subject.ink.model, "hair_mass");
+  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, view);
+  float most_mm = 0;
+  for (std::size_t v = 0; v < plain.parts[part].positions.size(); ++v) {
+    const glm::vec3 before = see(view, plain.parts[part].positions[v]),
+                    after = see(view, drawing.parts[part].positions[v]);
+    ASSERT_NEAR(before.x, after.x, 1e-4f);
+    ASSERT_NEAR(before.y, after.y, 1e-4f);
+    most_mm = std::max(most_mm, before.z - after.z);
+    ASSERT_GT(before.z - after.z, -0.01f);
   }
+  EXPECT_NEAR(most_mm, 21, 1);
 }
 
 TEST(ink, a_fringe_stays_where_it_is_while_brows_rise) {
@@ -251,10 +289,8 @@ TEST(ink, a_fringe_stays_where_it_is_while_brows_rise) {
   const Drawing rest = draw(subject, Pose{}, TurnKey{}, InkView{}),
                 raised = draw(subject, make_pose({{"brow.up", 1}}), TurnKey{}, InkView{});
   EXPECT_NE(rest.parts.front().positions, raised.parts.front().positions);
-  for (const char* name : {"hair", "hair_mass"}) {
-    const std::size_t part = find_part(subject.ink.model, name);
-    EXPECT_EQ(rest.parts[part].positions, raised.parts[part].positions) << name;
-  }
+  const std::size_t part = find_part(subject.ink.model, "hair_mass");
+  EXPECT_EQ(rest.parts[part].positions, raised.parts[part].positions);
 }
 
 TEST(ink, creases_lie_on_the_skin_all_their_way) {
@@ -359,6 +395,51 @@ TEST(ink, tones_turn_less_than_the_skin_and_the_shadow_is_cast_from_below_it) {
   for (std::size_t v = 0; v < caster.size(); ++v)
     below += glm::dot(skin.positions[v] - caster[v], before.normals[v]) > 0 ? 1 : 0;
   EXPECT_GT(static_cast<double>(below), 0.85 * static_cast<double>(caster.size()));
+}
+
+TEST(ink, lips_and_nostrils_cast_no_shadow_and_a_nose_does) {
+  const Subject& subject = comic();
+  const Part& caster = subject.ink.model.parts[find_part(subject.ink.model, "shadow")];
+  const std::vector<glm::vec3>& skin = subject.figure.model.parts.front().rest.positions;
+  const auto is_in = [&](const char* name) {
+    const std::uint32_t point = find_point(subject.figure.head.cage, name);
+    return std::ranges::any_of(caster.rest.triangles, [&](const Triangle& t) {
+      return glm::distance((skin[t[0]] + skin[t[1]] + skin[t[2]]) / 3.0f, skin[point]) < 2;
+    });
+  };
+  for (const char* name : {"M1_0", "M1_6", "M1_12", "M2_5", "nr_0", "nr_4"})
+    EXPECT_FALSE(is_in(name)) << name;
+  for (const char* name : {"p_tip", "p_b2", "q12_C4", "m12_D1"}) EXPECT_TRUE(is_in(name)) << name;
+}
+
+// A blush is broader than high, its outer end is the higher one, and it ends in no edge.
+TEST(ink, a_blush_lies_along_the_cheek_and_has_no_edge) {
+  HeadSpec spec = make_spec("manga");
+  spec.age = {{"child", 1.0}};
+  const Subject subject = build_subject(spec);
+  const Part& skin = subject.ink.model.parts.front();
+  const glm::vec3 plain = skin.palette.back().srgb;
+  const std::size_t first = skin.palette.size() - 11;
+  for (std::size_t step = first; step + 1 < skin.palette.size(); ++step)
+    EXPECT_LT(glm::distance(skin.palette[step].srgb, skin.palette[step + 1].srgb), 0.06f) << step;
+  EXPECT_LT(glm::distance(skin.palette[skin.palette.size() - 2].srgb, plain), 0.02f);
+  Box box{glm::vec3(1e9f), glm::vec3(-1e9f)};
+  std::vector<glm::vec3> places;
+  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+    if (skin.triangle_shade[i] < first || skin.triangle_shade[i] + 1u >= skin.palette.size()) continue;
+    const auto& [a, b, c] = skin.rest.triangles[i];
+    const glm::vec3 place = (skin.rest.positions[a] + skin.rest.positions[b] + skin.rest.positions[c]) / 3.0f;
+    if (place.x < 0) continue;
+    places.push_back(place);
+    box.low = glm::min(box.low, place);
+    box.high = glm::max(box.high, place);
+  }
+  ASSERT_GT(places.size(), 100u);
+  const float middle = 0.5f * (box.low.x + box.high.x);
+  glm::dvec2 inner(0), outer(0);  // sums of heights, and how many
+  for (const glm::vec3& place : places) (place.x < middle ? inner : outer) += glm::dvec2(place.y, 1);
+  EXPECT_GT(outer.x / outer.y, inner.x / inner.y + 1);
+  EXPECT_GT(box.high.x - box.low.x, box.high.y - box.low.y);
 }
 
 // How thick the thickest stroke of folds is that stands on the skin, in lines.
@@ -493,7 +574,7 @@ TEST(ink, is_in_the_colours_that_are_asked_for) {
   const auto find_colour = [&](const char* part) {
     return ink.model.parts[find_part(ink.model, part)].palette.front().srgb;
   };
-  for (const char* part : {"lines", "skin_outline", "hair_outline"})
+  for (const char* part : {"lines", "skin_outline", "hair_mass_outline"})
     EXPECT_EQ(find_colour(part), colours.line);
   EXPECT_NE(find_colour("brow_strokes"), colours.line);
   EXPECT_EQ(find_colour("teeth_upper"), colours.bone);
