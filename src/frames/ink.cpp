@@ -292,7 +292,7 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
 // Hair is toned as the ball that it covers: the locks' own ways would make flecks of its shade and of its
 // ring of light. How high a place is tells how far its ball looks up: locks over each other have one ring,
 // which bows over the forehead and falls to the sides.
-void round_hair(const Box& ball, PartShape& hair) {
+void round_hair(const Box& ball, const glm::vec3& camera, PartShape& hair) {
   constexpr float kOwn = 0.02f, kBow = 0.07f;
   const glm::vec3 middle = 0.5f * (ball.low + ball.high);
   const float radius = 0.5f * (ball.high.x - ball.low.x);
@@ -303,7 +303,11 @@ void round_hair(const Box& ball, PartShape& hair) {
     const float up = std::clamp(way.y + kBow * (around.x * around.x - around.y * around.y), -1.0f, 1.0f);
     const float flat = std::sqrt(1 - up * up);
     const glm::vec3 out(flat * around.x, up, flat * around.y);
-    hair.normals[v] = glm::normalize(kOwn * hair.normals[v] + (1 - kOwn) * out);
+    // POV-Ray turns round what looks away, and a low lock would be in the ring.
+    constexpr float kToward = 0.02f;
+    const glm::vec3 seen = glm::normalize(hair.positions[v] - camera);
+    const glm::vec3 normal = kOwn * hair.normals[v] + (1 - kOwn) * out;
+    hair.normals[v] = glm::normalize(normal - std::max(0.0f, glm::dot(normal, seen) + kToward) * seen);
   }
 }
 
@@ -411,7 +415,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     }
     outline.positions = buffers.turn;
     outline.triangles = ink.model.parts[part].rest.triangles;
-    round_hair(hair_ball, drawing.parts[part]);
+    round_hair(hair_ball, glm::vec3(view.camera_mm), drawing.parts[part]);
   }
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);

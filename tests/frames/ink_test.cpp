@@ -224,6 +224,20 @@ TEST(ink, hair_is_as_light_as_it_is_high) {
     EXPECT_GT(front[i].second, front[i - 1].second - 0.03f) << front[i].first;
 }
 
+// POV-Ray turns a normal round that looks away: low locks would shine as the crown does.
+TEST(ink, hair_looks_toward_the_camera_wherever_it_stands) {
+  const Subject& subject = comic();
+  const std::size_t part = find_part(subject.ink.model, "hair_mass");
+  for (const glm::dvec3& camera : {glm::dvec3(0, 0, 900), {900, 50, 0}, {-600, -200, 600}}) {
+    const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {camera, {0, 0, 1}, 1});
+    const PartShape& hair = drawing.parts[part];
+    for (std::size_t v = 0; v < hair.positions.size(); ++v) {
+      ASSERT_LT(glm::dot(hair.normals[v], hair.positions[v] - glm::vec3(camera)), 0) << v;
+      ASSERT_NEAR(glm::length(hair.normals[v]), 1, 1e-4f) << v;
+    }
+  }
+}
+
 // Where a camera sees a point: aside and up against how far it is, and how far.
 glm::vec3 see(const InkView& view, const glm::vec3& p) {
   const glm::vec3 arm = p - glm::vec3(view.camera_mm);
