@@ -13,10 +13,9 @@ using HairBorder = std::vector<double>;
 struct HairScene {
   HairCut cut;
   HairChart chart;
-  HairBorder hairline, ends;         // where roots end; where tips end
-  HairBorder hangs;                  // 0: hair ends where it grows .. 1: it falls over what is below
-  double youth = 0;                  // 1: an infant's
-  std::vector<glm::vec3> free = {};  // the skin that no lock may touch
+  HairBorder hairline, ends;  // where roots end; where tips end
+  HairBorder hangs;           // 0: hair ends where it grows .. 1: it falls over what is below
+  double youth = 0;           // 1: an infant's
   // From the centre to the part, at even steps from its front end, unit.
   std::vector<glm::dvec3> part_ways = {};
   glm::dvec3 knot{0}, knot_out{0};  // of gathered hair: see compute_knot

@@ -111,29 +111,6 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
   part.bindings.push_back({seat.triangle, seat.barycentric, first, count});
 }
 
-// A drawn head stretches and squashes: each vertex of a lock goes with the place under it, as the mass does,
-// or gaps would come between them.
-void bind_by_vertex(HeadPart& part, const HairScene& scene) {
-  const Binding last = part.bindings.back();
-  part.bindings.pop_back();
-  for (std::uint32_t v = last.first; v < last.first + last.count; ++v) {
-    const HairSeat& seat =
-        find_seat(scene, compute_hair_place(scene.chart, glm::dvec3(part.part.rest.positions[v])));
-    part.bindings.push_back({seat.triangle, seat.barycentric, v, 1});
-  }
-}
-
-// Whether a lock lies on what the scene keeps free.
-bool is_touching(const HairScene& scene, const HairStrand& strand, double width_mm) {
-  constexpr double kAir_mm = 2;
-  const double reach_mm = 0.5 * width_mm + kAir_mm * scene.chart.size;
-  const auto is_near = [&](const glm::vec3& skin) {
-    return std::ranges::any_of(
-        strand.points, [&](const glm::dvec3& p) { return glm::distance(p, glm::dvec3(skin)) < reach_mm; });
-  };
-  return std::ranges::any_of(scene.free, is_near);
-}
-
 void append_locks(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
@@ -146,7 +123,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   // Over an open forehead they begin at its border, or it is a bare edge.
   constexpr double kAtFront = 0.3;
   const bool is_open = cut.locks.from_part > 0 && !scene.hangs.empty() && scene.hangs.front() == 0;
-  const int at_front = is_open && !cut.is_drawn ? static_cast<int>(kAtFront * cut.locks.count) : 0;
+  const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   std::vector<HairPlace> roots =
       spread_roots(scene, cut.locks.count - at_face - at_front, cut.locks.root_band, cut.is_mirrored);
   const std::size_t first_at_face = roots.size();
@@ -158,11 +135,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
-  // In ink a lock is one stroke, which ends in a point; elsewhere its strands end one by one, and its outline
-  // late.
-  const bool is_drawn = cut.is_drawn;
-  const LockForm alone = is_drawn ? LockForm{} : LockForm{0.16, 5};
-  const LockForm together{0.04, is_drawn ? 4.0 : 8.0};  // no skin shows at a part, and tips are no threads
+  constexpr LockForm kAlone{0.16, 5};     // its strands end one by one, and its outline late
+  constexpr LockForm kTogether{0.04, 8};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
@@ -179,14 +153,12 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
-    if (is_touching(scene, strand, width)) continue;
     append_lock(part, find_seat(scene, strand.root), strand, width,
                 compute_lock_shade(strand.layer, index, family), index,
                 is_about_face       ? kAboutFace
                 : is_over_forehead  ? kOverForehead
-                : middle != nullptr ? (is_long || is_drawn ? together : kBetween)
-                                    : alone);
-    if (is_drawn) bind_by_vertex(part, scene);
+                : middle != nullptr ? (is_long ? kTogether : kBetween)
+                                    : kAlone);
   }
 }
 

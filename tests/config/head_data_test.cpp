@@ -69,7 +69,7 @@ TEST(head_data, parts_are_told_what_they_lack) {
 
 TEST(head_data, unknown_keys_are_told_with_the_nearest_known_one) {
   EXPECT_EQ(find_mistake("hair.yaml", "    whorl: 26", "    whorl: 26\n    whirl: 3"),
-            "hair.yaml:35:5: error: unknown key 'whirl'; did you mean 'whorl'?");
+            "hair.yaml:36:5: error: unknown key 'whirl'; did you mean 'whorl'?");
   EXPECT_EQ(find_mistake("heads.yaml", "    brow_thickness: 0.9", "    brow_thicknes: 0.9"),
             "heads.yaml:30:5: error: unknown key 'brow_thicknes'; did you mean 'brow_thickness'?");
   EXPECT_EQ(find_mistake("areas.yaml", "  meeting: 0.16", "  meeting: 0.16\n  meting: 1"),
@@ -94,7 +94,7 @@ TEST(head_data, names_of_points_areas_and_anchors_are_those_that_there_are) {
             build_place("areas.yaml", "  brow.up:\n", 3) +
                 ": error: unknown move 'brow.upp'; did you mean 'brow.up'?");
   EXPECT_EQ(find_mistake("hair.yaml", "areas: {moustache: 0.9", "areas: {mustache: 0.9"),
-            "hair.yaml:257:45: error: unknown area of a beard 'mustache'; did you mean 'moustache'?");
+            "hair.yaml:258:45: error: unknown area of a beard 'mustache'; did you mean 'moustache'?");
   EXPECT_EQ(find_mistake("landmarks.yaml", "  g: p_g ", "  g: p_q "),
             "landmarks.yaml:7:6: error: unknown point 'p_q'; did you mean 'p_g'?");
   EXPECT_EQ(find_mistake("landmarks.yaml", "needed: [n,", "needed: [nn,"),
@@ -104,7 +104,7 @@ TEST(head_data, names_of_points_areas_and_anchors_are_those_that_there_are) {
 
 TEST(head_data, has_each_word_of_the_language) {
   EXPECT_EQ(find_mistake("hair.yaml", "  crop:\n", "  cropp:\n"),
-            "hair.yaml:31:1: error: 'cuts' has no 'crop'; expected one");
+            "hair.yaml:32:1: error: 'cuts' has no 'crop'; expected one");
   EXPECT_EQ(find_mistake("heads.yaml", "  teenager: {teen: 1} ", "  teeny: {teen: 1} "),
             "heads.yaml:10:3: error: 'ages' has no 'teenager'; expected a value");
   EXPECT_EQ(find_mistake("features.yaml", "    view: side", "    view: top"),
