@@ -127,6 +127,7 @@ struct MoveInfo {
   PlaceText arrows;           // whose ways are drawn on the sheet of moves
   bool is_outward = false;    // + is away from the middle of the face; else the same way on both sides
   bool is_beyond = false;     // not one of Tezuka's: `head: {areas: nine}` does without
+  double open = 0;            // as its area's `open`, for it alone
 };
 
 }  // namespace mien

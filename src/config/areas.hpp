@@ -203,7 +203,7 @@ inline constexpr std::array kMovesOfOneSide{
              "ls", "M3_12 M3_0", false, true},
     MoveInfo{"lips", Side::none, "shut", 0, 1, "lips that stay together where the jaw opens (1)",
              Area::lips, {"shut", "", "shut is shut", "where lips meet"}, {},
-             "li", "M3_12 M3_0", false, true},
+             "li", "M3_12 M3_0", false, true, 0.6},
     MoveInfo{"corner", Side::none, "out", -1, 1, "mouth corner outward (+) or inward (-)",
              Area::corner, {"out", "MOUTH_CORNER_@_@_HORT_LIMIT"}, {"in", "MOUTH_CORNER_@_~_HORT_LIMIT"},
              "ch", "ch_l ch_r", true},

@@ -183,6 +183,13 @@ void append_part_line(HeadPart& part, const HairScene& scene) {
   if (strand.points.size() < 3) return;
   const auto first = part.part.rest.positions.size();
   append_lock(part, find_seat(scene, strand.root), strand, comb.scalp_mm * size, 0, 0);
+  // Brows that rise push the mass together: the line goes with it, place by place, or is buried.
+  part.bindings.pop_back();
+  for (std::size_t v = first; v < part.part.rest.positions.size(); ++v) {
+    const HairPlace place = compute_hair_place(scene.chart, glm::dvec3(part.part.rest.positions[v]));
+    const HairSeat& seat = find_seat(scene, place);
+    part.bindings.push_back({seat.triangle, seat.barycentric, static_cast<std::uint32_t>(v), 1});
+  }
   std::fill(part.part.shade.begin() + static_cast<std::ptrdiff_t>(first), part.part.shade.end(),
             static_cast<std::uint16_t>(kHairTones));
 }

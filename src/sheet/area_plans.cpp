@@ -49,16 +49,18 @@ SheetFraming build_framing(const AreaFraming& framing) {
 }
 
 // Of the pictures of an area's moves: a mouth as far open as shows them.
-Pose build_ground(Area area) {
+Pose build_ground(Area area, std::string_view move) {
+  double open = find_area(area).open;
+  for (const MoveInfo& info : kMoves)
+    if (info.of == area && info.move == move) open = std::max(open, info.open);
   Pose pose;
-  if (const double open = find_area(area).open; open > 0)
-    pose.values[*find_move(Area::chin, Side::none, "down")] = open;
+  if (open > 0) pose.values[*find_move(Area::chin, Side::none, "down")] = open;
   return pose;
 }
 
 // Both sides' moves of an area at `value`.
 Pose build_pose(Area area, std::string_view move, double value) {
-  Pose pose = build_ground(area);
+  Pose pose = build_ground(area, move);
   for (std::size_t i = 0; i < kMoveCount; ++i)
     if (kMoves[i].of == area && kMoves[i].move == move) pose.values[i] = value;
   return pose;
@@ -76,7 +78,7 @@ SheetCell build_move_cell(const MoveInfo& info, double value) {
   for (const PlaceText outline : area.outlines)
     if (!outline.empty()) cell.marks.push_back(build_line(list_places(outline)));
   cell.marks.push_back(
-      {MarkShape::arrow, list_places(info.arrows), {build_ground(info.of), cell.pose}, false, {}});
+      {MarkShape::arrow, list_places(info.arrows), {build_ground(info.of, info.move), cell.pose}, false, {}});
   return cell;
 }
 

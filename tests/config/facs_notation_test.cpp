@@ -102,7 +102,7 @@ TEST(facs, the_21_compound_expressions_pose_what_the_libraries_pose) {
 }
 
 // The libraries' are written by hand, unit by unit; the units of takes are measured on scanned people. Both
-// are the same face: their poses point the same way, and no move differs by more than half of its limit.
+// are the same face: their poses point the same way, and no move differs by 0.7 of its limit.
 TEST(facs, the_15_of_two_feelings_are_near_the_sum_of_their_units) {
   const ExpressionBook& book = find_language()->libraries;
   const Mapping& facs = book.mappings->mappings.at("facs");

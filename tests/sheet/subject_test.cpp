@@ -99,7 +99,7 @@ TEST(sheet_subject, takes_one_expression) {
 
 TEST(sheet_subject, knows_where_each_library_is_from) {
   const auto sources = load("expressions", "mien").sources;
-  EXPECT_EQ(sources.size(), 8u);
+  EXPECT_EQ(sources.size(), 9u);
   for (const auto& [library, source] : sources) EXPECT_FALSE(source.empty()) << library;
   EXPECT_NE(sources.at("tezuka").find("Tamkang"), std::string::npos);
 }
