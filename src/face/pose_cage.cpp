@@ -65,7 +65,14 @@ double compute_shut(const Pose& pose) {
   double corners = 1;  // of two sides first: the mirrored pose has the same to the last bit
   for (const Side side : {Side::left, Side::right})
     corners *= 1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0);
-  return shut * corners;
+  // So do lips that are drawn aside, and a jaw that goes forward or aside.
+  constexpr double kAside = 0.6, kJaw = 0.5;
+  const auto keep = [&](const char* area, const char* move, double share) {
+    const double value = value_of(pose, area, Side::none, move);
+    return 1 - share * std::min(value * value, 1.0);
+  };
+  return shut * corners * keep("mouth", "side", kAside) * keep("jaw", "side", kJaw) *
+         keep("jaw", "forward", kJaw);
 }
 
 // Skin that is pushed together keeps room in itself, and bulges.
