@@ -22,7 +22,7 @@ struct Shade {
 
 // A picture that lies over a part.
 struct PartPicture {
-  std::filesystem::path file;          // PNG or JPEG
+  std::filesystem::path file;          // a PNG
   std::string name;                    // its name beside a scene: of its bytes, "skin_0123456789abcdef.png"
   std::shared_ptr<const Atlas> atlas;  // its triangles are the part's
   float side_mm = 1;                   // how long on the part a side of the picture is

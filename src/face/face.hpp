@@ -166,8 +166,12 @@ double compute_drive(const std::vector<SignedMove>& drivers, const std::vector<Y
 // Where the jaw takes a point of the head at these shares of its turn and of its way straight down.
 glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double turned, double straight);
 
-// How much of the jaw's way a control point goes: its weight, less what lips hold back that stay shut.
-double compute_jaw_share(const JawRig& jaw, std::size_t point, const Pose& pose);
+// How much of lips.shut is left beside what else pushes the lips together.
+double compute_shut(const Pose& pose);
+
+// How much of the jaw's way a control point goes: its weight, less what lips hold back that stay shut (see
+// compute_shut).
+double compute_jaw_share(const JawRig& jaw, std::size_t point, double shut);
 
 // How much of chin.straight a pose has: what chin.down leaves of the chin's one limit.
 double compute_straight(const Pose& pose);

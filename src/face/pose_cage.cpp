@@ -55,26 +55,6 @@ double soften_stop(double room, double from, double least) {
   return room >= from ? room : least + (from - least) * std::exp((room - from) / (from - least));
 }
 
-// How much of lips.shut is left beside what else pushes the lips together.
-double compute_shut(const Pose& pose) {
-  // A chin that is pushed up and corners that are drawn in push together what shut lips draw out: all of both
-  // would fold the skin beside the mouth over.
-  constexpr double kChin = 0.6, kCorner = 0.25;
-  const double shut = value_of(pose, "lips", Side::none, "shut") *
-                      (1 - kChin * std::clamp(value_of(pose, "chin", Side::none, "up"), 0.0, 1.0));
-  double corners = 1;  // of two sides first: the mirrored pose has the same to the last bit
-  for (const Side side : {Side::left, Side::right})
-    corners *= 1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0);
-  // So do lips that are drawn aside, and a jaw that goes forward or aside.
-  constexpr double kAside = 0.6, kJaw = 0.5;
-  const auto keep = [&](const char* area, const char* move, double share) {
-    const double value = value_of(pose, area, Side::none, move);
-    return 1 - share * std::min(value * value, 1.0);
-  };
-  return shut * corners * keep("mouth", "side", kAside) * keep("jaw", "side", kJaw) *
-         keep("jaw", "forward", kJaw);
-}
-
 // Skin that is pushed together keeps room in itself, and bulges.
 void give_way(const GiveWay& give, std::vector<glm::dvec3>& points) {
   for (const GiveWayLine& line : give.lines)
@@ -247,8 +227,27 @@ glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double tur
          glm::dvec3(0, straight * jaw.straight_mm, 0);
 }
 
-double compute_jaw_share(const JawRig& jaw, std::size_t point, const Pose& pose) {
-  return jaw.weights[point] - compute_shut(pose) * jaw.shut[point];
+double compute_shut(const Pose& pose) {
+  // A chin that is pushed up and corners that are drawn in push together what shut lips draw out: all of both
+  // would fold the skin beside the mouth over.
+  constexpr double kChin = 0.6, kCorner = 0.25;
+  const double shut = value_of(pose, "lips", Side::none, "shut") *
+                      (1 - kChin * std::clamp(value_of(pose, "chin", Side::none, "up"), 0.0, 1.0));
+  double corners = 1;  // of two sides first: the mirrored pose has the same to the last bit
+  for (const Side side : {Side::left, Side::right})
+    corners *= 1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0);
+  // So do lips that are drawn aside, and a jaw that goes forward or aside.
+  constexpr double kAside = 0.6, kJaw = 0.5;
+  const auto keep = [&](const char* area, const char* move, double share) {
+    const double value = value_of(pose, area, Side::none, move);
+    return 1 - share * std::min(value * value, 1.0);
+  };
+  return shut * corners * keep("mouth", "side", kAside) * keep("jaw", "side", kJaw) *
+         keep("jaw", "forward", kJaw);
+}
+
+double compute_jaw_share(const JawRig& jaw, std::size_t point, double shut) {
+  return jaw.weights[point] - shut * jaw.shut[point];
 }
 
 double compute_straight(const Pose& pose) {
@@ -300,10 +299,12 @@ void pose_freely(const NeutralHead& head, const Face& face, const Pose& pose,
   keep_eye_corners(face, corners, points);
   give_way(face.give_way, points);
   const double open = value_of(pose, "chin", Side::none, "down"), straight = compute_straight(pose);
-  if (open != 0 || straight != 0)
+  if (open != 0 || straight != 0) {
+    const double shut = compute_shut(pose);
     for (std::size_t i = 0; i < points.size(); ++i)
-      if (const double weight = compute_jaw_share(face.jaw, i, pose); weight != 0)
+      if (const double weight = compute_jaw_share(face.jaw, i, shut); weight != 0)
         points[i] = move_jaw_point(face.jaw, points[i], open * weight, straight * weight);
+  }
   for (const DrivenField& driven : face.fields)
     if (driven.is_late) add_field(driven, pose, points);
   stop_under_nose(face, points);

@@ -119,7 +119,7 @@ double compute_lower_lip_mm(const NeutralHead& head, const Face& face, const Pos
   for (const std::vector<DrivenField>* fields : list_doctrine_fields(head, face, pose))
     for (const DrivenField& driven : *fields) at += compute_way(driven, pose, point);
   const double open = pose.values[*find_move("chin", Side::none, "down")];
-  const double weight = compute_jaw_share(face.jaw, point, pose);
+  const double weight = compute_jaw_share(face.jaw, point, compute_shut(pose));
   return move_jaw_point(face.jaw, at, open * weight, compute_straight(pose) * weight).y;
 }
 

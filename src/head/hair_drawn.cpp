@@ -355,31 +355,7 @@ void append_drawn_shell(HeadPart& part, const HairScene& scene) {
           part, scene, place,
           compute_inner_mm(scene, place, compute_outer_mm(shell, edge, place), row == kDrawnInnerRows));
     }
-  auto& triangles = part.part.rest.triangles;
-  const auto vertex = [&](std::uint32_t first, int rows, int column, int row) {
-    return row == 0 ? first : first + 1 + static_cast<std::uint32_t>((column % columns) * rows + row - 1);
-  };
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
-  };
-  for (int column = 0; column < columns; ++column) {
-    for (int row = 0; row < kDrawnRows; ++row) {
-      const auto at = [&](int c, int r) { return vertex(first_outer, kDrawnRows, column + c, row + r); };
-      add(at(0, 0), at(0, 1), at(1, 1));
-      add(at(0, 0), at(1, 1), at(1, 0));
-    }
-    for (int row = 0; row < kDrawnInnerRows; ++row) {
-      const auto at = [&](int c, int r) { return vertex(first_inner, kDrawnInnerRows, column + c, row + r); };
-      add(at(0, 0), at(1, 1), at(0, 1));
-      add(at(0, 0), at(1, 0), at(1, 1));
-    }
-    const std::uint32_t a = vertex(first_outer, kDrawnRows, column, kDrawnRows),
-                        b = vertex(first_outer, kDrawnRows, column + 1, kDrawnRows),
-                        c = vertex(first_inner, kDrawnInnerRows, column + 1, kDrawnInnerRows),
-                        d = vertex(first_inner, kDrawnInnerRows, column, kDrawnInnerRows);
-    add(a, d, c);
-    add(a, c, b);
-  }
+  sew_shell(part.part.rest.triangles, {first_outer, kDrawnRows}, {first_inner, kDrawnInnerRows}, columns);
 }
 
 // A ring about a way: `up` and `aside` are unit and across it.
@@ -425,23 +401,20 @@ void append_drawn_tail(HeadPart& part, const HairScene& scene) {
   constexpr int kRings = 26;
   constexpr double kBegins = 0.45, kFull = 0.35, kRunsOut = 2.4;  // of its radius; of its length; a power
   const HairTail& tail = scene.cut.tail;
-  const double size = scene.chart.size, reach = tail.out_mm * size, length = tail.length_mm * size;
+  const double size = scene.chart.size;
   glm::dvec3 at, out;
   compute_knot(scene, at, out);
-  const auto find = [&](double s) {  // out, then down
-    const glm::dvec3 turn = at + out * reach, end = at + out * (0.85 * reach) - glm::dvec3(0, length, 0);
-    return glm::mix(glm::mix(at, turn, s), glm::mix(turn, end, s), s);
-  };
+  const TailLine line{at, out, tail.out_mm * size, tail.length_mm * size};
   std::vector<Ring> rings;
   const glm::dvec3 aside(1, 0, 0);
   for (int i = 0; i < kRings; ++i) {
     const double s = static_cast<double>(i) / kRings;
-    const glm::dvec3 along = glm::normalize(find(s + 0.01) - find(s - 0.01));
+    const glm::dvec3 along = glm::normalize(line.at(s + 0.01) - line.at(s - 0.01));
     const double radius = (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) * (1 - std::pow(s, kRunsOut)) *
                           tail.radius_mm * size;
-    rings.push_back(make_drawn_ring(find(s), aside, glm::normalize(glm::cross(aside, along)), radius));
+    rings.push_back(make_drawn_ring(line.at(s), aside, glm::normalize(glm::cross(aside, along)), radius));
   }
-  append_drawn_body(part, scene, rings, find(-0.01), find(1), at);
+  append_drawn_body(part, scene, rings, line.at(-0.01), line.at(1), at);
 }
 
 }  // namespace

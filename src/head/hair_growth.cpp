@@ -337,25 +337,24 @@ std::vector<HairPlace> spread_along(const HairScene& scene, int count, const Bor
   return roots;
 }
 
+constexpr double kBeforeEar_deg = 84;
+
 // Where hair begins to fall from the hairline, degrees from the front.
-double find_first_fall(const HairScene& scene, double last_deg) {
+double find_first_fall(const HairScene& scene) {
   constexpr double kHangs = 0.5;  // less of it, and hair is combed out of the face
   double first_deg = 0;
-  while (first_deg < last_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+  while (first_deg < kBeforeEar_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
   return first_deg;
 }
-
-constexpr double kBeforeEar_deg = 84;
 
 }  // namespace
 
 std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
-  return spread_along(scene, count, {find_first_fall(scene, kBeforeEar_deg), kBeforeEar_deg, 1, 9},
-                      kSeries + 2);
+  return spread_along(scene, count, {find_first_fall(scene), kBeforeEar_deg, 1, 9}, kSeries + 2);
 }
 
 std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {
-  return spread_along(scene, count, {0, find_first_fall(scene, kBeforeEar_deg), 0.5, 32}, kSeries + 3);
+  return spread_along(scene, count, {0, find_first_fall(scene), 0.5, 32}, kSeries + 3);
 }
 
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {

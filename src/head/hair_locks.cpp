@@ -44,22 +44,17 @@ double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t famil
   return 0.15 + 0.5 * layer + 0.7 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
-// A curve hanging from the knot: out, then down.
-struct TailLine {
-  glm::dvec3 start, out;
-  double reach_mm = 0, fall_mm = 0;
-  glm::dvec3 at(double s) const {
-    const glm::dvec3 turn = start + out * reach_mm;
-    const glm::dvec3 end = start + out * (0.85 * reach_mm) + glm::dvec3(0, -fall_mm, 0);
-    return glm::mix(glm::mix(start, turn, s), glm::mix(turn, end, s), s);
-  }
-};
-
 double compute_tail_radius(double s) {
   return (0.4 + 0.6 * smooth_step(0, 0.3, s)) * (1 - 0.7 * smooth_step(0.6, 1.0, s));
 }
 
 }  // namespace
+
+glm::dvec3 TailLine::at(double s) const {
+  const glm::dvec3 turn = start + out * reach_mm;
+  const glm::dvec3 end = start + out * (0.85 * reach_mm) + glm::dvec3(0, -fall_mm, 0);
+  return glm::mix(glm::mix(start, turn, s), glm::mix(turn, end, s), s);
+}
 
 const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
   // What hangs free rides with the broadest place above it, not with forehead, cheek and neck.
@@ -122,7 +117,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
   // Over an open forehead they begin at its border, or it is a bare edge.
   constexpr double kAtFront = 0.3;
-  const bool is_open = cut.locks.from_part > 0 && !scene.hangs.empty() && scene.hangs.front() == 0;
+  const bool is_open = cut.locks.from_part > 0 && sample_border(scene.hangs, 0) == 0;
   const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   std::vector<HairPlace> roots =
       spread_roots(scene, cut.locks.count - at_face - at_front, cut.locks.root_band, cut.is_mirrored);

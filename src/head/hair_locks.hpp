@@ -25,6 +25,13 @@ void append_locks(HeadPart& part, const HairScene& scene);
 // The scalp that shows along the part, in the shade kHairTones, over the mass.
 void append_part_line(HeadPart& part, const HairScene& scene);
 
+// A curve hanging from the knot: out, then down; from 0 to 1.
+struct TailLine {
+  glm::dvec3 start, out;
+  double reach_mm = 0, fall_mm = 0;
+  glm::dvec3 at(double s) const;
+};
+
 // The locks that hang from the knot, of the left half; those that wind round it, all of them: they turn one
 // way.
 void append_tail(HeadPart& part, const HairScene& scene);

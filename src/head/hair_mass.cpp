@@ -180,31 +180,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
                     left == column ? p : mirror(p), {4.0 * column, 100.0 * row / kInnerRows});
     }
-  const auto vertex = [&](std::uint32_t first, int rows, int column, int row) {
-    return row == 0 ? first : first + 1 + static_cast<std::uint32_t>((column % kColumns) * rows + row - 1);
-  };
-  auto& triangles = part.part.rest.triangles;
-  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
-  };
-  for (int column = 0; column < kColumns; ++column) {
-    for (int row = 0; row < kRows; ++row) {
-      const auto at = [&](int c, int r) { return vertex(first_outer, kRows, column + c, row + r); };
-      add(at(0, 0), at(0, 1), at(1, 1));
-      add(at(0, 0), at(1, 1), at(1, 0));
-    }
-    for (int row = 0; row < kInnerRows; ++row) {
-      const auto at = [&](int c, int r) { return vertex(first_inner, kInnerRows, column + c, row + r); };
-      add(at(0, 0), at(1, 1), at(0, 1));
-      add(at(0, 0), at(1, 0), at(1, 1));
-    }
-    const std::uint32_t a = vertex(first_outer, kRows, column, kRows);
-    const std::uint32_t b = vertex(first_outer, kRows, column + 1, kRows);
-    const std::uint32_t c = vertex(first_inner, kInnerRows, column + 1, kInnerRows);
-    const std::uint32_t d = vertex(first_inner, kInnerRows, column, kInnerRows);
-    add(a, d, c);
-    add(a, c, b);
-  }
+  sew_shell(part.part.rest.triangles, {first_outer, kRows}, {first_inner, kInnerRows}, kColumns);
 }
 
 // A round body about the knot's axis: `rings` of it from the skin outward.
@@ -260,6 +236,33 @@ double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
     height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
               (1 + std::cos(2 * kPi * compute_wave(scene, place)));
   return compute_hair_size(scene) * height;
+}
+
+void sew_shell(std::vector<Triangle>& triangles, const ShellSide& outer, const ShellSide& inner,
+               int columns) {
+  const auto vertex = [&](const ShellSide& side, int column, int row) {
+    return row == 0 ? side.first
+                    : side.first + 1 + static_cast<std::uint32_t>((column % columns) * side.rows + row - 1);
+  };
+  const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a) triangles.push_back({a, b, c});
+  };
+  for (int column = 0; column < columns; ++column) {
+    for (int row = 0; row < outer.rows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(outer, column + c, row + r); };
+      add(at(0, 0), at(0, 1), at(1, 1));
+      add(at(0, 0), at(1, 1), at(1, 0));
+    }
+    for (int row = 0; row < inner.rows; ++row) {
+      const auto at = [&](int c, int r) { return vertex(inner, column + c, row + r); };
+      add(at(0, 0), at(1, 1), at(0, 1));
+      add(at(0, 0), at(1, 0), at(1, 1));
+    }
+    const std::uint32_t a = vertex(outer, column, outer.rows), b = vertex(outer, column + 1, outer.rows),
+                        c = vertex(inner, column + 1, inner.rows), d = vertex(inner, column, inner.rows);
+    add(a, d, c);
+    add(a, c, b);
+  }
 }
 
 void append_mass(HeadPart& part, const HairScene& scene) {
