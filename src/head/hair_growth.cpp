@@ -57,20 +57,40 @@ std::vector<glm::dvec3> list_part_ways(const HairComb& comb) {
   return ways;
 }
 
-// The step of the part's arc that is nearest to a direction of the head.
-std::size_t find_part_step(const HairScene& scene, const glm::dvec3& direction) {
+// A place on the part's arc: its share of the way, and its direction from the head's centre.
+struct PartPoint {
+  double share = 0;
+  glm::dvec3 direction{0, 1, 0};
+};
+
+// The place of the part's arc that is nearest to a direction of the head.
+PartPoint find_part_point(const HairScene& scene, const glm::dvec3& direction) {
+  const std::vector<glm::dvec3>& ways = scene.part_ways;
   std::size_t nearest = 0;
-  double best = -2;
-  for (std::size_t i = 0; i < scene.part_ways.size(); ++i)
-    if (const double near = glm::dot(scene.part_ways[i], direction); near > best) {
-      best = near;
-      nearest = i;
-    }
-  return nearest;
+  for (std::size_t i = 1; i < ways.size(); ++i)
+    if (glm::dot(ways[i], direction) > glm::dot(ways[nearest], direction)) nearest = i;
+  PartPoint best{static_cast<double>(nearest) / kPartSteps, ways[nearest]};
+  // Between its steps too, or locks meet in these like the bones of a fish.
+  for (std::size_t i = nearest > 0 ? nearest - 1 : 0; i < std::min(nearest + 1, ways.size() - 1); ++i) {
+    const glm::dvec3 step = ways[i + 1] - ways[i];
+    const double length2 = glm::dot(step, step);
+    if (length2 < 1e-12) continue;
+    const double t = std::clamp(glm::dot(direction - ways[i], step) / length2, 0.0, 1.0);
+    const glm::dvec3 at = glm::normalize(ways[i] + t * step);
+    if (glm::dot(at, direction) > glm::dot(best.direction, direction))
+      best = {(static_cast<double>(i) + t) / kPartSteps, at};
+  }
+  return best;
 }
 
 glm::dvec3 compute_way_from_part(const HairScene& scene, const glm::dvec3& direction) {
-  return direction - scene.part_ways[find_part_step(scene, direction)];
+  // A fringe falls side by side: straight out of the part's front end, and it would have a gap in its middle.
+  constexpr double kAside = 0.35;
+  const PartPoint part = find_part_point(scene, direction);
+  glm::dvec3 way = direction - part.direction;
+  const double fringe = scene.hangs.empty() ? 0 : scene.hangs.front();
+  if (part.share <= 0 && !scene.cut.is_drawn) way.x *= std::lerp(1.0, kAside, fringe);
+  return way;
 }
 
 glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
@@ -102,7 +122,7 @@ glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm:
 // Whether hair is combed out of the face at a place, 1, or ends where its cut says, 0: beside an open
 // forehead long hair falls.
 double compute_open(const HairScene& scene, const HairPlace& place) {
-  constexpr double kFalls_deg = 16, kFallsWhole_deg = 34;  // to the sides: there hair hangs past the face
+  constexpr double kFalls_deg = 14, kFallsWhole_deg = 40;  // to the sides: there hair hangs past the face
   if (scene.cut.locks.from_part <= 0 || scene.ends.empty()) return 0;
   return (1 - sample_border(scene.hangs, 0)) *
          (1 - smooth_step(kFalls_deg, kFallsWhole_deg, std::abs(place.azimuth_deg)));
@@ -174,7 +194,7 @@ Path trace_path(const HairScene& scene, const HairPlace& root, std::uint32_t ind
                among = index == family ? own : std::lerp(own, scatter(kSeries, family, kTip), kFamily);
   const double tip = (among - 0.5) * 2 * cut.locks.tips_mm * size;
   const double turn = cut.comb.jitter_deg * 2 * (scatter(kSeries, index, kTurn) - 0.5);
-  constexpr double kBend_deg = 14;  // in a step: an arc of 12 mm; ink's broad strokes turn as they must
+  constexpr double kBend_deg = 9;  // in a step: an arc of 19 mm; ink's broad strokes turn as they must
   const double most_deg = cut.is_drawn || cut.comb.is_gathered ? 180 : kBend_deg;
   glm::dvec3 before(0);
   HairPlace place = root;
@@ -357,6 +377,23 @@ std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {
   return spread_along(scene, count, {0, find_first_fall(scene), 0.5, 32}, kSeries + 3);
 }
 
+std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count) {
+  constexpr double kLeast_mm = 0.8, kMost_mm = 4.5;  // from the part
+  std::vector<HairPlace> roots;
+  const int pairs = count / 2;
+  for (int i = 0; i < 2 * pairs; ++i) {
+    const double share = (i / 2 + 0.5) / pairs;
+    const double away_mm =
+        std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 4, static_cast<std::uint32_t>(i), 0));
+    const glm::dvec3 part = compute_part_direction(scene.cut.comb, share);
+    const glm::dvec3 level = flatten({i % 2 == 0 ? 1 : -1, 0, 0}, part);
+    const HairPlace root =
+        compute_hair_place(scene.chart, scene.chart.centre + part + level * (away_mm / kSkull_mm));
+    if (root.way < sample_border(scene.hairline, root.azimuth_deg)) roots.push_back(root);
+  }
+  return roots;
+}
+
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
   out = compute_arc_direction(0, scene.cut.comb.knot_deg, 1);
   const glm::dvec3 far = scene.chart.centre + 100.0 * scene.chart.size * out;
@@ -376,9 +413,7 @@ glm::dvec3 compute_comb_way(const HairScene& scene, const HairPlace& place, doub
 PartArm compute_part_arm(const HairScene& scene, const glm::dvec3& at) {
   const HairComb& comb = scene.cut.comb;
   const glm::dvec3 direction = glm::normalize(at - scene.chart.centre);
-  const std::size_t step = find_part_step(scene, direction);
-  const double share = static_cast<double>(step) / kPartSteps;
-  const glm::dvec3& nearest = scene.part_ways[step];
+  const auto [share, nearest] = find_part_point(scene, direction);
   const double turn = comb.from_deg + share * (comb.to_deg - comb.from_deg);
   const glm::dvec3 front(0, std::sin(turn * kRadiansPerDegree), std::cos(turn * kRadiansPerDegree));
   const glm::dvec3 arm = direction - nearest;

@@ -56,6 +56,10 @@ std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count);
 // sides.
 std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count);
 
+// Roots beside the part, evenly from its front end to its back, at most `count` of them on both sides: those
+// before the hairline are left out.
+std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count);
+
 // How many waves a place is behind the whorl: neighbours wave together.
 double compute_wave(const HairScene& scene, const HairPlace& place);
 

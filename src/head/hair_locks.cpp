@@ -30,7 +30,7 @@ std::uint16_t compute_tone(double shade) {
 // How far along the grain a place of a lock is, 0 at the root, 100 at the tip. From kThins on strands end one
 // by one (materials.inc): over the last centimetres of a long lock, or all of it would be threads.
 double compute_grain(double way, double length_mm) {
-  constexpr double kThins = 0.5, kThinning_mm = 60;
+  constexpr double kThins = 0.5, kThinning_mm = 34;
   const double last = length_mm > 0 ? std::min(1 - kThins, kThinning_mm / length_mm) : 1 - kThins;
   const double first = 1 - last;
   return 100 * (way < first ? kThins * way / first : kThins + (1 - kThins) * (way - first) / last);
@@ -110,17 +110,23 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
   // Some frame the face, where the mass would show as a bare strip; more and the crown has gaps.
-  constexpr double kAtFace = 0.18;
+  constexpr double kAtFace = 0.24;
   constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
   constexpr double kFaceAway = 0.35;   // more, and all of it is swept behind the ears
-  constexpr LockForm kAboutFace{0.3, 4, 0.02}, kOverForehead{0.12, 8, 0.05}, kBetween{0.15, 8, 0.02};
+  constexpr LockForm kAboutFace{0.3, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
+      kAtPartLine{0.5, 18, 0.04};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
   // Over an open forehead they begin at its border, or it is a bare edge.
-  constexpr double kAtFront = 0.3;
+  constexpr double kAtFront = 0.2;
   const bool is_open = cut.locks.from_part > 0 && sample_border(scene.hangs, 0) == 0;
   const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
-  std::vector<HairPlace> roots =
-      spread_roots(scene, cut.locks.count - at_face - at_front, cut.locks.root_band, cut.is_mirrored);
+  // And beside their part, where few of the others begin: it would be a bare strip too.
+  constexpr double kAtPart = 0.3;
+  const int at_part = is_open ? static_cast<int>(kAtPart * cut.locks.count) : 0;
+  std::vector<HairPlace> roots = spread_roots(scene, cut.locks.count - at_face - at_front - at_part,
+                                              cut.locks.root_band, cut.is_mirrored);
+  const std::size_t first_at_part = roots.size();
+  for (const HairPlace& root : spread_part_roots(scene, at_part)) roots.push_back(root);
   const std::size_t first_at_face = roots.size();
   for (const HairPlace& root : spread_border_roots(scene, at_face)) roots.push_back(root);
   const std::size_t first_at_front = roots.size();
@@ -130,15 +136,16 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
-  constexpr LockForm kAlone{0.16, 5};     // its strands end one by one, and its outline late
-  constexpr LockForm kTogether{0.04, 8};  // no skin shows at a part, and tips are no threads
+  constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
+  constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
     const std::uint32_t family = middle != nullptr ? middle->index : index;
     const bool is_over_forehead = index >= first_at_front;
     const bool is_about_face = index >= first_at_face && !is_over_forehead;
-    const bool is_long = index < first_at_face && scatter(kSeries, index, kBegin) < cut.locks.from_part;
+    const bool is_at_part = index >= first_at_part && index < first_at_face;
+    const bool is_long = index < first_at_part && scatter(kSeries, index, kBegin) < cut.locks.from_part;
     HairStrand strand =
         grow_strand(is_about_face      ? about_face
                     : is_over_forehead ? over_forehead
@@ -152,6 +159,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
                 compute_lock_shade(strand.layer, index, family), index,
                 is_about_face       ? kAboutFace
                 : is_over_forehead  ? kOverForehead
+                : is_at_part        ? kAtPartLine
                 : middle != nullptr ? (is_long ? kTogether : kBetween)
                                     : kAlone);
   }

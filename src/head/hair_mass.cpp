@@ -87,7 +87,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
   constexpr std::uint32_t kRaggedSeries = 47;
   for (int column = 0; column < kColumns; ++column) {
     // Where it hangs, tips of locks make the edge; where it grows, it runs out in the skin.
-    constexpr double kTips = 1.3, kRagged = 0.5;  // of how much tips differ
+    constexpr double kTips = 2.2, kRagged = 1.6;  // of how much tips differ
     constexpr double kHigh = 0.05,
                      kLow = 0.35;  // of a way below the hairline: there tips begin, here all are
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
@@ -95,7 +95,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
     const int left = std::max(column, kColumns - 1 - column);
     const double ragged_mm =
-        kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 0.5 * left, kColumns / 2);
+        kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 1.3 * left, 2 * kColumns);
     // A fringe's tips are locks alone: the mass would stand over the brows as a roof.
     constexpr double kFringe_mm = 9, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
     const double inset_mm = std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
@@ -106,7 +106,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
-    constexpr double kCombed_deg = 28,
+    constexpr double kCombed_deg = 20,
                      kCombedFringe_deg = 16;  // less, and it stands beside the face as a board
     const double combed_deg = std::lerp(kCombed_deg, kCombedFringe_deg, sample_border(scene.hangs, 0));
     const double beside_deg =

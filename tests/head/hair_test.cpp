@@ -313,6 +313,53 @@ TEST(hair, over_an_open_forehead_begins_at_its_border) {
     }
 }
 
+TEST(hair, begins_evenly_beside_the_part_of_an_open_forehead) {
+  for (const char* name : {"long", "wavy"})
+    for (const char* age : {"infant", "child", "adult"}) {
+      const HairScene scene = build_hair_scene(build(age), shipped().stock.head->hair.cuts.at(name));
+      const std::vector<HairPlace> roots = spread_part_roots(scene, 120);
+      EXPECT_GT(roots.size(), 80u) << name << ": before the hairline there are none";
+      int left = 0;
+      double along_mm = -1e9;
+      for (const HairPlace& root : roots) {
+        const PartArm arm =
+            compute_part_arm(scene, compute_hair_point(scene.chart, root, compute_ground_mm(scene, root)));
+        EXPECT_GT(compute_inside_mm(scene, root), 0) << name << " " << age;
+        EXPECT_LT(arm.distance_mm, 6) << name << " " << age << " " << root.azimuth_deg;
+        if (along_mm > -1e9)
+          EXPECT_NEAR(arm.along_mm, along_mm, 5) << name << " " << age << ": no bare strip";
+        along_mm = arm.along_mm;
+        left += arm.aside > 0 ? 1 : 0;
+      }
+      EXPECT_NEAR(left, 0.5 * static_cast<double>(roots.size()), 2) << name << " " << age;
+      const HairPlace last = compute_part_place(scene, 1);
+      const PartArm end =
+          compute_part_arm(scene, compute_hair_point(scene.chart, last, compute_ground_mm(scene, last)));
+      EXPECT_NEAR(along_mm, end.along_mm, 5) << name << " " << age << ": all of it";
+    }
+}
+
+// Beside a part hair lies side by side, and does not meet in single places like the bones of a fish.
+TEST(hair, leaves_its_part_side_by_side) {
+  for (const char* name : {"side_part", "long", "wavy"}) {
+    const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at(name));
+    constexpr int kPlaces = 120;
+    double worst_deg = 0;
+    glm::dvec3 before(0);
+    for (int i = 0; i < kPlaces; ++i) {
+      const HairPlace part = compute_part_place(scene, 0.2 + 0.6 * i / kPlaces);
+      if (part.way > sample_border(scene.hairline, part.azimuth_deg)) continue;
+      const glm::dvec3 on = compute_hair_point(scene.chart, part, compute_ground_mm(scene, part));
+      const HairPlace beside = compute_hair_place(scene.chart, on + glm::dvec3(4, 0, 0));
+      const glm::dvec3 way = compute_comb_way(scene, beside);
+      if (before != glm::dvec3(0))
+        worst_deg = std::max(worst_deg, std::acos(std::min(1.0, glm::dot(way, before))) / kRadiansPerDegree);
+      before = way;
+    }
+    EXPECT_LT(worst_deg, 5) << name;
+  }
+}
+
 TEST(hair, bends_in_arcs_and_has_no_elbows) {
   for (const char* name : {"crop", "side_part", "pixie"}) {
     const HairCut& cut = shipped().stock.head->hair.cuts.at(name);
