@@ -115,9 +115,12 @@ glm::vec3 place_on_tooth(const ToothShape& shape, const Station& station, const 
 constexpr int kHeightShades = 5, kDepthShades = 7, kGapShades = 3, kMilkShades = 2;
 constexpr double kBehind = 0.95;  // of the throat's shade; less of it shows the far row as a grey band
 
-std::uint16_t compute_tooth_shade(const Tooth& tooth, double height, double across, double behind) {
+std::uint16_t compute_tooth_shade(const ToothShape& shape, double height, double across, double behind) {
+  const Tooth& tooth = shape.tooth;
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
-  const double far = std::max(smooth_step(0.12, 0.95, tooth.share), kBehind * behind);
+  // The lower row lies in the shade of the cheek and the upper one: bright, its sides look like broken ones.
+  const double dark = shape.row.sign < 0 ? 0.6 : 0.95;
+  const double far = std::max(smooth_step(0.12, dark, tooth.share), kBehind * behind);
   const auto depth = std::lround(far * (kDepthShades - 1));
   const auto gap = std::lround(smooth_step(0.8, 1.0, std::abs(across)) * (kGapShades - 1));
   const auto milk = std::lround(tooth.milk);
@@ -153,15 +156,15 @@ std::vector<Shade> make_teeth_palette() {
 void append_tooth(const ToothShape& shape, Mesh& mesh, std::vector<std::uint16_t>& shades) {
   const Tooth& tooth = shape.tooth;
   std::vector<Ring> rings;
-  shades.push_back(compute_tooth_shade(tooth, 0, 0, 0.5));
+  shades.push_back(compute_tooth_shade(shape, 0, 0, 0.5));
   for (const Station& station : kStations) {
     rings.emplace_back();
     for (const RingPoint& point : kRing) {
       rings.back().push_back(place_on_tooth(shape, station, point));
-      shades.push_back(compute_tooth_shade(tooth, station.height, point.across, point.behind));
+      shades.push_back(compute_tooth_shade(shape, station.height, point.across, point.behind));
     }
   }
-  shades.push_back(compute_tooth_shade(tooth, 1, 0, 0.5));
+  shades.push_back(compute_tooth_shade(shape, 1, 0, 0.5));
   glm::vec3 table = compute_middle(rings.front());
   if (shape.row.numbers.cusps[tooth.kind] > 0 && tooth.kind > 2)
     table.y += static_cast<float>(shape.row.sign * shape.arch.scale * kFossa_mm * tooth.grown);

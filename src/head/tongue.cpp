@@ -52,7 +52,7 @@ HeadPart build_tongue(const DentalArch& arch) {
     const double round = std::sqrt(1 - square(1 - tip));  // a quarter of a circle
     const double widest =
         std::min(scale * tongue.half_mm, std::max(compute_room_mm(arch, behind_mm), 3 * scale));
-    const double free = std::min(1.0, 0.62 + 0.38 * smooth_step(0, 16, from_tip_mm));
+    const double free = std::min(1.0, 0.8 + 0.2 * smooth_step(0, 16, from_tip_mm));
     const double half = widest * round * free;
     const double rise =
         tongue.rise_mm * smooth_step(2, 26, from_tip_mm) - 5 * smooth_step(28, tongue.back_mm, from_tip_mm);
@@ -64,7 +64,7 @@ HeadPart build_tongue(const DentalArch& arch) {
     for (int k = 0; k < kHalf; ++k) {
       const double turn = std::numbers::pi * k / (kHalf - 1);
       // Flatter above than a circle, and fuller at the sides.
-      const double side = std::pow(std::sin(turn), 0.8), up = std::cos(turn);
+      const double side = std::pow(std::sin(turn), 0.62), up = std::cos(turn);
       const double lift = up > 0 ? std::pow(up, 0.75) : up;
       const double groove =
           std::exp(-square(4.2 * side)) * std::max(0.0, up) * smooth_step(2, 10, from_tip_mm);
