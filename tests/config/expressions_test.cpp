@@ -21,7 +21,7 @@ TEST(expressions, hold_the_numbers_of_their_areas) {
   const Pose& smile = find_pose(spec, "smile");
   EXPECT_EQ(find_value(smile, "corner", Side::left, "up"), 0.9);
   EXPECT_EQ(find_value(smile, "corner", Side::right, "up"), 0.9);
-  EXPECT_EQ(find_value(smile, "lips", Side::none, "lower"), -0.1);
+  EXPECT_EQ(find_value(smile, "lips", Side::none, "lower"), -0.14);
   EXPECT_EQ(find_value(smile, "chin", Side::none, "down"), 0);
   EXPECT_EQ(find_value(find_pose(spec, "tezuka/smile"), "corner", Side::left, "up"), 0.4);
 }
