@@ -18,7 +18,7 @@
 #include "head/beard.hpp"
 #include "head/cage.hpp"
 #include "head/hair_chart.hpp"
-#include "head/hair_drawn.hpp"
+#include "head/hair_edge.hpp"
 #include "head/hair_growth.hpp"
 #include "head/lids.hpp"
 #include "head/skin_tint.hpp"

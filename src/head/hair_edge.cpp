@@ -1,0 +1,224 @@
+// Drawn hair is a silhouette first (Hart, "Manga Mania: How to Draw Japanese Comics", 2001): its mass, and
+// the few locks that its edge is cut into.
+#include "head/hair_edge.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/conventions.hpp"
+#include "core/smooth.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::uint32_t kDrawnSeries = 61;  // of scatter()
+enum DrawnChannel : std::uint32_t { kBreadth, kDeep, kTipAside, kBent };
+
+// Where hair would end if no lock parted from another: where its cut lets tips end, but above ears that it
+// leaves free.
+double compute_knotted_border(const HairScene& scene, double azimuth_deg) {
+  constexpr double kBefore_deg = 66, kEar_deg = 78, kBehind_deg = 94, kPast_deg = 108;
+  const double azimuth = std::abs(azimuth_deg), line = sample_border(scene.hairline, azimuth);
+  if (scene.ends.empty()) return line;
+  const double end = sample_border(scene.ends, azimuth);
+  // Brows tell more where they are drawn, and go further up: a fringe leaves them room.
+  constexpr double kFringe_mm = 6, kFront_deg = 44, kSide_deg = 58;
+  if (scene.cut.covers_ears)
+    return end - kFringe_mm * scene.chart.size / scene.chart.drop_mm * sample_border(scene.hangs, 0) *
+                     (1 - smooth_step(kFront_deg, kSide_deg, azimuth));
+  const double ear =
+      smooth_step(kBefore_deg, kEar_deg, azimuth) - smooth_step(kBehind_deg, kPast_deg, azimuth);
+  return std::lerp(end, line, ear);
+}
+
+// The same without the corners that it has at its knots: an outline shows them.
+double compute_plain_border(const HairScene& scene, double azimuth_deg) {
+  constexpr int kReach_deg = 5;
+  constexpr double kEarFirst_deg = 68, kEarLast_deg = 112;  // it comes no nearer to an ear
+  double sum = 0, weights = 0;
+  for (int i = -kReach_deg; i <= kReach_deg; ++i) {
+    const double weight = kReach_deg + 1 - std::abs(i);
+    sum += weight * compute_knotted_border(scene, wrap_azimuth(azimuth_deg + i));
+    weights += weight;
+  }
+  const double azimuth = std::abs(azimuth_deg), smooth = sum / weights;
+  const bool is_at_ear = !scene.cut.covers_ears && azimuth > kEarFirst_deg && azimuth < kEarLast_deg;
+  return is_at_ear ? std::min(smooth, compute_knotted_border(scene, azimuth)) : smooth;
+}
+
+// Where hair comes down the furthest before an ear.
+double find_sideburn_deg(const HairScene& scene) {
+  constexpr int kFirst_deg = 54, kLast_deg = 76;
+  int lowest = kFirst_deg;
+  for (int degree = kFirst_deg; degree <= kLast_deg; ++degree)
+    if (compute_plain_border(scene, degree) > compute_plain_border(scene, lowest)) lowest = degree;
+  return lowest;
+}
+
+// The same with sideburns that end in a point.
+double compute_drawn_border(const HairScene& scene, double azimuth_deg) {
+  constexpr double kWide_deg = 12, kPointed = 0.035;  // to both sides of the point; ways a degree
+  const double plain = compute_plain_border(scene, azimuth_deg);
+  if (scene.cut.covers_ears || scene.cut.ink.lock_mm <= 0) return plain;
+  const double tip_deg = find_sideburn_deg(scene), away_deg = std::abs(std::abs(azimuth_deg) - tip_deg);
+  if (away_deg > kWide_deg) return plain;
+  const double beside = std::max(compute_plain_border(scene, tip_deg - kWide_deg),
+                                 compute_plain_border(scene, tip_deg + kWide_deg));
+  return std::min(plain, std::max(beside, compute_plain_border(scene, tip_deg) - kPointed * away_deg));
+}
+
+// How deep locks are parted at an azimuth, mm: at the front, the sides and the back.
+double compute_lock_depth_mm(const HairScene& scene, double azimuth_deg) {
+  const HairInk& ink = scene.cut.ink;
+  const double azimuth = std::abs(azimuth_deg);
+  const double side = smooth_step(44, 58, azimuth), back = smooth_step(112, 140, azimuth);
+  return std::lerp(std::lerp(ink.tips_mm[0], ink.tips_mm[1], side), ink.tips_mm[2], back);
+}
+
+}  // namespace
+
+double wrap_azimuth(double turn_deg) { return turn_deg - 360 * std::floor((turn_deg + 180) / 360); }
+
+Fall find_fall(const HairScene& scene) {
+  constexpr double kFirst = 0.06, kWhole = 0.9;  // of how much longer it gets
+  constexpr double kLast_deg = 110, kLeast = 0.25;
+  if (!scene.cut.covers_ears) return {};
+  const double front = compute_drawn_border(scene, 0);
+  double most = front;
+  for (int degree = 0; degree < kLast_deg; ++degree)
+    most = std::max(most, compute_drawn_border(scene, degree));
+  if (most - front < kLeast) return {};
+  Fall fall{0, kLast_deg, true};
+  for (int degree = 0; degree < kLast_deg; ++degree) {
+    const double share = (compute_drawn_border(scene, degree) - front) / (most - front);
+    if (share < kFirst) fall.from_deg = degree;
+    if (share > kWhole) {
+      fall.to_deg = degree;
+      break;
+    }
+  }
+  return fall;
+}
+
+namespace {
+
+// Which way tips lean, -1..1 along the degrees: the fringe away from the part, all else toward the face.
+double compute_lean(const HairScene& scene, double azimuth_deg) {
+  constexpr double kFront_deg = 50, kSoft_deg = 8, kSkull_mm = 100;
+  const double part_deg = std::atan2(scene.cut.comb.side_mm, kSkull_mm) / kRadiansPerDegree;
+  const double away = std::clamp((azimuth_deg - part_deg) / kSoft_deg, -1.0, 1.0);
+  const double toward = azimuth_deg > 0 ? -1 : 1;
+  return std::lerp(away, toward,
+                   smooth_step(kFront_deg - kSoft_deg, kFront_deg + kSoft_deg, std::abs(azimuth_deg)));
+}
+
+// Locks of about the cut's width from one degree to another.
+void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
+                        std::vector<DrawnLock>& locks) {
+  constexpr double kRadius_mm = 95;  // of the adult's hair: what its width is told on
+  constexpr double kNarrowest = 0.65, kMore = 0.7;
+  constexpr double kAside = 0.05, kScattered = 0.1;      // of its breadth: how far off its middle a tip is
+  constexpr double kBend = 0.38, kBendScattered = 0.14;  // of its breadth
+  const double width_deg = scene.cut.ink.lock_mm / (kRadius_mm * kRadiansPerDegree);
+  const int count = std::max(1, static_cast<int>(std::lround((to_deg - from_deg) / width_deg)));
+  std::vector<double> ends{0};
+  const auto first = static_cast<std::uint32_t>(locks.size());
+  for (int i = 0; i < count; ++i)
+    ends.push_back(ends.back() + kNarrowest +
+                   kMore * scatter(kDrawnSeries, first + static_cast<std::uint32_t>(i), kBreadth));
+  for (int i = 0; i < count; ++i) {
+    const auto index = static_cast<std::uint32_t>(locks.size());
+    const auto at = [&](int end) {
+      return std::lerp(from_deg, to_deg, ends[static_cast<std::size_t>(end)] / ends.back());
+    };
+    DrawnLock lock{at(i), 0, at(i + 1), 0, 0, 0};
+    const double middle = 0.5 * (lock.from_deg + lock.to_deg);
+    const double lean = compute_lean(scene, wrap_azimuth(middle)), wide = lock.to_deg - lock.from_deg;
+    const auto scatter_about = [&](double about, double most, DrawnChannel channel) {
+      return wide * (about + most * (2 * scatter(kDrawnSeries, index, channel) - 1));
+    };
+    lock.tip_deg = middle + scatter_about(kAside * lean, kScattered, kTipAside);
+    lock.bent_deg = scatter_about(kBend * lean, kBendScattered, kBent);
+    locks.push_back(lock);
+  }
+}
+
+// Where locks part, each as deep from both sides.
+void part_locks(const HairScene& scene, std::vector<DrawnLock>& locks) {
+  constexpr double kShallowest = 0.7, kDeeper = 0.5;
+  for (std::size_t i = 0; i < locks.size(); ++i) {
+    DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
+    locks[i].from_mm = before.to_mm =
+        compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg)) *
+        (kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep));
+  }
+}
+
+}  // namespace
+
+std::vector<DrawnLock> list_drawn_locks(const HairScene& scene) {
+  std::vector<DrawnLock> locks;
+  if (scene.cut.ink.lock_mm <= 0) return locks;
+  const Fall fall = find_fall(scene);
+  if (!fall.is_there) {
+    // Before each ear one ends in a point.
+    constexpr double kTemple_deg = 48, kEar_deg = 80;
+    const double tip_deg = find_sideburn_deg(scene);
+    locks.push_back({kTemple_deg, tip_deg, kEar_deg, 0, 0, 0});
+    append_drawn_locks(scene, kEar_deg, 360 - kEar_deg, locks);
+    locks.push_back({360 - kEar_deg, 360 - tip_deg, 360 - kTemple_deg, 0, 0, 0});
+    append_drawn_locks(scene, 360 - kTemple_deg, 360 + kTemple_deg, locks);
+    part_locks(scene, locks);
+    return locks;
+  }
+  // The one that frames the face has its tip where hair is as long as it gets.
+  constexpr double kFrame = 1.5;  // of the way till there: its end
+  const double end_deg = fall.from_deg + kFrame * (fall.to_deg - fall.from_deg);
+  const auto add_frame = [&](double from_deg, double tip_deg, double to_deg) {
+    locks.push_back({from_deg, tip_deg, to_deg, 0, 0, 0});
+  };
+  add_frame(fall.from_deg, fall.to_deg, end_deg);
+  append_drawn_locks(scene, end_deg, 360 - end_deg, locks);
+  add_frame(360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg);
+  append_drawn_locks(scene, 360 - fall.from_deg, 360 + fall.from_deg, locks);
+  part_locks(scene, locks);
+  return locks;
+}
+
+std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
+  constexpr double kStep_deg = 2.2;  // between columns of the mass at most
+  constexpr int kLeastSteps = 5;     // from a tip to where locks part: its outline is a curve
+  constexpr double kCurved_mm = 2;   // less deep, and there is nothing to see of it
+  constexpr double kBellied = 0.65;  // of its outline, as a power; 1: straight
+  constexpr double kLifted_mm = 5;   // deep locks stand off the skin
+  const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
+  std::vector<DrawnEdge> edge;
+  const auto add = [&](double turn_deg, double up_mm, double bent_deg) {
+    const double azimuth = wrap_azimuth(turn_deg), deep = compute_lock_depth_mm(scene, azimuth);
+    const double hangs = scene.cut.covers_ears ? sample_border(scene.hangs, azimuth) : 0;
+    // What has no end of its own hangs over its border by its locks.
+    const double over_mm = scene.ends.empty() ? deep : 0;
+    edge.push_back({turn_deg, compute_drawn_border(scene, azimuth) + (over_mm - up_mm) * way_of_mm, bent_deg,
+                    std::max(hangs, smooth_step(0, kLifted_mm, deep))});
+  };
+  const std::vector<DrawnLock> locks = list_drawn_locks(scene);
+  if (locks.empty())
+    for (int i = 0; i < 360 / kStep_deg; ++i) add(i * kStep_deg, 0, 0);
+  for (const DrawnLock& lock : locks) {
+    const auto walk = [&](double from_deg, double to_deg, double deep_mm, bool is_down) {
+      const int steps = std::max(deep_mm > kCurved_mm ? kLeastSteps : 1,
+                                 static_cast<int>(std::ceil(std::abs(to_deg - from_deg) / kStep_deg)));
+      for (int i = 0; i < steps; ++i) {
+        const double s = static_cast<double>(i) / steps, low = std::pow(is_down ? s : 1 - s, kBellied);
+        add(std::lerp(from_deg, to_deg, s), deep_mm * (1 - low), low * lock.bent_deg);
+      }
+    };
+    walk(lock.from_deg, lock.tip_deg, lock.from_mm, true);
+    walk(lock.tip_deg, lock.to_deg, lock.to_mm, false);
+  }
+  return edge;
+}
+
+}  // namespace mien
