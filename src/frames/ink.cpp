@@ -8,10 +8,12 @@
 
 #include "core/error.hpp"
 #include "core/smooth.hpp"
+#include "frames/ink_hair.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
 #include "head/beard.hpp"
 #include "head/cage.hpp"
+#include "head/hair_chart.hpp"
 #include "head/ink_colours.hpp"
 
 namespace mien {
@@ -81,22 +83,6 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   }
   for (const Triangle& t : fine.triangles)
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
-}
-
-// What hangs before the face, 1, and what lies beside, behind and above it, 0.
-std::vector<float> measure_before(const std::vector<glm::vec3>& hair) {
-  constexpr float kFront_deg = 50, kSide_deg = 78;
-  constexpr float kForehead = 0.4f, kCrown = 0.75f;  // of the way up the crown's ball
-  const Box box = compute_bounds(hair);
-  const float middle = 0.5f * (box.low.z + box.high.z), radius = 0.5f * (box.high.x - box.low.x);
-  std::vector<float> before;
-  for (const glm::vec3& p : hair) {
-    const float aside_deg = glm::degrees(std::atan2(std::abs(p.x), p.z - middle)),
-                up = 1 - (box.high.y - p.y) / radius;
-    before.push_back((1 - smooth_step(kFront_deg, kSide_deg, aside_deg)) *
-                     (1 - smooth_step(kForehead, kCrown, up)));
-  }
-  return before;
 }
 
 Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
@@ -171,11 +157,34 @@ void set_material(const Look& look, const InkColours& colours, Part& part) {
   if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
   if (!part.name.starts_with("hair") && !is_beard) return;
-  part.palette = {{find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair), 0}};
+  const glm::vec3 srgb = find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair);
+  part.palette = {{srgb, 0}};
+  if (!part.triangle_shade.empty()) part.palette.push_back({srgb, 1});  // the ring of light
   part.material = "ink_hair";
   part.shade.clear();
   part.grain.clear();
   part.wear = 0;
+}
+
+// Hair that covers ears covers them whole: beside it they would be a strip, and crumbs.
+void hide_ears(const Figure& figure, Ink& ink) {
+  const auto cut = figure.head.data->hair.cuts.find(figure.hair);
+  if (cut == figure.head.data->hair.cuts.end() || !cut->second.covers_ears) return;
+  std::vector<bool> is_ear;
+  for (const HairGround ground : list_hair_grounds(figure.head)) is_ear.push_back(ground == HairGround::ear);
+  for (const auto& [a, b] : figure.folds.skin.parents) is_ear.push_back(is_ear[a] && is_ear[b]);
+  for (const auto& [from, to, share] : ink.cuts) is_ear.push_back(is_ear[from] && is_ear[to]);
+  const auto is_hidden = [&](const Triangle& t) { return is_ear[t[0]] && is_ear[t[1]] && is_ear[t[2]]; };
+  Part& skin = ink.model.parts.front();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+    if (is_hidden(skin.rest.triangles[i])) continue;
+    skin.rest.triangles[kept] = skin.rest.triangles[i];
+    skin.triangle_shade[kept++] = skin.triangle_shade[i];
+  }
+  skin.rest.triangles.resize(kept);
+  skin.triangle_shade.resize(kept);
+  std::erase_if(ink.hull_triangles, is_hidden);
 }
 
 std::size_t find_part(const Model& model, std::string_view name) {
@@ -232,6 +241,11 @@ void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& c
   Part lines = make_flat_part("lines", "ink_line", colours.line);
   Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
   ink.strokes = list_strokes(figure, spec, ink.folds);
+  const auto cut = figure.head.data->hair.cuts.find(figure.hair);
+  if (cut != figure.head.data->hair.cuts.end() && cut->second.covers_ears)
+    std::erase_if(ink.strokes, [](const InkStroke& stroke) {
+      return std::string_view(stroke.rule.name).starts_with("ear_");
+    });
   for (const InkStroke& stroke : ink.strokes) {
     Mesh& mesh = (stroke.rule.is_brow ? brows : lines).rest;
     for (const Triangle& t : list_stroke_triangles(static_cast<std::uint32_t>(mesh.positions.size())))
@@ -240,6 +254,24 @@ void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& c
   }
   ink.model.parts.push_back(std::move(lines));
   ink.model.parts.push_back(std::move(brows));
+}
+
+// Lines on hair are darker hair, not the face's line.
+void add_hair_strokes(const Figure& figure, const InkColours& colours, Ink& ink) {
+  constexpr float kHair = 0.3f, kLine = 0.45f;
+  const auto mass = std::ranges::find(figure.model.parts, "hair_mass", &Part::name);
+  if (mass == figure.model.parts.end()) return;
+  const std::vector<InkStroke> strokes = list_hair_strokes(figure.head, figure.hair, mass->rest);
+  if (strokes.empty()) return;
+  const glm::vec3 hair = ink.model.parts[find_part(ink.model, "hair_mass")].palette.front().srgb;
+  Part part = make_flat_part("hair_lines", "ink_line", glm::mix(kHair * hair, colours.line, kLine));
+  for (const InkStroke& stroke : strokes) {
+    const auto first = static_cast<std::uint32_t>(part.rest.positions.size());
+    for (const Triangle& t : list_hair_line_triangles(first)) part.rest.triangles.push_back(t);
+    part.rest.positions.resize(first + std::size_t{2} * kHairLineSteps);
+    ink.strokes.push_back(stroke);
+  }
+  ink.model.parts.push_back(std::move(part));
 }
 
 // Rounds of going half the way to the neighbours' mean.
@@ -289,28 +321,6 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
   return static_cast<float>(view.line_mm) * (kLit + kShaded * smooth_step(-0.2f, 0.9f, away));
 }
 
-// Hair is toned as the ball that it covers: the locks' own ways would make flecks of its shade and of its
-// ring of light. How high a place is tells how far its ball looks up: locks over each other have one ring,
-// which bows over the forehead and falls to the sides.
-void round_hair(const Box& ball, const glm::vec3& camera, PartShape& hair) {
-  constexpr float kOwn = 0.02f, kBow = 0.07f;
-  const glm::vec3 middle = 0.5f * (ball.low + ball.high);
-  const float radius = 0.5f * (ball.high.x - ball.low.x);
-  for (std::size_t v = 0; v < hair.positions.size(); ++v) {
-    const glm::vec3 way = (hair.positions[v] - middle) / radius;
-    const glm::vec2 level(way.x, way.z);
-    const glm::vec2 around = level / std::max(glm::length(level), 1e-6f);
-    const float up = std::clamp(way.y + kBow * (around.x * around.x - around.y * around.y), -1.0f, 1.0f);
-    const float flat = std::sqrt(1 - up * up);
-    const glm::vec3 out(flat * around.x, up, flat * around.y);
-    // POV-Ray turns round what looks away, and a low lock would be in the ring.
-    constexpr float kToward = 0.02f;
-    const glm::vec3 seen = glm::normalize(hair.positions[v] - camera);
-    const glm::vec3 normal = kOwn * hair.normals[v] + (1 - kOwn) * out;
-    hair.normals[v] = glm::normalize(normal - std::max(0.0f, glm::dot(normal, seen) + kToward) * seen);
-  }
-}
-
 void clear_shape(PartShape& shape) {
   shape.positions.clear();
   shape.normals.clear();
@@ -339,6 +349,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   list_neighbours(figure.folds.skin, ink);
   find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
+  hide_ears(figure, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
   ink.data = figure.head.data;
@@ -355,6 +366,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     }
   for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
   add_strokes(figure, spec, colours, ink);
+  add_hair_strokes(figure, colours, ink);
   return ink;
 }
 
@@ -415,7 +427,14 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     }
     outline.positions = buffers.turn;
     outline.triangles = ink.model.parts[part].rest.triangles;
-    round_hair(hair_ball, glm::vec3(view.camera_mm), drawing.parts[part]);
+    if (ink.model.parts[part].name == "hair_mass") {
+      const StrokeGround ground{shape.positions, shape.normals, glm::vec3(view.camera_mm), view.line_mm, 1};
+      clear_shape(drawing.parts.back());
+      for (const InkStroke& stroke : ink.strokes)
+        if (stroke.rule.is_on_hair)
+          append_hair_line(stroke, ground, hair_middle, drawing.parts.back().positions);
+    }
+    round_hair(hair_ball, glm::vec3(view.camera_mm), shape.positions, shape.normals);
   }
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
@@ -430,7 +449,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm), view.line_mm,
                             ink.eye_size};
   for (const InkStroke& stroke : ink.strokes)
-    append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);
+    if (!stroke.rule.is_on_hair)
+      append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);
 
   skin.normals = buffers.tones;
   for (const auto& [from, to, share] : ink.cuts) {

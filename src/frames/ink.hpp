@@ -27,16 +27,17 @@ struct Ink {
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
-  std::size_t caster = 0;         // in `model`: what the skin's shadow is cast by
-  std::size_t first_outline = 0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes
+  std::size_t caster = 0;  // in `model`: what the skin's shadow is cast by
+  std::size_t first_outline =
+      0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
   std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth
   std::array<std::size_t, 2> lower{};  // in `model`: the lower teeth and their gum
   float teeth_high_mm = 0;
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::vector<std::size_t> outlined;    // parts of the figure besides the skin that have outlines
   std::vector<std::vector<float>> before;  // of each of them, of its vertices: how far it is drawn over skin
-  std::vector<InkStroke> strokes;
-  std::vector<FoldField> folds;  // that strokes are drawn of, without their vertices
+  std::vector<InkStroke> strokes;          // those on hair last
+  std::vector<FoldField> folds;            // that strokes are drawn of, without their vertices
   LimitShares limits;
   HeadDataPointer data;  // what muscles and units fold
   Redraw redraw;

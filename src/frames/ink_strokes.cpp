@@ -127,15 +127,15 @@ std::vector<StrokePoint> trace_line(const Mesh& skin, const Cage& cage, const Fo
 
 constexpr double kBrowEye_mm = 16;  // the eye that brows and wings are told on: a drawn adult's, nearly
 
-double find_width(const std::vector<StrokeWidth>& widths, double at) {
+}  // namespace
+
+double find_stroke_width(const std::vector<StrokeWidth>& widths, double at) {
   if (widths.size() == 1) return widths.front().width;  // as wide all along
   std::size_t i = 1;
   while (i + 1 < widths.size() && widths[i].at < at) ++i;
   const StrokeWidth &a = widths[i - 1], &b = widths[i];
   return std::lerp(a.width, b.width, std::clamp((at - a.at) / (b.at - a.at), 0.0, 1.0));
 }
-
-}  // namespace
 
 std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
                                     std::vector<FoldField>& folds) {
@@ -195,7 +195,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   const auto find_lift_mm = [&](double at) {
     if (!stroke.fold) return rule.lift_mm;
     return std::lerp(kDived_mm, rule.lift_mm,
-                     smooth_step(kThin, kDrawn, amount * find_width(rule.widths, at)));
+                     smooth_step(kThin, kDrawn, amount * find_stroke_width(rule.widths, at)));
   };
   const auto eye = static_cast<float>(ground.eye_size * 13 / kBrowEye_mm);
   std::vector<glm::vec3> line, ups;
@@ -236,7 +236,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
             : 1.0f;
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
-    const auto half = static_cast<float>(std::max(0.02, unit * amount * shown * find_width(rule.widths, at)));
+    const auto half =
+        static_cast<float>(std::max(0.02, unit * amount * shown * find_stroke_width(rule.widths, at)));
     const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
     const glm::vec3 across = glm::cross(along, lifts[i]);
     const float length = glm::length(across);

@@ -18,14 +18,18 @@ struct StrokeRule {
   const char* name;
   std::vector<const char*> points;  // of the left half, or "R:..." of the right one; inner to outer
   bool is_sided = true;             // drawn on both sides
-  bool is_ridge = false;  // drawn where the skin faces the camera: beside an outline it would double it
-  bool is_brow = false;   // in the brow's colour, its widths mm on an adult's eye of 16 mm
+  bool is_ridge = false;    // drawn where the skin faces the camera: beside an outline it would double it
+  bool is_brow = false;     // in the brow's colour, its widths mm on an adult's eye of 16 mm
+  bool is_on_hair = false;  // its points are those of the mass of hair
   std::vector<StrokeWidth> widths;
   double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
   glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
   double from = 0, to = 1;               // the part of the way that is drawn
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
 };
+
+// Half the width of a stroke so far along it.
+double find_stroke_width(const std::vector<StrokeWidth>& widths, double at);
 
 // A place of the skin: in a triangle of its vertices, by their shares.
 struct StrokePoint {

@@ -88,6 +88,13 @@ HairCut draw_cut(HairCut cut) {
       const double way = static_cast<double>(i) / static_cast<double>(thick->size() - 1);
       (*thick)[i] *= 1 + kRounder * (1 - way) * (1 - way);
     }
+  // Short hair has more body than it has strands: between crown and border.
+  constexpr double kBody = 1.1;
+  for (std::vector<double>* thick : {&cut.thick_mm.front, &cut.thick_mm.side, &cut.thick_mm.back})
+    for (std::size_t i = 0; !cut.covers_ears && !cut.comb.is_gathered && i < thick->size(); ++i) {
+      const double way = static_cast<double>(i) / static_cast<double>(thick->size() - 1);
+      (*thick)[i] *= 1 + kBody * 4 * way * (1 - way) * (thick == &cut.thick_mm.front ? 1 : 0.6);
+    }
   cut.comb.scalp_mm = 0;  // in an outline its groove is a notch
   cut.down.count = 0;
   cut.is_drawn = true;
@@ -112,10 +119,12 @@ namespace {
 HeadPart build_mass(const NeutralHead&, const HairScene& scene, const Look& look, const glm::vec3& colour) {
   const glm::vec3 deep = glm::mix(colour * 0.85f, look.skin * 0.4f, 0.06f);
   HeadPart mass = make_part("hair_mass", "tress", {{deep, 0.3f}});
-  if (scene.cut.is_drawn)
+  if (scene.cut.is_drawn) {
+    mass.part.palette.push_back({deep, 1});  // its ring of light
     append_drawn_mass(mass, scene);
-  else
+  } else {
     append_mass(mass, scene);
+  }
   update_normals(mass.part.rest);
   return mass;
 }

@@ -1,6 +1,7 @@
 #include "head/hair_drawn.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,14 +16,22 @@ namespace mien {
 
 namespace {
 
+// Where the ring of light lies along a column: from which way to which.
+struct LightBand {
+  double high = 0, low = 0;
+  bool is_there = false;
+};
+
 struct DrawnShell {
   const HairScene& scene;
   std::vector<DrawnEdge> edge;  // one a column
   Fall fall;
-  double level = 0;                    // the way above which all columns' rows lie at the same ways
+  double level = 0;                    // the way above which no column ends
+  std::vector<LightBand> light = {};   // one a column
   std::vector<glm::dvec3> puffs = {};  // curls: points of the ground
 };
 
+constexpr int kLightRow = 9;  // the ring of light lies between this row and the next
 constexpr int kLevelRows = 17, kEndRows = 13, kDrawnRows = kLevelRows + kEndRows;
 constexpr int kDrawnInnerRows = 8;  // of the inside, which nobody sees
 
@@ -34,11 +43,18 @@ HairPlace bend_place(const DrawnShell& shell, const DrawnEdge& edge, double way)
   return {wrap_azimuth(edge.turn_deg + edge.bent_deg * share * share), way};
 }
 
-HairPlace find_drawn_place(const DrawnShell& shell, const DrawnEdge& edge, int row) {
-  const double share = static_cast<double>(row - kLevelRows) / kEndRows;
-  return bend_place(
-      shell, edge,
-      row <= kLevelRows ? shell.level * row / kLevelRows : std::lerp(shell.level, edge.way, share));
+HairPlace find_drawn_place(const DrawnShell& shell, std::size_t column, int row) {
+  const DrawnEdge& edge = shell.edge[column];
+  const LightBand& light = shell.light[column];
+  const auto between = [&](double from, double to, int first, int last) {
+    return bend_place(shell, edge, std::lerp(from, to, static_cast<double>(row - first) / (last - first)));
+  };
+  if (row <= kLightRow) return between(0, light.high, 0, kLightRow);
+  constexpr double kBelow =
+      0.3;  // of what is left under the light, where it comes down further than all ends
+  const double level = std::max(shell.level, std::lerp(light.low, edge.way, kBelow));
+  if (row <= kLevelRows) return between(light.low, level, kLightRow + 1, kLevelRows);
+  return between(level, edge.way, kLevelRows, kDrawnRows);
 }
 
 double compute_drawn_size(const HairScene& scene) {
@@ -84,6 +100,14 @@ double compute_drawn_ground_mm(const DrawnShell& shell, const HairPlace& place) 
   return std::max(least, ground - in * kIn_mm * scene.chart.size);
 }
 
+// How far a lock stands out over where it parts from those beside it, and how far its tip turns out.
+double compute_swell_mm(const DrawnShell& shell, const DrawnEdge& edge, const HairPlace& place) {
+  constexpr double kRound_mm = 3.2, kRises = 0.25;
+  if (edge.deep_mm <= 0 || !shell.puffs.empty()) return 0;
+  const double share = smooth_step(kRises, 1, place.way / edge.way);
+  return compute_drawn_size(shell.scene) * kRound_mm * share * (1 - edge.across * edge.across);
+}
+
 // Distance from the axis of the outside.
 double compute_outer_mm(const DrawnShell& shell, const DrawnEdge& edge, const HairPlace& place) {
   // Its edge: on the skin, or over what it hangs on. Sunk in the skin, it would be as ragged as skin is.
@@ -96,7 +120,7 @@ double compute_outer_mm(const DrawnShell& shell, const DrawnEdge& edge, const Ha
   const double rim_mm = size * std::lerp(kOn_mm, kLifted_mm, edge.lifts);
   constexpr double kFlat = 0.2;  // between curls, of how thick they are
   const double ground = compute_drawn_ground_mm(shell, place);
-  double thick_mm = compute_mass_height_mm(scene, place);
+  double thick_mm = compute_mass_height_mm(scene, place) + compute_swell_mm(shell, edge, place);
   if (!shell.puffs.empty())
     thick_mm *= std::lerp(kFlat, 1.0, compute_puff(shell, compute_hair_point(scene.chart, place, ground)));
   return ground + rim_mm + full * (thick_mm - rim_mm);
@@ -118,19 +142,58 @@ void append_drawn_vertex(HeadPart& part, const HairScene& scene, const HairPlace
   part.bindings.push_back({seat.triangle, seat.barycentric, index, 1});
 }
 
+// How far up a place of the hair looks, -1..1: more over the forehead, less at the sides, so that what is as
+// high all round bows over the one and falls to the others.
+double compute_up(const DrawnShell& shell, const HairPlace& place) {
+  constexpr double kBow = 0.07;
+  const HairScene& scene = shell.scene;
+  const glm::dvec3 broadest = scene.chart.centre + glm::dvec3(0, scene.cut.centre_mm * scene.chart.size, 0);
+  const glm::dvec3 way = glm::normalize(
+      compute_hair_point(scene.chart, place, compute_drawn_ground_mm(shell, place)) - broadest);
+  return way.y + kBow * (way.x * way.x - way.z * way.z) / std::max(1e-9, 1 - way.y * way.y);
+}
+
+// The ring of light: over each lock it points down as the lock does, and it is thin where locks part.
+std::vector<LightBand> trace_light(const DrawnShell& shell) {
+  constexpr double kUp = 0.64, kLeast = 0.12, kAbove = 0.86;  // how far up it looks; ways
+  constexpr double kThin_mm = 2, kThick_mm = 13, kPoint_mm = 9;
+  constexpr std::uint32_t kLightSeries = 62;
+  const HairScene& scene = shell.scene;
+  const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
+  std::vector<LightBand> bands;
+  for (const DrawnEdge& edge : shell.edge) {
+    const double azimuth = wrap_azimuth(edge.turn_deg);
+    double high = 0, low = std::min(1.0, edge.way);
+    for (int i = 0; i < 24; ++i) {
+      const double middle = 0.5 * (high + low);
+      (compute_up(shell, {azimuth, middle}) > kUp ? high : low) = middle;
+    }
+    const double size = scatter(kLightSeries, static_cast<std::uint32_t>(edge.lock), 0);
+    const double full = 1 - std::abs(edge.across);
+    const double most = kAbove * edge.way;
+    const bool is_there = high > kLeast;
+    const double thick = way_of_mm * (kThin_mm + (0.35 + size) * kThick_mm * full);
+    const double end = std::min(most, high + way_of_mm * (0.4 + size) * kPoint_mm * full + 0.5 * thick);
+    bands.push_back({std::max(kLeast * 0.5, end - thick), end, is_there});
+    if (!is_there) bands.back() = {0.5 * most, 0.55 * most, false};
+  }
+  return bands;
+}
+
 void append_drawn_shell(HeadPart& part, const HairScene& scene) {
-  DrawnShell shell{scene, trace_drawn_edge(scene), find_fall(scene), 0, list_puffs(scene)};
+  DrawnShell shell{scene, trace_drawn_edge(scene), find_fall(scene), 0, {}, list_puffs(scene)};
   constexpr double kLevel = 0.9;  // of the highest place where locks part
   shell.level = 1e9;
   for (const DrawnEdge& edge : shell.edge) shell.level = std::min(shell.level, kLevel * edge.way);
+  shell.light = trace_light(shell);
   const int columns = static_cast<int>(shell.edge.size());
   const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
   const double top_mm = compute_outer_mm(shell, shell.edge.front(), {0, 0});
   append_drawn_vertex(part, scene, {0, 0}, top_mm);
-  for (const DrawnEdge& edge : shell.edge)
+  for (std::size_t column = 0; column < shell.edge.size(); ++column)
     for (int row = 1; row <= kDrawnRows; ++row) {
-      const HairPlace place = find_drawn_place(shell, edge, row);
-      append_drawn_vertex(part, scene, place, compute_outer_mm(shell, edge, place));
+      const HairPlace place = find_drawn_place(shell, column, row);
+      append_drawn_vertex(part, scene, place, compute_outer_mm(shell, shell.edge[column], place));
     }
   const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
   append_drawn_vertex(part, scene, {0, 0}, compute_inner_mm(scene, {0, 0}, top_mm, false));
@@ -142,6 +205,13 @@ void append_drawn_shell(HeadPart& part, const HairScene& scene) {
           compute_inner_mm(scene, place, compute_outer_mm(shell, edge, place), row == kDrawnInnerRows));
     }
   sew_shell(part.part.rest.triangles, {first_outer, kDrawnRows}, {first_inner, kDrawnInnerRows}, columns);
+  const auto is_light = [&](std::uint32_t v) {
+    if (v <= first_outer || v >= first_inner) return false;
+    const std::uint32_t at = v - first_outer - 1, row = at % kDrawnRows + 1;
+    return shell.light[at / kDrawnRows].is_there && (row == kLightRow || row == kLightRow + 1);
+  };
+  for (const Triangle& t : part.part.rest.triangles)
+    part.part.triangle_shade.push_back(is_light(t[0]) && is_light(t[1]) && is_light(t[2]) ? 1 : 0);
 }
 
 // A ring about a way: `up` and `aside` are unit and across it.
@@ -182,25 +252,103 @@ void append_drawn_bun(HeadPart& part, const HairScene& scene) {
   append_drawn_body(part, scene, rings, centre - kFlat * radius * out, centre + kFlat * radius * out, at);
 }
 
-// A tail that hangs from the knot and runs out in one point.
+// A tail that hangs from the knot: locks beside each other, each of which runs out in a point.
 void append_drawn_tail(HeadPart& part, const HairScene& scene) {
-  constexpr int kRings = 26;
-  constexpr double kBegins = 0.45, kFull = 0.35, kRunsOut = 2.4;  // of its radius; of its length; a power
+  struct TailLock {
+    double aside, back, broad, length;  // of its radius; of its length
+  };
+  constexpr std::array<TailLock, 3> kLocks{
+      {{0, 0, 0.86, 1}, {0.62, 0.15, 0.6, 0.8}, {-0.7, -0.1, 0.52, 0.66}}};
+  constexpr int kRings = 22;
+  constexpr double kBegins = 0.45, kFull = 0.4, kRunsOut = 2.0;  // of its radius; of its length; a power
   const HairTail& tail = scene.cut.tail;
   const double size = scene.chart.size;
   glm::dvec3 at, out;
   compute_knot(scene, at, out);
-  const TailLine line{at, out, tail.out_mm * size, tail.length_mm * size};
-  std::vector<Ring> rings;
   const glm::dvec3 aside(1, 0, 0);
+  for (const TailLock& lock : kLocks) {
+    const TailLine line{at, out, tail.out_mm * size, lock.length * tail.length_mm * size};
+    const auto find = [&](double s) {
+      const double spread = tail.radius_mm * size * smooth_step(0, 0.8, s);
+      return line.at(s) + spread * glm::dvec3(lock.aside, 0, -lock.back);
+    };
+    std::vector<Ring> rings;
+    for (int i = 0; i < kRings; ++i) {
+      const double s = static_cast<double>(i) / kRings;
+      const glm::dvec3 along = glm::normalize(find(s + 0.01) - find(s - 0.01));
+      const double radius = lock.broad * (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) *
+                            (1 - std::pow(s, kRunsOut)) * tail.radius_mm * size;
+      const glm::dvec3 across = glm::normalize(aside - glm::dot(aside, along) * along);
+      rings.push_back(make_drawn_ring(find(s), across, glm::normalize(glm::cross(across, along)), radius));
+    }
+    append_drawn_body(part, scene, rings, find(-0.01), find(1), at);
+  }
+}
+
+// A lock by itself, flat, along a curve.
+void append_stray(HeadPart& part, const HairScene& scene, const std::vector<glm::vec3>& way,
+                  const glm::dvec3& out, double broad_mm, double flat) {
+  constexpr int kRings = 10;
+  constexpr double kBegins = 0.7, kFull = 0.3;
+  const auto last = static_cast<double>(way.size() - 1);
+  std::vector<Ring> rings;
   for (int i = 0; i < kRings; ++i) {
     const double s = static_cast<double>(i) / kRings;
-    const glm::dvec3 along = glm::normalize(line.at(s + 0.01) - line.at(s - 0.01));
-    const double radius = (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) * (1 - std::pow(s, kRunsOut)) *
-                          tail.radius_mm * size;
-    rings.push_back(make_drawn_ring(line.at(s), aside, glm::normalize(glm::cross(aside, along)), radius));
+    const glm::dvec3 along = glm::normalize(glm::dvec3(sample_curve(way, (s + 0.01) * last)) -
+                                            glm::dvec3(sample_curve(way, (s - 0.01) * last)));
+    const glm::dvec3 across = glm::normalize(glm::cross(out, along)), up = glm::cross(along, across);
+    const double broad = 0.5 * broad_mm * (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) * (1 - s * s);
+    Ring ring = make_drawn_ring(glm::dvec3(0), across, up * flat, broad);
+    for (glm::vec3& p : ring) p += sample_curve(way, s * last);
+    rings.push_back(std::move(ring));
   }
-  append_drawn_body(part, scene, rings, line.at(-0.01), line.at(1), at);
+  append_drawn_body(part, scene, rings, glm::dvec3(sample_curve(way, -0.02 * last)), glm::dvec3(way.back()),
+                    glm::dvec3(way.front()));
+}
+
+// One or two that stand off at the crown; of gathered hair, one before each ear.
+void append_drawn_strays(HeadPart& part, const HairScene& scene) {
+  struct Stray {
+    double azimuth_deg, way, length_mm, broad_mm, turn_deg, bent;
+  };
+  constexpr std::array<Stray, 2> kCrown{{{-170, 0.1, 30, 15, 60, 1.25}, {160, 0.16, 22, 11, 150, 1.2}}};
+  constexpr std::array<Stray, 2> kTemples{{{57, 0.93, 58, 9, 0, 0.5}, {-61, 0.95, 44, 7, 0, 0.6}}};
+  constexpr double kSunk_mm = 5, kOff_mm = 3.5;
+  if (scene.cut.locks.curl_mm > 0) return;
+  const double size = compute_drawn_size(scene);
+  if (scene.cut.comb.is_gathered) {
+    for (const Stray& stray : kTemples) {
+      std::vector<glm::vec3> way;
+      HairPlace place{stray.azimuth_deg, stray.way * sample_border(scene.hairline, stray.azimuth_deg)};
+      glm::dvec3 out(0);
+      for (int i = 0; i <= 6; ++i) {
+        const double s = i / 6.0;
+        const HairPlace here{place.azimuth_deg - std::copysign(9 * stray.bent * s * s, place.azimuth_deg),
+                             place.way + s * stray.length_mm * size / scene.chart.drop_mm};
+        way.emplace_back(compute_hair_point(scene.chart, here,
+                                            compute_ground_mm(scene, here) + size * kOff_mm * (0.3 + s)));
+        out += compute_hair_direction(scene.chart, here);
+      }
+      append_stray(part, scene, way, glm::normalize(out), stray.broad_mm * size, 0.45);
+    }
+    return;
+  }
+  for (const Stray& stray : kCrown) {
+    const HairPlace place{stray.azimuth_deg, stray.way};
+    const glm::dvec3 out = compute_hair_direction(scene.chart, place);
+    const glm::dvec3 base = compute_hair_point(
+        scene.chart, place,
+        compute_ground_mm(scene, place) + compute_mass_height_mm(scene, place) - kSunk_mm * size);
+    const double turn = stray.turn_deg * kRadiansPerDegree;
+    const glm::dvec3 aside = glm::normalize(glm::dvec3(std::sin(turn), 0.1, std::cos(turn)));
+    std::vector<glm::vec3> way;
+    for (int i = 0; i <= 6; ++i) {
+      const double s = i / 6.0, length = stray.length_mm * size;
+      way.emplace_back(base + length * ((0.85 * s - 0.4 * s * s) * out + stray.bent * s * s * aside));
+    }
+    append_stray(part, scene, way, glm::normalize(glm::cross(aside, glm::cross(out, aside))),
+                 stray.broad_mm * size, 0.4);
+  }
 }
 
 }  // namespace
@@ -209,6 +357,8 @@ void append_drawn_mass(HeadPart& part, const HairScene& scene) {
   append_drawn_shell(part, scene);
   if (scene.cut.bun_radius_mm > 0) append_drawn_bun(part, scene);
   if (scene.cut.tail.radius_mm > 0) append_drawn_tail(part, scene);
+  append_drawn_strays(part, scene);
+  part.part.triangle_shade.resize(part.part.rest.triangles.size(), 0);
 }
 
 }  // namespace mien

@@ -14,7 +14,7 @@ namespace mien {
 namespace {
 
 constexpr std::uint32_t kDrawnSeries = 61;  // of scatter()
-enum DrawnChannel : std::uint32_t { kBreadth, kDeep, kTipAside, kBent };
+enum DrawnChannel : std::uint32_t { kBreadth, kDeep, kTipAside, kBent, kShort };
 
 // Where hair would end if no lock parted from another: where its cut lets tips end, but above ears that it
 // leaves free.
@@ -82,7 +82,7 @@ double compute_lock_depth_mm(const HairScene& scene, double azimuth_deg) {
 double wrap_azimuth(double turn_deg) { return turn_deg - 360 * std::floor((turn_deg + 180) / 360); }
 
 Fall find_fall(const HairScene& scene) {
-  constexpr double kFirst = 0.06, kWhole = 0.9;  // of how much longer it gets
+  constexpr double kFirst = 0.015, kWhole = 0.9;  // of how much longer it gets
   constexpr double kLast_deg = 110, kLeast = 0.25;
   if (!scene.cut.covers_ears) return {};
   const double front = compute_drawn_border(scene, 0);
@@ -104,55 +104,68 @@ Fall find_fall(const HairScene& scene) {
 
 namespace {
 
-// Which way tips lean, -1..1 along the degrees: the fringe away from the part, all else toward the face.
+// Which way tips lean, -1..1 along the degrees: the fringe away from where it is parted, which is not in its
+// middle; all else toward the face.
 double compute_lean(const HairScene& scene, double azimuth_deg) {
-  constexpr double kFront_deg = 50, kSoft_deg = 8, kSkull_mm = 100;
-  const double part_deg = std::atan2(scene.cut.comb.side_mm, kSkull_mm) / kRadiansPerDegree;
+  constexpr double kFront_deg = 50, kSoft_deg = 8, kSkull_mm = 100, kBeside_deg = 13;
+  const double part_deg =
+      std::max(kBeside_deg, std::atan2(scene.cut.comb.side_mm, kSkull_mm) / kRadiansPerDegree);
   const double away = std::clamp((azimuth_deg - part_deg) / kSoft_deg, -1.0, 1.0);
   const double toward = azimuth_deg > 0 ? -1 : 1;
   return std::lerp(away, toward,
                    smooth_step(kFront_deg - kSoft_deg, kFront_deg + kSoft_deg, std::abs(azimuth_deg)));
 }
 
-// Locks of about the cut's width from one degree to another.
+// Locks of about the cut's width from one degree to another: broad ones, and narrow ones between them, which
+// are shorter.
 void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
                         std::vector<DrawnLock>& locks) {
   constexpr double kRadius_mm = 95;  // of the adult's hair: what its width is told on
-  constexpr double kNarrowest = 0.65, kMore = 0.7;
-  constexpr double kAside = 0.05, kScattered = 0.1;      // of its breadth: how far off its middle a tip is
-  constexpr double kBend = 0.38, kBendScattered = 0.14;  // of its breadth
+  constexpr double kNarrowest = 0.5, kMore = 1.1, kGolden = 0.618034;  // no two neighbours are alike
+  constexpr double kAside = 0.13, kScattered = 0.07;    // of its breadth: how far off its middle a tip is
+  constexpr double kBend = 0.26, kBendScattered = 0.1;  // of its breadth
+  constexpr double kShorter = 0.42, kMoreShort = 0.16;  // of how deep it is parted
   const double width_deg = scene.cut.ink.lock_mm / (kRadius_mm * kRadiansPerDegree);
   const int count = std::max(1, static_cast<int>(std::lround((to_deg - from_deg) / width_deg)));
-  std::vector<double> ends{0};
+  std::vector<double> sizes, ends{0};
   const auto first = static_cast<std::uint32_t>(locks.size());
-  for (int i = 0; i < count; ++i)
-    ends.push_back(ends.back() + kNarrowest +
-                   kMore * scatter(kDrawnSeries, first + static_cast<std::uint32_t>(i), kBreadth));
+  for (int i = 0; i < count; ++i) {
+    const double at = scatter(kDrawnSeries, first, kBreadth) + kGolden * i;
+    sizes.push_back(at - std::floor(at));
+    ends.push_back(ends.back() + kNarrowest + kMore * sizes.back());
+  }
   for (int i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(locks.size());
     const auto at = [&](int end) {
       return std::lerp(from_deg, to_deg, ends[static_cast<std::size_t>(end)] / ends.back());
     };
-    DrawnLock lock{at(i), 0, at(i + 1), 0, 0, 0};
-    const double middle = 0.5 * (lock.from_deg + lock.to_deg);
-    const double lean = compute_lean(scene, wrap_azimuth(middle)), wide = lock.to_deg - lock.from_deg;
+    DrawnLock lock{at(i), 0, at(i + 1)};
+    const double middle = 0.5 * (lock.from_deg + lock.to_deg), wide = lock.to_deg - lock.from_deg;
+    lock.lean = compute_lean(scene, wrap_azimuth(middle));
     const auto scatter_about = [&](double about, double most, DrawnChannel channel) {
-      return wide * (about + most * (2 * scatter(kDrawnSeries, index, channel) - 1));
+      return about + most * (2 * scatter(kDrawnSeries, index, channel) - 1);
     };
-    lock.tip_deg = middle + scatter_about(kAside * lean, kScattered, kTipAside);
-    lock.bent_deg = scatter_about(kBend * lean, kBendScattered, kBent);
+    lock.tip_deg = middle + wide * scatter_about(kAside * lock.lean, kScattered, kTipAside);
+    lock.bent_deg = wide * scatter_about(kBend * lock.lean, kBendScattered, kBent);
+    const double narrow = 1 - sizes[static_cast<std::size_t>(i)];
+    lock.tip_mm = compute_lock_depth_mm(scene, wrap_azimuth(lock.tip_deg)) *
+                  (kShorter * narrow * narrow + kMoreShort * scatter(kDrawnSeries, index, kShort));
     locks.push_back(lock);
   }
 }
 
-// Where locks part, each as deep from both sides.
-void part_locks(const HairScene& scene, std::vector<DrawnLock>& locks) {
-  constexpr double kShallowest = 0.7, kDeeper = 0.5;
+// Where locks part, each as deep from both sides, and never lower than a tip.
+void part_locks(const HairScene& scene, const Fall& fall, std::vector<DrawnLock>& locks) {
+  constexpr double kFrame = 1.2, kShallowest = 0.75, kDeeper = 0.6, kOver = 0.3;  // of how deep the cut says
   for (std::size_t i = 0; i < locks.size(); ++i) {
     DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
+    const double deep = compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg));
+    const double share = kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep);
     locks[i].from_mm = before.to_mm =
-        compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg)) *
-        (kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep));
+        std::max(deep * share, std::max(before.tip_mm, locks[i].tip_mm) + kOver * deep);
+    // What frames the face begins well over the forehead, or there is a step.
+    if (fall.is_there && std::abs(std::abs(wrap_azimuth(locks[i].from_deg)) - fall.from_deg) < 0.5)
+      locks[i].from_mm = before.to_mm = kFrame * deep;
   }
 }
 
@@ -166,53 +179,65 @@ std::vector<DrawnLock> list_drawn_locks(const HairScene& scene) {
     // Before each ear one ends in a point.
     constexpr double kTemple_deg = 48, kEar_deg = 80;
     const double tip_deg = find_sideburn_deg(scene);
-    locks.push_back({kTemple_deg, tip_deg, kEar_deg, 0, 0, 0});
+    locks.push_back({kTemple_deg, tip_deg, kEar_deg});
     append_drawn_locks(scene, kEar_deg, 360 - kEar_deg, locks);
-    locks.push_back({360 - kEar_deg, 360 - tip_deg, 360 - kTemple_deg, 0, 0, 0});
+    locks.push_back({360 - kEar_deg, 360 - tip_deg, 360 - kTemple_deg});
     append_drawn_locks(scene, 360 - kTemple_deg, 360 + kTemple_deg, locks);
-    part_locks(scene, locks);
+    part_locks(scene, fall, locks);
     return locks;
   }
   // The one that frames the face has its tip where hair is as long as it gets.
   constexpr double kFrame = 1.5;  // of the way till there: its end
   const double end_deg = fall.from_deg + kFrame * (fall.to_deg - fall.from_deg);
-  const auto add_frame = [&](double from_deg, double tip_deg, double to_deg) {
-    locks.push_back({from_deg, tip_deg, to_deg, 0, 0, 0});
-  };
-  add_frame(fall.from_deg, fall.to_deg, end_deg);
+  locks.push_back({fall.from_deg, fall.to_deg, end_deg});
   append_drawn_locks(scene, end_deg, 360 - end_deg, locks);
-  add_frame(360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg);
+  locks.push_back({360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg});
   append_drawn_locks(scene, 360 - fall.from_deg, 360 + fall.from_deg, locks);
-  part_locks(scene, locks);
+  part_locks(scene, fall, locks);
   return locks;
 }
 
 std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
-  constexpr double kStep_deg = 2.2;  // between columns of the mass at most
-  constexpr int kLeastSteps = 5;     // from a tip to where locks part: its outline is a curve
-  constexpr double kCurved_mm = 2;   // less deep, and there is nothing to see of it
-  constexpr double kBellied = 0.65;  // of its outline, as a power; 1: straight
-  constexpr double kLifted_mm = 5;   // deep locks stand off the skin
+  constexpr double kStep_deg = 2.2;                  // between columns of the mass at most
+  constexpr int kLeastSteps = 6;                     // from a tip to where locks part: its outline is a curve
+  constexpr double kCurved_mm = 2;                   // less deep, and there is nothing to see of it
+  constexpr double kBellied = 0.85, kFuller = 0.42;  // of its outline, as a power; 1: straight
+  constexpr double kCloser = 1.35;                   // columns toward where locks part, as a power
+  constexpr double kLifted_mm = 5;                   // deep locks stand off the skin
+  constexpr double kNoLock_deg = 20;                 // of hair that ends in none: what it looks like above
   const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
   std::vector<DrawnEdge> edge;
-  const auto add = [&](double turn_deg, double up_mm, double bent_deg) {
+  const auto add = [&](double turn_deg, double up_mm) -> DrawnEdge& {
     const double azimuth = wrap_azimuth(turn_deg), deep = compute_lock_depth_mm(scene, azimuth);
     const double hangs = scene.cut.covers_ears ? sample_border(scene.hangs, azimuth) : 0;
     // What has no end of its own hangs over its border by its locks.
     const double over_mm = scene.ends.empty() ? deep : 0;
-    edge.push_back({turn_deg, compute_drawn_border(scene, azimuth) + (over_mm - up_mm) * way_of_mm, bent_deg,
-                    std::max(hangs, smooth_step(0, kLifted_mm, deep))});
+    return edge.emplace_back(DrawnEdge{turn_deg,
+                                       compute_drawn_border(scene, azimuth) + (over_mm - up_mm) * way_of_mm,
+                                       0, std::max(hangs, smooth_step(0, kLifted_mm, deep))});
   };
   const std::vector<DrawnLock> locks = list_drawn_locks(scene);
   if (locks.empty())
-    for (int i = 0; i < 360 / kStep_deg; ++i) add(i * kStep_deg, 0, 0);
-  for (const DrawnLock& lock : locks) {
-    const auto walk = [&](double from_deg, double to_deg, double deep_mm, bool is_down) {
+    for (int i = 0; i < 360 / kStep_deg; ++i) {
+      DrawnEdge& at = add(i * kStep_deg, 0);
+      at.lock = static_cast<std::size_t>(at.turn_deg / kNoLock_deg);
+      at.across = 2 * (at.turn_deg / kNoLock_deg - static_cast<double>(at.lock)) - 1;
+    }
+  for (std::size_t l = 0; l < locks.size(); ++l) {
+    const DrawnLock& lock = locks[l];
+    const auto walk = [&](double from_deg, double to_deg, double up_mm, bool is_down) {
+      const double deep_mm = up_mm - lock.tip_mm;
+      const double power = kBellied * std::exp2((is_down ? -kFuller : kFuller) * lock.lean);
       const int steps = std::max(deep_mm > kCurved_mm ? kLeastSteps : 1,
                                  static_cast<int>(std::ceil(std::abs(to_deg - from_deg) / kStep_deg)));
       for (int i = 0; i < steps; ++i) {
-        const double s = static_cast<double>(i) / steps, low = std::pow(is_down ? s : 1 - s, kBellied);
-        add(std::lerp(from_deg, to_deg, s), deep_mm * (1 - low), low * lock.bent_deg);
+        const double t = static_cast<double>(i) / steps, way = std::pow(is_down ? t : 1 - t, kCloser),
+                     s = is_down ? way : 1 - way, low = std::pow(way, power);
+        DrawnEdge& at = add(std::lerp(from_deg, to_deg, s), lock.tip_mm + deep_mm * (1 - low));
+        at.bent_deg = low * lock.bent_deg;
+        at.across = is_down ? way - 1 : 1 - way;
+        at.deep_mm = deep_mm;
+        at.lock = l;
       }
     };
     walk(lock.from_deg, lock.tip_deg, lock.from_mm, true);

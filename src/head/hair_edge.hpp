@@ -17,11 +17,13 @@ struct Fall {
 Fall find_fall(const HairScene& scene);
 
 // A lock of the mass's edge: where it begins, has its tip and ends, in degrees from the front on over the
-// character's left ear, a whole turn from the first on; how far its tip goes below where it parts from those
-// beside it, mm of the adult; and how far its tip is bent aside, degrees.
+// character's left ear, a whole turn from the first on; how far each of the three is above the border that
+// its cut has, mm of the adult; how far its tip is bent aside, degrees, and which way it leans, -1..1: its
+// outline is full on one side and hollow on the other.
 struct DrawnLock {
   double from_deg = 0, tip_deg = 0, to_deg = 0;
-  double from_mm = 0, to_mm = 0, bent_deg = 0;
+  double from_mm = 0, tip_mm = 0, to_mm = 0;
+  double bent_deg = 0, lean = 0;
 };
 
 // All around the head, each from where the one before it ends; none where the cut has none in ink.
@@ -32,6 +34,9 @@ struct DrawnEdge {
   double turn_deg = 0, way = 0;  // as above
   double bent_deg = 0;           // there, of the lock
   double lifts = 0;              // 0: it ends on the skin .. 1: it hangs over what is under it
+  double across = 0;             // of its lock: -1 where it begins, 0 at its tip .. 1 where it ends
+  double deep_mm = 0;            // how deep the lock is parted from the one on that side, mm of the adult
+  std::size_t lock = 0;
 };
 
 // In the order of their degrees: every tip, every place where locks part, and what is between them.

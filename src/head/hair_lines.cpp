@@ -1,0 +1,256 @@
+#include "head/hair_lines.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "core/conventions.hpp"
+#include "head/binding.hpp"
+#include "head/hair.hpp"
+#include "head/hair_edge.hpp"
+#include "head/hair_growth.hpp"
+#include "head/tubes.hpp"
+
+namespace mien {
+
+namespace {
+
+constexpr std::uint32_t kLineSeries = 63;  // of scatter()
+constexpr double kLineStep_mm = 9;         // of the adult
+
+struct LinePath {
+  std::vector<HairPlace> places;
+  double begins = 0, width = 1, ends = 0;
+};
+
+glm::dvec3 find_on_ground(const HairScene& scene, const HairPlace& place) {
+  return compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
+}
+
+// Along the way that hair is combed, `hand` 1, or against it, -1; not beyond the part or the knot.
+std::vector<HairPlace> follow_comb(const HairScene& scene, HairPlace place, double length_mm, double hand) {
+  constexpr double kNear_mm = 15;
+  const double size = scene.chart.size;
+  constexpr double kFirst_mm = 1.5, kLonger = 1.5;  // steps grow: at its border hair is round
+  std::vector<HairPlace> places{place};
+  double step_mm = kFirst_mm;
+  for (double gone_mm = 0; gone_mm < length_mm; gone_mm += step_mm) {
+    if (gone_mm > 0) step_mm = std::min(kLineStep_mm, kLonger * step_mm);
+    const glm::dvec3 at = find_on_ground(scene, place);
+    const bool is_gathered = scene.cut.comb.is_gathered;
+    const double left_mm =
+        is_gathered ? glm::distance(at, scene.knot) : compute_part_arm(scene, at).distance_mm;
+    if ((hand < 0) != is_gathered && left_mm < kNear_mm * size) break;
+    const glm::dvec3 way = compute_comb_way(scene, place, is_gathered ? 0 : left_mm / size);
+    place = compute_hair_place(scene.chart, at + hand * step_mm * size * way);
+    places.push_back(place);
+  }
+  return places;
+}
+
+// Where locks part, some further up than others; beside the face and at the back, where hair hangs, longest.
+void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr double kLeast_mm = 7, kShort_mm = 14, kLong_mm = 58, kHanging_mm = 46, kGolden = 0.618034;
+  std::size_t count = 0;
+  for (const DrawnEdge& edge : trace_drawn_edge(scene)) {
+    if (edge.across != -1 || edge.deep_mm < kLeast_mm) continue;
+    const auto index = static_cast<std::uint32_t>(count++);
+    const double azimuth = wrap_azimuth(edge.turn_deg);
+    const double at = kGolden * index, share = at - std::floor(at);
+    const double hangs = std::clamp(2 * (edge.way - 1), 0.0, 1.0);
+    paths.push_back({follow_comb(scene, {azimuth, edge.way},
+                                 kShort_mm + share * kLong_mm + hangs * (0.3 + share) * kHanging_mm, -1),
+                     0.7, 0.6 + 0.25 * share});
+  }
+}
+
+bool has_part(const HairScene& scene) {
+  constexpr double kOrderly_deg = 9.5, kWide_deg = 20;  // of disorder; of its length
+  const HairComb& comb = scene.cut.comb;
+  return !comb.is_gathered && comb.jitter_deg <= kOrderly_deg && comb.to_deg - comb.from_deg >= kWide_deg;
+}
+
+void add_part(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr int kPlaces = 14;
+  if (!has_part(scene)) return;
+  LinePath& part = paths.emplace_back(LinePath{{}, 0.3, 0.75});
+  for (int i = 0; i < kPlaces; ++i)
+    part.places.push_back(compute_part_place(scene, static_cast<double>(i) / (kPlaces - 1)));
+}
+
+// Down from the part, a little beside it.
+void add_beside_part(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr double kBeside_mm = 10, kFirst = 0.2, kStep = 0.33, kShort_mm = 26, kMore_mm = 34;
+  constexpr int kLines = 3;
+  if (!has_part(scene)) return;
+  for (const double side : {-1.0, 1.0})
+    for (int i = 0; i < kLines; ++i) {
+      const double along = kFirst + kStep * i + (side > 0 ? 0.1 : 0);
+      const double more = scatter(kLineSeries, static_cast<std::uint32_t>(i), side > 0 ? 1 : 0);
+      const glm::dvec3 at = find_on_ground(scene, compute_part_place(scene, std::min(1.0, along)));
+      const HairPlace begins =
+          compute_hair_place(scene.chart, at + glm::dvec3(side * kBeside_mm * scene.chart.size, 0, 0));
+      paths.push_back({follow_comb(scene, begins, kShort_mm + more * kMore_mm, 1), 0.15, 0.6});
+    }
+}
+
+// From the border toward the knot.
+void add_gathered(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr int kLines = 13;
+  constexpr double kInside = 0.97, kShort = 0.3, kMore = 0.42, kGolden = 0.618034;
+  if (!scene.cut.comb.is_gathered) return;
+  for (int i = 0; i < kLines; ++i) {
+    const double azimuth = wrap_azimuth(360 * (i + 0.3) / kLines);
+    const HairPlace begins{azimuth, kInside * sample_border(scene.hairline, azimuth)};
+    const double share = kGolden * i - std::floor(kGolden * i);
+    const double whole_mm = glm::distance(find_on_ground(scene, begins), scene.knot) / scene.chart.size;
+    paths.push_back({follow_comb(scene, begins, (kShort + share * kMore) * whole_mm, 1), 0.55, 0.7});
+  }
+}
+
+// A few between the border and the crown that begin and end in nothing.
+void add_free(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr int kRoots = 26;
+  constexpr double kFrom_deg = 52, kLow = 0.5, kHigh = 0.88, kShort_mm = 22, kMore_mm = 30;
+  if (scene.cut.comb.is_gathered || scene.cut.covers_ears) return;
+  const std::vector<HairPlace> roots = spread_roots(scene, kRoots, 0, false);
+  for (std::size_t i = 0; i < roots.size(); ++i) {
+    const double share = roots[i].way / sample_border(scene.hairline, roots[i].azimuth_deg);
+    if (std::abs(roots[i].azimuth_deg) < kFrom_deg || share < kLow || share > kHigh) continue;
+    const double more = scatter(kLineSeries, static_cast<std::uint32_t>(i), 4);
+    paths.push_back({follow_comb(scene, roots[i], kShort_mm + more * kMore_mm, 1), 0.05, 0.65});
+  }
+}
+
+// The edge itself where it lies on the skin: what is drawn behind hair does not show there.
+void add_edge(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr double kFront_deg = 52, kWidth = 0.55;
+  if (scene.cut.covers_ears) return;
+  const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
+  LinePath path{{}, kWidth, kWidth, kWidth};
+  for (std::size_t i = 0; i <= edge.size(); ++i) {
+    const DrawnEdge &here = edge[i % edge.size()], &before = edge[(i + edge.size() - 1) % edge.size()];
+    const HairPlace place{wrap_azimuth(here.turn_deg + here.bent_deg), here.way};
+    const bool is_corner = here.lock != before.lock || (before.across < 0 && here.across >= 0);
+    path.places.push_back(place);
+    if (!is_corner && i < edge.size()) continue;
+    if (path.places.size() > 1 && std::abs(path.places.front().azimuth_deg) > kFront_deg &&
+        std::abs(place.azimuth_deg) > kFront_deg)
+      paths.push_back(path);
+    path.places = {place};
+  }
+}
+
+// Curls: arcs within a few of them.
+void add_curls(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr int kArcs = 34, kPlaces = 9;
+  constexpr double kRadius_mm = 11, kLong_deg = 230;
+  if (scene.cut.locks.curl_mm <= 0) return;
+  const std::vector<HairPlace> middles = spread_roots(scene, kArcs, 0, false);
+  for (std::size_t i = 0; i < middles.size(); ++i) {
+    const glm::dvec3 at = find_on_ground(scene, middles[i]), out = compute_ground_normal(scene, middles[i]);
+    const glm::dvec3 aside = glm::normalize(glm::cross(glm::dvec3(0, 1, 0.01), out)),
+                     up = glm::cross(out, aside);
+    const double from_deg = 360 * scatter(kLineSeries, static_cast<std::uint32_t>(i), 2),
+                 turns = scatter(kLineSeries, static_cast<std::uint32_t>(i), 3) > 0.5 ? 1 : -1;
+    LinePath path{{}, 0.1, 0.75};
+    for (int k = 0; k < kPlaces; ++k) {
+      const double share = static_cast<double>(k) / (kPlaces - 1);
+      const double turn = (from_deg + turns * kLong_deg * share) * kRadiansPerDegree;
+      const double radius = kRadius_mm * scene.chart.size * (1 - 0.5 * share);
+      path.places.push_back(
+          compute_hair_place(scene.chart, at + radius * (std::cos(turn) * aside + std::sin(turn) * up)));
+    }
+    paths.push_back(path);
+  }
+}
+
+// In waves, where hair has them.
+void wave(const HairScene& scene, LinePath& path) {
+  constexpr double kAside_mm = 5, kRadius_mm = 95;
+  const double length_mm = scene.cut.locks.wave_length_mm;
+  if (scene.cut.locks.wave_mm <= 0) return;
+  double gone_mm = 0;
+  glm::dvec3 before = find_on_ground(scene, path.places.front());
+  for (HairPlace& place : path.places) {
+    const glm::dvec3 at = find_on_ground(scene, place);
+    gone_mm += glm::distance(at, before) / scene.chart.size;
+    before = at;
+    const double aside = kAside_mm * std::sin(2 * std::numbers::pi * gone_mm / length_mm);
+    place.azimuth_deg = wrap_azimuth(place.azimuth_deg + aside / kRadius_mm / kRadiansPerDegree);
+  }
+}
+
+double measure_length(const std::vector<glm::dvec3>& way) {
+  double length = 0;
+  for (std::size_t i = 1; i < way.size(); ++i) length += glm::distance(way[i - 1], way[i]);
+  return length;
+}
+
+// No line crosses one before it: it ends where it would, and short ones are none.
+void part_lines(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr double kApart_mm = 8, kLeast_mm = 16;
+  std::vector<std::vector<glm::dvec3>> ways;
+  std::vector<LinePath> kept;
+  for (LinePath& path : paths) {
+    std::vector<glm::dvec3> way;
+    for (const HairPlace& place : path.places) way.push_back(find_on_ground(scene, place));
+    std::size_t count = 0;
+    const auto is_free = [&](const glm::dvec3& at) {
+      for (const std::vector<glm::dvec3>& other : ways)
+        for (const glm::dvec3& p : other)
+          if (glm::distance(at, p) < kApart_mm * scene.chart.size) return false;
+      return true;
+    };
+    while (count < way.size() && is_free(way[count])) ++count;
+    way.resize(count);
+    path.places.resize(count);
+    if (measure_length(way) < kLeast_mm * scene.chart.size) continue;
+    ways.push_back(std::move(way));
+    kept.push_back(std::move(path));
+  }
+  paths = std::move(kept);
+}
+
+// Where the way out from the axis meets the outside of the mass.
+MeshPlace find_on_mass(const HairScene& scene, const Mesh& mass, const SkinPatch& patch,
+                       const HairPlace& place) {
+  constexpr int kRounds = 5;  // of coming nearer
+  SkinPlace nearest;
+  double out_mm = compute_ground_mm(scene, place) + scene.chart.size * compute_thickness_mm(scene, place);
+  for (int round = 0; round < kRounds; ++round) {
+    nearest = find_nearest_place(patch, glm::vec3(compute_hair_point(scene.chart, place, out_mm)));
+    const glm::dvec3 from = compute_hair_point(scene.chart, place, 0);
+    out_mm = glm::dot(glm::dvec3(nearest.point) - from, compute_hair_direction(scene.chart, place));
+  }
+  return {mass.triangles[nearest.triangle], nearest.barycentric};
+}
+
+}  // namespace
+
+std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string& cut, const Mesh& mass) {
+  std::vector<HairLine> lines;
+  if (!(find_drawn_cut(head, cut).mass > 0)) return lines;
+  const HairScene scene = build_hair_scene(head, find_drawn_cut(head, cut));
+  std::vector<LinePath> paths;
+  add_part(scene, paths);
+  if (scene.cut.locks.curl_mm > 0)
+    add_curls(scene, paths);
+  else
+    add_partings(scene, paths);
+  add_beside_part(scene, paths);
+  add_free(scene, paths);
+  add_gathered(scene, paths);
+  const SkinPatch patch = build_skin_patch(mass, compute_bounds(mass.positions));
+  part_lines(scene, paths);
+  add_edge(scene, paths);
+  for (LinePath& path : paths) {
+    if (path.ends == 0) wave(scene, path);
+    HairLine line{{}, path.begins, path.width, path.ends};
+    for (const HairPlace& place : path.places) line.places.push_back(find_on_mass(scene, mass, patch, place));
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace mien
