@@ -192,6 +192,11 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   constexpr float kAside = 0.26f, kFaced = 0.46f;  // of a ridge: cosines of its normal's angle to the view
   constexpr float kShown = 0.3f;
   const StrokeRule& rule = stroke.rule;
+  if (stroke.fold) {  // one that is nowhere thicker would be a speck
+    constexpr double kLeast = 0.2, kWhole = 0.27;
+    const double most = std::ranges::max_element(rule.widths, {}, &StrokeWidth::width)->width;
+    amount *= smooth_step(kLeast, kWhole, amount * most);
+  }
   const auto find_lift_mm = [&](double at) {
     if (!stroke.fold) return rule.lift_mm;
     return std::lerp(kDived_mm, rule.lift_mm,

@@ -5,6 +5,7 @@
 #include <array>
 #include <map>
 #include <string>
+#include <string_view>
 #include <tuple>
 
 #include "core/error.hpp"
@@ -19,6 +20,17 @@ struct InkTone {
   std::shared_ptr<const Surface> surface;
   std::vector<std::array<std::uint32_t, 2>> parents;  // of the fine skin's vertices behind the surface's
 };
+
+bool is_bridge(std::string_view point) {
+  if (point.starts_with("R:")) return false;
+  for (const char* ring : {"_g", "_n", "_s", "_b1"})
+    if (point.ends_with(ring)) return true;
+  // And what lies between it and the inner corner of the eye.
+  for (const char* ring : {"E2_", "E3_", "E4_", "E5_"})
+    for (const char* place : {"0", "1", "12", "13", "14", "15"})
+      if (point.starts_with(ring) && point.substr(3) == place) return true;
+  return point == "k_b2" || point == "c3_b2";
+}
 
 InkTonePointer build_ink_tone(const Figure& figure) {
   constexpr double kSpread_mm = 5;  // how far, on an adult's head
@@ -57,6 +69,9 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));
   for (const char* ring : {"E0_", "E1_"})
     for (int place = 0; place < 16; ++place) hush(ring + std::to_string(place));
+  // Nor does the nose's bridge between the eyes: its shade would run from there to the tip in pieces.
+  for (const std::string& name : cage.names)
+    if (is_bridge(name)) hush(name);
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;

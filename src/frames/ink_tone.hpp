@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "frames/figure.hpp"
@@ -17,6 +18,10 @@ using InkTonePointer = std::shared_ptr<const InkTone>;
 struct InkToneBuffers {
   std::vector<Float4> points;
 };
+
+// Whether a point of the cage is one of the nose's bridge between the eyes, which neither has a tone of its
+// own nor casts a shadow: below it the nose has one shade, of one form in every expression.
+bool is_bridge(std::string_view point);
 
 InkTonePointer build_ink_tone(const Figure& figure);
 
