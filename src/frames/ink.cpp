@@ -103,7 +103,7 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
 // theirs on their neighbours. Lips and nostrils cast none: it would be crumbs about them.
 Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kLips_mm = 7, kNostril_mm = 3, kBridge_mm = 6;
+  constexpr float kLips_mm = 7, kNostril_mm = 3, kBridge_mm = 9;
   std::vector<std::pair<glm::vec3, float>> places;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},

@@ -145,12 +145,12 @@ void append_drawn_vertex(HeadPart& part, const HairScene& scene, const HairPlace
 // How far up a place of the hair looks, -1..1: more over the forehead, less at the sides, so that what is as
 // high all round bows over the one and falls to the others.
 double compute_up(const DrawnShell& shell, const HairPlace& place) {
-  constexpr double kBow = 0.07;
+  constexpr double kBows = 0.07;
   const HairScene& scene = shell.scene;
   const glm::dvec3 broadest = scene.chart.centre + glm::dvec3(0, scene.cut.centre_mm * scene.chart.size, 0);
   const glm::dvec3 way = glm::normalize(
       compute_hair_point(scene.chart, place, compute_drawn_ground_mm(shell, place)) - broadest);
-  return way.y + kBow * (way.x * way.x - way.z * way.z) / std::max(1e-9, 1 - way.y * way.y);
+  return way.y + kBows * (way.x * way.x - way.z * way.z) / std::max(1e-9, 1 - way.y * way.y);
 }
 
 // The ring of light: over each lock it points down as the lock does, and it is thin where locks part.
@@ -296,7 +296,7 @@ void append_stray(HeadPart& part, const HairScene& scene, const std::vector<glm:
     const double s = static_cast<double>(i) / kRings;
     const glm::dvec3 along = glm::normalize(glm::dvec3(sample_curve(way, (s + 0.01) * last)) -
                                             glm::dvec3(sample_curve(way, (s - 0.01) * last)));
-    const glm::dvec3 across = glm::normalize(glm::cross(out, along)), up = glm::cross(along, across);
+    const glm::dvec3 across = glm::normalize(glm::cross(out, along)), up = glm::cross(across, along);
     const double broad = 0.5 * broad_mm * (kBegins + (1 - kBegins) * smooth_step(0, kFull, s)) * (1 - s * s);
     Ring ring = make_drawn_ring(glm::dvec3(0), across, up * flat, broad);
     for (glm::vec3& p : ring) p += sample_curve(way, s * last);

@@ -29,7 +29,7 @@ glm::dvec3 find_on_ground(const HairScene& scene, const HairPlace& place) {
 
 // Along the way that hair is combed, `hand` 1, or against it, -1; not beyond the part or the knot.
 std::vector<HairPlace> follow_comb(const HairScene& scene, HairPlace place, double length_mm, double hand) {
-  constexpr double kNear_mm = 15;
+  constexpr double kStopped_mm = 15;
   const double size = scene.chart.size;
   constexpr double kFirst_mm = 1.5, kLonger = 1.5;  // steps grow: at its border hair is round
   std::vector<HairPlace> places{place};
@@ -40,7 +40,7 @@ std::vector<HairPlace> follow_comb(const HairScene& scene, HairPlace place, doub
     const bool is_gathered = scene.cut.comb.is_gathered;
     const double left_mm =
         is_gathered ? glm::distance(at, scene.knot) : compute_part_arm(scene, at).distance_mm;
-    if ((hand < 0) != is_gathered && left_mm < kNear_mm * size) break;
+    if ((hand < 0) != is_gathered && left_mm < kStopped_mm * size) break;
     const glm::dvec3 way = compute_comb_way(scene, place, is_gathered ? 0 : left_mm / size);
     place = compute_hair_place(scene.chart, at + hand * step_mm * size * way);
     places.push_back(place);
@@ -70,7 +70,7 @@ bool has_part(const HairScene& scene) {
   return !comb.is_gathered && comb.jitter_deg <= kOrderly_deg && comb.to_deg - comb.from_deg >= kWide_deg;
 }
 
-void add_part(const HairScene& scene, std::vector<LinePath>& paths) {
+void add_part_line(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kPlaces = 14;
   if (!has_part(scene)) return;
   LinePath& part = paths.emplace_back(LinePath{{}, 0.3, 0.75});
@@ -96,7 +96,7 @@ void add_beside_part(const HairScene& scene, std::vector<LinePath>& paths) {
 
 // From the border toward the knot.
 void add_gathered(const HairScene& scene, std::vector<LinePath>& paths) {
-  constexpr int kLines = 13;
+  constexpr int kLines = 23;
   constexpr double kInside = 0.97, kShort = 0.3, kMore = 0.42, kGolden = 0.618034;
   if (!scene.cut.comb.is_gathered) return;
   for (int i = 0; i < kLines; ++i) {
@@ -123,7 +123,7 @@ void add_free(const HairScene& scene, std::vector<LinePath>& paths) {
 }
 
 // The edge itself where it lies on the skin: what is drawn behind hair does not show there.
-void add_edge(const HairScene& scene, std::vector<LinePath>& paths) {
+void add_edge_lines(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr double kFront_deg = 52, kWidth = 0.55;
   if (scene.cut.covers_ears) return;
   const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
@@ -166,7 +166,7 @@ void add_curls(const HairScene& scene, std::vector<LinePath>& paths) {
 }
 
 // In waves, where hair has them.
-void wave(const HairScene& scene, LinePath& path) {
+void wave_line(const HairScene& scene, LinePath& path) {
   constexpr double kAside_mm = 5, kRadius_mm = 95;
   const double length_mm = scene.cut.locks.wave_length_mm;
   if (scene.cut.locks.wave_mm <= 0) return;
@@ -233,7 +233,7 @@ std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string
   if (!(find_drawn_cut(head, cut).mass > 0)) return lines;
   const HairScene scene = build_hair_scene(head, find_drawn_cut(head, cut));
   std::vector<LinePath> paths;
-  add_part(scene, paths);
+  add_part_line(scene, paths);
   if (scene.cut.locks.curl_mm > 0)
     add_curls(scene, paths);
   else
@@ -243,9 +243,9 @@ std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string
   add_gathered(scene, paths);
   const SkinPatch patch = build_skin_patch(mass, compute_bounds(mass.positions));
   part_lines(scene, paths);
-  add_edge(scene, paths);
+  add_edge_lines(scene, paths);
   for (LinePath& path : paths) {
-    if (path.ends == 0) wave(scene, path);
+    if (path.ends == 0) wave_line(scene, path);
     HairLine line{{}, path.begins, path.width, path.ends};
     for (const HairPlace& place : path.places) line.places.push_back(find_on_mass(scene, mass, patch, place));
     lines.push_back(std::move(line));

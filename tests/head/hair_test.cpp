@@ -20,6 +20,7 @@
 #include "head/hair_chart.hpp"
 #include "head/hair_edge.hpp"
 #include "head/hair_growth.hpp"
+#include "head/hair_lines.hpp"
 #include "head/lids.hpp"
 #include "head/skin_tint.hpp"
 #include "head/strands.hpp"
@@ -147,10 +148,16 @@ TEST(hair, that_is_drawn_is_one_mass_and_nothing_that_is_loose) {
       EXPECT_EQ(drawn[0].part.name, "hair_mass") << what;
       expect_sound(head, drawn[0], what);
       EXPECT_EQ(count_open_edges(drawn[0].part.rest.triangles), 0u) << what;
-      const bool has_more = cut.bun_radius_mm > 0 || cut.tail.radius_mm > 0;
+      const std::size_t more = (cut.bun_radius_mm > 0 ? 1u : 0u) + (cut.tail.radius_mm > 0 ? 3u : 0u),
+                        strays = cut.locks.curl_mm > 0 ? 0u : 2u;
       const std::vector<Mesh> pieces = split_pieces(drawn[0].part.rest);
-      EXPECT_EQ(pieces.size(), has_more ? 2u : 1u) << what << ": no sliver by itself";
-      for (const Mesh& piece : pieces) EXPECT_GT(compute_volume_mm3(piece), 1000) << what;
+      EXPECT_EQ(pieces.size(), 1 + more + strays) << what << ": no sliver by itself";
+      std::size_t large = 0;
+      for (const Mesh& piece : pieces) {
+        EXPECT_GT(compute_volume_mm3(piece), 60) << what;
+        large += compute_volume_mm3(piece) > 3000 ? 1 : 0;
+      }
+      EXPECT_EQ(large, 1 + more) << what;
     }
   }
 }
@@ -175,9 +182,10 @@ TEST(hair, that_is_drawn_ends_in_a_few_pointed_locks) {
         const DrawnLock& next = locks[(i + 1) % locks.size()];
         EXPECT_NEAR(std::remainder(next.from_deg - lock.to_deg, 360), 0, 1e-9) << what;
         EXPECT_EQ(next.from_mm, lock.to_mm) << what;
+        EXPECT_LE(lock.tip_mm, std::min(lock.from_mm, lock.to_mm)) << what << ' ' << i;
       }
       EXPECT_NEAR(locks.back().to_deg - locks.front().from_deg, 360, 1e-9) << what;
-      // Seen along the edge, it goes down to each tip and up again, and nowhere else.
+      // Seen along the edge, it goes down to each tip and up again, and hardly anywhere else.
       const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
       std::size_t tips = 0;
       for (std::size_t i = 0; i < edge.size(); ++i) {
@@ -185,7 +193,89 @@ TEST(hair, that_is_drawn_ends_in_a_few_pointed_locks) {
                      after = edge[(i + 1) % edge.size()].way;
         tips += here > before && here >= after ? 1 : 0;
       }
-      EXPECT_LE(tips, locks.size()) << what;
+      EXPECT_LE(4 * tips, 5 * locks.size()) << what;
+    }
+  }
+}
+
+// Broad ones and narrow ones, long ones and short ones: no two beside each other are alike.
+TEST(hair, that_is_drawn_has_locks_unlike_each_other) {
+  const NeutralHead head = build_comic("adult");
+  for (const char* cut : {"bob", "crop", "pixie"}) {
+    const std::vector<DrawnLock> locks = list_drawn_locks(build_hair_scene(head, find_drawn_cut(head, cut)));
+    std::size_t alike = 0;
+    double least = 1e9, most = 0;
+    for (std::size_t i = 0; i < locks.size(); ++i) {
+      const auto measure = [](const DrawnLock& lock) { return lock.to_deg - lock.from_deg; };
+      const double wide = measure(locks[i]), next = measure(locks[(i + 1) % locks.size()]);
+      least = std::min(least, wide);
+      most = std::max(most, wide);
+      alike += std::abs(wide - next) < 0.08 * wide ? 1 : 0;
+    }
+    EXPECT_GT(most, 2 * least) << cut;
+    EXPECT_LT(6 * alike, locks.size()) << cut;
+  }
+}
+
+// The ring of light is a strip of its triangles, whose lower edge goes up and down, and nowhere is it in two.
+TEST(hair, that_is_drawn_has_a_ring_of_light_that_is_no_smooth_band) {
+  const NeutralHead head = build_comic("adult");
+  for (const char* cut : {"bob", "crop", "side_part", "long", "wavy", "curls", "bun"}) {
+    const Part part = build_hair(head, cut, Look{}, true)[0].part;
+    ASSERT_EQ(part.triangle_shade.size(), part.rest.triangles.size()) << cut;
+    ASSERT_EQ(part.palette.size(), 2u) << cut;
+    std::vector<Triangle> lit;
+    for (std::size_t i = 0; i < part.rest.triangles.size(); ++i)
+      if (part.triangle_shade[i] == 1) lit.push_back(part.rest.triangles[i]);
+    EXPECT_GT(lit.size(), 60u) << cut;
+    EXPECT_LT(8 * lit.size(), part.rest.triangles.size()) << cut;
+    // Heights along the front of the lower one of each triangle's corners turn often.
+    std::map<float, float> low;
+    for (const Triangle& t : lit)
+      for (const std::uint32_t v : t) {
+        const glm::vec3& p = part.rest.positions[v];
+        if (p.z < 0) continue;
+        const auto [entry, is_new] = low.try_emplace(std::round(p.x / 4), p.y);
+        entry->second = std::min(entry->second, p.y);
+      }
+    int turns = 0;
+    for (auto at = std::next(low.begin()); std::next(at) != low.end(); ++at)
+      turns += (at->second - std::prev(at)->second) * (std::next(at)->second - at->second) < 0 ? 1 : 0;
+    EXPECT_GT(turns, 5) << cut;
+  }
+}
+
+// A few lines that lie on the mass, none of them on another.
+TEST(hair, that_is_drawn_has_a_few_lines_that_do_not_cross) {
+  constexpr float kOff_mm = 2;
+  for (const char* age : {"infant", "adult"}) {
+    const NeutralHead head = build_comic(age);
+    for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+      const std::string what = std::string(age) + " " + name;
+      if (cut.mass <= 0 && cut.ink.mass <= 0) {
+        EXPECT_TRUE(list_hair_lines(head, name, Mesh{}).empty()) << what;
+        continue;
+      }
+      const Mesh mass = build_hair(head, name, Look{}, true)[0].part.rest;
+      std::vector<std::vector<glm::vec3>> ways;
+      for (const HairLine& line : list_hair_lines(head, name, mass)) {
+        ASSERT_GT(line.places.size(), 1u) << what;
+        EXPECT_GT(line.width, 0.3) << what;
+        std::vector<glm::vec3> way;
+        for (const MeshPlace& place : line.places) {
+          EXPECT_NEAR(place.shares.x + place.shares.y + place.shares.z, 1, 1e-4f) << what;
+          glm::vec3 at(0);
+          for (int i = 0; i < 3; ++i) at += place.shares[i] * mass.positions.at(place.vertices[i]);
+          way.push_back(at);
+        }
+        if (line.ends == 0) ways.push_back(way);  // else it is the edge
+      }
+      EXPECT_GT(ways.size(), 5u) << what;
+      EXPECT_LT(ways.size(), 46u) << what;
+      for (std::size_t i = 0; i < ways.size(); ++i)
+        for (std::size_t j = i + 1; j < ways.size(); ++j)
+          for (const glm::vec3& a : ways[i])
+            for (const glm::vec3& b : ways[j]) ASSERT_GT(glm::distance(a, b), kOff_mm) << what;
     }
   }
 }
