@@ -156,16 +156,18 @@ void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
 
 // Where locks part, each as deep from both sides, and never lower than a tip.
 void part_locks(const HairScene& scene, const Fall& fall, std::vector<DrawnLock>& locks) {
-  constexpr double kFrame = 1.2, kShallowest = 0.75, kDeeper = 0.6, kOver = 0.3;  // of how deep the cut says
+  constexpr double kFrame = 1.2, kSame_deg = 0.5, kShallowest = 0.75, kDeeper = 0.6,
+                   kOver = 0.3;  // of how deep the cut says
   for (std::size_t i = 0; i < locks.size(); ++i) {
     DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
     const double deep = compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg));
     const double share = kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep);
-    locks[i].from_mm = before.to_mm =
-        std::max(deep * share, std::max(before.tip_mm, locks[i].tip_mm) + kOver * deep);
+    double& beside_mm = before.to_mm;
+    beside_mm = std::max(deep * share, std::max(before.tip_mm, locks[i].tip_mm) + kOver * deep);
     // What frames the face begins well over the forehead, or there is a step.
-    if (fall.is_there && std::abs(std::abs(wrap_azimuth(locks[i].from_deg)) - fall.from_deg) < 0.5)
-      locks[i].from_mm = before.to_mm = kFrame * deep;
+    if (fall.is_there && std::abs(std::abs(wrap_azimuth(locks[i].from_deg)) - fall.from_deg) < kSame_deg)
+      beside_mm = kFrame * deep;
+    locks[i].from_mm = beside_mm;
   }
 }
 

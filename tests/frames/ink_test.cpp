@@ -72,7 +72,10 @@ std::size_t find_part(const Model& model, std::string_view name) {
 }
 
 TEST(ink, regions_meet_on_crisp_borders) {
-  const Ink& ink = comic().ink;
+  HeadSpec spec = make_spec("comic");
+  spec.hair = "crop";  // which hides no ears
+  const Subject subject = build_subject(spec);
+  const Ink& ink = subject.ink;
   const Part& skin = ink.model.parts.front();
   ASSERT_EQ(skin.triangle_shade.size(), skin.rest.triangles.size());
   EXPECT_GT(ink.cuts.size(), 200U);
@@ -88,7 +91,7 @@ TEST(ink, regions_meet_on_crisp_borders) {
     open += edges.contains({edge.second, edge.first}) ? 0 : 1;
   }
   std::set<std::pair<std::uint32_t, std::uint32_t>> before;
-  for (const Triangle& t : comic().figure.folds.skin.triangles)
+  for (const Triangle& t : subject.figure.folds.skin.triangles)
     for (int i = 0; i < 3; ++i) before.insert({t[i], t[(i + 1) % 3]});
   for (const auto& edge : before) open_before += before.contains({edge.second, edge.first}) ? 0 : 1;
   EXPECT_EQ(open, open_before);
@@ -209,7 +212,7 @@ TEST(ink, outlines_of_hair_are_all_of_it_behind_it_and_a_line_larger) {
   }
 }
 
-// Locks lie over each other: one ring of light goes over all of them.
+// Locks lie over each other: one shade goes over all of them.
 TEST(ink, hair_is_as_light_as_it_is_high) {
   const Subject& subject = comic();
   const Drawing drawing = draw(subject, Pose{}, TurnKey{}, InkView{});
@@ -221,7 +224,7 @@ TEST(ink, hair_is_as_light_as_it_is_high) {
   ASSERT_GT(front.size(), 20U);
   std::ranges::sort(front);
   for (std::size_t i = 1; i < front.size(); ++i)
-    EXPECT_GT(front[i].second, front[i - 1].second - 0.03f) << front[i].first;
+    EXPECT_GT(front[i].second, front[i - 1].second - 0.06f) << front[i].first;
 }
 
 // POV-Ray turns a normal round that looks away: low locks would shine as the crown does.

@@ -154,7 +154,7 @@ TEST(hair, that_is_drawn_is_one_mass_and_nothing_that_is_loose) {
       EXPECT_EQ(pieces.size(), 1 + more + strays) << what << ": no sliver by itself";
       std::size_t large = 0;
       for (const Mesh& piece : pieces) {
-        EXPECT_GT(compute_volume_mm3(piece), 60) << what;
+        EXPECT_GT(compute_volume_mm3(piece), 25) << what;
         large += compute_volume_mm3(piece) > 3000 ? 1 : 0;
       }
       EXPECT_EQ(large, 1 + more) << what;
