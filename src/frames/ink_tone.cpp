@@ -27,7 +27,7 @@ bool is_bridge(std::string_view point) {
     if (point.ends_with(ring)) return true;
   // And what lies between it and the inner corner of the eye.
   for (const char* ring : {"E2_", "E3_", "E4_", "E5_"})
-    for (const char* place : {"0", "1", "12", "13", "14", "15"})
+    for (const char* place : {"0", "1", "2", "3", "12", "13", "14", "15"})
       if (point.starts_with(ring) && point.substr(3) == place) return true;
   return point == "k_b2" || point == "c3_b2";
 }

@@ -1,0 +1,293 @@
+// What ink makes of a figure once: its parts, their materials, and what lines are drawn of.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "core/error.hpp"
+#include "core/smooth.hpp"
+#include "frames/ink.hpp"
+#include "frames/ink_hair.hpp"
+#include "frames/ink_regions.hpp"
+#include "frames/ink_strokes.hpp"
+#include "head/beard.hpp"
+#include "head/cage.hpp"
+#include "head/hair_chart.hpp"
+#include "head/ink_colours.hpp"
+
+namespace mien {
+
+namespace {
+
+void list_neighbours(const FineSkin& fine, Ink& ink) {
+  std::vector<std::vector<std::uint32_t>> around(fine.vertex_count());
+  for (const Triangle& t : fine.triangles)
+    for (int i = 0; i < 3; ++i) {
+      around[t[i]].push_back(t[(i + 1) % 3]);
+      around[t[i]].push_back(t[(i + 2) % 3]);
+    }
+  ink.first.push_back(0);
+  for (std::vector<std::uint32_t>& all : around) {
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    ink.around.insert(ink.around.end(), all.begin(), all.end());
+    ink.first.push_back(static_cast<std::uint32_t>(ink.around.size()));
+  }
+}
+
+// None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids,
+// the bags beneath them and where the cheek meets the nose: in profile they would leave ticks above and below
+// the eye, and a line from there to the mouth.
+void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
+                  const std::vector<glm::vec3>& positions, Ink& ink) {
+  constexpr float kNone_mm = 0.5f, kAll_mm = 5;
+  constexpr float kCheekNone_mm = 6, kCheekAll_mm = 11;
+  const FineSkin& fine = figure.folds.skin;
+  std::vector<glm::vec3> margins, cheeks;
+  const auto add = [&](const char* point, std::vector<glm::vec3>& places) {
+    const std::uint32_t left = find_point(figure.head.cage, point);
+    for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) places.push_back(positions[v]);
+  };
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
+      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+  for (const char* point :
+       {"E2_1",  "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
+        "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
+        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
+    add(point, margins);
+  // In an ear hulls leave crumbs of its many small folds, and before it where the cheek goes over into it:
+  // strokes draw it.
+  constexpr float kEarNone_mm = 2.5f, kEarAll_mm = 4.5f;
+  std::vector<glm::vec3> ears;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const char* ring : {"er7_", "er8_", "er9_", "er10_", "er11_"})
+      if (has_prefix(figure.head.cage.names[i], ring)) ears.push_back(positions[i]);
+  for (const char* ring : {"er1", "er2", "er3", "er4", "er5", "er6"})
+    for (const char* place : {"12", "13", "14", "15"}) add(fmt::format("{}_{}", ring, place).c_str(), ears);
+  for (const char* point :
+       {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
+    add(point, cheeks);
+  const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
+    for (const glm::vec3& place : places) most = std::min(most, glm::distance(place, at));
+    return most;
+  };
+  for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
+    const float margin = measure(margins, positions[v], 2 * kAll_mm) / ink.eye_size;
+    const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
+    const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
+    ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
+                       smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
+                       smooth_step(kEarNone_mm, kEarAll_mm, ear));
+  }
+  for (const Triangle& t : fine.triangles)
+    if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
+}
+
+Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
+  Part part;
+  part.name = std::move(name);
+  part.material = material;
+  part.palette = {{srgb, 0}};
+  part.is_printed = false;
+  return part;
+}
+
+Part make_outline(const std::string& name, const InkColours& colours) {
+  Part part = make_flat_part(name + "_outline", "ink_line", colours.line);
+  part.is_outline = true;
+  return part;
+}
+
+// The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
+// theirs on their neighbours. Lips and nostrils cast none: it would be crumbs about them.
+Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
+  constexpr float kLips_mm = 7, kNostril_mm = 3, kBridge_mm = 9, kEye_mm = 5;
+  std::vector<std::pair<glm::vec3, float>> places;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},
+                                         {"M1_", kLips_mm},
+                                         {"M2_", kLips_mm},
+                                         {"M3_", kLips_mm},
+                                         {"E3_", kEye_mm},
+                                         {"E4_", kEye_mm},
+                                         {"E5_", kEye_mm},
+                                         {"nr_", kNostril_mm},
+                                         {"ni_", kNostril_mm}})
+      if (has_prefix(figure.head.cage.names[i], ring)) places.emplace_back(positions[i], reach_mm);
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
+    const std::string_view name = figure.head.cage.names[i];
+    if (is_bridge(name.starts_with("R:") ? name.substr(2) : name))
+      places.emplace_back(positions[i], kBridge_mm);
+  }
+  std::vector<bool> is_none;
+  for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v)
+    is_none.push_back(std::ranges::any_of(
+        places, [&](const auto& place) { return glm::distance(place.first, positions[v]) < place.second; }));
+  Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
+  part.rest.positions.resize(figure.head.skin.positions.size());
+  for (const Triangle& t : figure.head.skin.triangles)
+    if (!is_none[t[0]] || !is_none[t[1]] || !is_none[t[2]]) part.rest.triangles.push_back(t);
+  return part;
+}
+
+// Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
+// the arch.
+void darken_backs(const InkColours& colours, Part& teeth) {
+  constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
+  const float back_mm = compute_bounds(teeth.rest.positions).low.z;
+  teeth.palette.push_back({colours.cavity, 0});
+  for (const Triangle& t : teeth.rest.triangles) {
+    const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
+                    &c = teeth.rest.positions[t[2]];
+    const glm::vec3 outward((a.x + b.x + c.x) / 3, 0, (a.z + b.z + c.z) / 3 - back_mm);
+    const glm::vec3 normal = glm::cross(b - a, c - a);
+    const float least = kLeast * glm::length(normal) * glm::length(outward);
+    teeth.triangle_shade.push_back(glm::dot(normal, outward) >= least ? 0 : 1);
+  }
+}
+
+// What the parts of a real head become; their own tones where nothing is said.
+void set_material(const Look& look, const InkColours& colours, Part& part) {
+  const auto flat = [&](const glm::vec3& srgb) {
+    part.material = "ink_flat";
+    part.palette = {{srgb, 0}};
+    part.shade.clear();
+  };
+  if (part.name == "teeth_upper") {
+    flat(colours.bone);
+    darken_backs(colours, part);
+  }
+  if (part.name == "gum_upper" || part.name == "teeth_lower" || part.name == "gum_lower" ||
+      part.name == "lip_veil")
+    flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
+  if (part.name == "tongue") flat(colours.flesh);
+  const bool is_beard = part.name.starts_with("beard");
+  if (!part.name.starts_with("hair") && !is_beard) return;
+  const glm::vec3 srgb = find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair);
+  part.palette = {{srgb, 0}};
+  if (!part.triangle_shade.empty()) part.palette.push_back({srgb, 1});  // the ring of light
+  part.material = "ink_hair";
+  part.shade.clear();
+  part.grain.clear();
+  part.wear = 0;
+}
+
+// Hair that covers ears covers them whole: beside it they would be a strip, and crumbs.
+void hide_ears(const Figure& figure, Ink& ink) {
+  const auto cut = figure.head.data->hair.cuts.find(figure.hair);
+  if (cut == figure.head.data->hair.cuts.end() || !cut->second.covers_ears) return;
+  std::vector<bool> is_ear;
+  for (const HairGround ground : list_hair_grounds(figure.head)) is_ear.push_back(ground == HairGround::ear);
+  for (const auto& [a, b] : figure.folds.skin.parents) is_ear.push_back(is_ear[a] && is_ear[b]);
+  for (const auto& [from, to, share] : ink.cuts) is_ear.push_back(is_ear[from] && is_ear[to]);
+  const auto is_hidden = [&](const Triangle& t) { return is_ear[t[0]] && is_ear[t[1]] && is_ear[t[2]]; };
+  Part& skin = ink.model.parts.front();
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+    if (is_hidden(skin.rest.triangles[i])) continue;
+    skin.rest.triangles[kept] = skin.rest.triangles[i];
+    skin.triangle_shade[kept++] = skin.triangle_shade[i];
+  }
+  skin.rest.triangles.resize(kept);
+  skin.triangle_shade.resize(kept);
+  std::erase_if(ink.hull_triangles, is_hidden);
+}
+
+std::size_t find_part(const Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.parts, name, &Part::name);
+  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
+  return static_cast<std::size_t>(found - model.parts.begin());
+}
+
+void find_mouth(const Figure& figure, Ink& ink) {
+  ink.teeth = find_part(ink.model, "teeth_upper");
+  ink.tongue = find_part(ink.model, "tongue");
+  ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
+  const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
+  ink.teeth_high_mm = box.high.y - box.low.y;
+  ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
+}
+
+void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
+  Part lines = make_flat_part("lines", "ink_line", colours.line);
+  Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
+  ink.strokes = list_strokes(figure, spec, ink.folds);
+  const auto cut = figure.head.data->hair.cuts.find(figure.hair);
+  if (cut != figure.head.data->hair.cuts.end() && cut->second.covers_ears)
+    std::erase_if(ink.strokes, [](const InkStroke& stroke) {
+      return std::string_view(stroke.rule.name).starts_with("ear_");
+    });
+  for (const InkStroke& stroke : ink.strokes) {
+    Mesh& mesh = (stroke.rule.is_brow ? brows : lines).rest;
+    for (const Triangle& t : list_stroke_triangles(static_cast<std::uint32_t>(mesh.positions.size())))
+      mesh.triangles.push_back(t);
+    mesh.positions.resize(mesh.positions.size() + kStrokeVertices);
+  }
+  ink.model.parts.push_back(std::move(lines));
+  ink.model.parts.push_back(std::move(brows));
+}
+
+// Lines on hair are darker hair, not the face's line.
+void add_hair_strokes(const Figure& figure, const InkColours& colours, Ink& ink) {
+  constexpr float kHair = 0.3f, kLine = 0.45f;
+  const auto mass = std::ranges::find(figure.model.parts, "hair_mass", &Part::name);
+  if (mass == figure.model.parts.end()) return;
+  const std::vector<InkStroke> strokes = list_hair_strokes(figure.head, figure.hair, mass->rest);
+  if (strokes.empty()) return;
+  const glm::vec3 hair = ink.model.parts[find_part(ink.model, "hair_mass")].palette.front().srgb;
+  Part part = make_flat_part("hair_lines", "ink_line", glm::mix(kHair * hair, colours.line, kLine));
+  for (const InkStroke& stroke : strokes) {
+    const auto first = static_cast<std::uint32_t>(part.rest.positions.size());
+    for (const Triangle& t : list_hair_line_triangles(first)) part.rest.triangles.push_back(t);
+    part.rest.positions.resize(first + std::size_t{2} * kHairLineSteps);
+    ink.strokes.push_back(stroke);
+  }
+  ink.model.parts.push_back(std::move(part));
+}
+
+}  // namespace
+
+Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colours) {
+  Ink ink;
+  ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
+  ink.model = figure.model;
+  for (Part& part : ink.model.parts) set_material(spec.look, colours, part);
+  Part& skin = ink.model.parts.front();
+  const std::vector<glm::vec3> positions = skin.rest.positions;
+  InkRegions regions = cut_regions(figure, spec, colours, positions);
+  skin.material = "ink_skin";
+  skin.palette = std::move(regions.palette);
+  skin.shade.clear();
+  skin.triangle_shade = std::move(regions.shade);
+  skin.rest.triangles = std::move(regions.triangles);
+  ink.cuts = std::move(regions.cuts);
+  for (const auto& [from, to, share] : ink.cuts)
+    skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
+  skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
+  list_neighbours(figure.folds.skin, ink);
+  find_mouth(figure, ink);
+  measure_hull(figure, regions.is_opening, positions, ink);
+  hide_ears(figure, ink);
+  ink.tone = build_ink_tone(figure);
+  ink.limits = figure.limits;
+  ink.data = figure.head.data;
+  ink.redraw = figure.redraw;
+  ink.caster = ink.model.parts.size();
+  ink.model.parts.push_back(make_caster(figure, positions));
+  ink.first_outline = ink.model.parts.size();
+  std::vector<Part> outlines{make_outline("skin", colours)};
+  for (std::size_t i = 1; i < ink.model.parts.size(); ++i)
+    if (ink.model.parts[i].material == "ink_hair") {
+      outlines.push_back(make_outline(ink.model.parts[i].name, colours));
+      ink.outlined.push_back(i);
+      ink.before.push_back(measure_before(ink.model.parts[i].rest.positions));
+    }
+  for (Part& outline : outlines) ink.model.parts.push_back(std::move(outline));
+  add_strokes(figure, spec, colours, ink);
+  add_hair_strokes(figure, colours, ink);
+  return ink;
+}
+
+}  // namespace mien
