@@ -306,49 +306,61 @@ void append_stray(HeadPart& part, const HairScene& scene, const std::vector<glm:
                     glm::dvec3(way.front()));
 }
 
-// One or two that stand off at the crown; of gathered hair, one before each ear.
-void append_drawn_strays(HeadPart& part, const HairScene& scene) {
-  struct Stray {
-    double azimuth_deg, way, length_mm, broad_mm, turn_deg, bent;
-  };
-  constexpr std::array<Stray, 2> kCrown{{{-170, 0.1, 30, 15, 60, 1.25}, {160, 0.16, 22, 11, 150, 1.2}}};
-  constexpr std::array<Stray, 2> kTemples{{{57, 0.93, 58, 9, 0, 0.5}, {-61, 0.95, 44, 7, 0, 0.6}}};
-  constexpr double kSunk_mm = 5, kOff_mm = 3.5;
-  if (scene.cut.locks.curl_mm > 0) return;
+// A stray: where it begins, on the adult how long and broad it is, and how far it bends: along a direction of
+// `turn_deg` from the front, or toward the middle of the face.
+struct DrawnStray {
+  double azimuth_deg = 0, way = 0, length_mm = 0, broad_mm = 0, bent = 0, turn_deg = 0;
+};
+constexpr int kStrayPlaces = 7;
+
+// Before an ear, down the cheek.
+void append_temple_stray(HeadPart& part, const HairScene& scene, const DrawnStray& stray) {
+  constexpr double kOff_mm = 3.5, kBegins = 0.3, kBent_deg = 9, kFlat = 0.45;
   const double size = compute_drawn_size(scene);
-  if (scene.cut.comb.is_gathered) {
-    for (const Stray& stray : kTemples) {
-      std::vector<glm::vec3> way;
-      HairPlace place{stray.azimuth_deg, stray.way * sample_border(scene.hairline, stray.azimuth_deg)};
-      glm::dvec3 out(0);
-      for (int i = 0; i <= 6; ++i) {
-        const double s = i / 6.0;
-        const HairPlace here{place.azimuth_deg - std::copysign(9 * stray.bent * s * s, place.azimuth_deg),
-                             place.way + s * stray.length_mm * size / scene.chart.drop_mm};
-        way.emplace_back(compute_hair_point(scene.chart, here,
-                                            compute_ground_mm(scene, here) + size * kOff_mm * (0.3 + s)));
-        out += compute_hair_direction(scene.chart, here);
-      }
-      append_stray(part, scene, way, glm::normalize(out), stray.broad_mm * size, 0.45);
-    }
-    return;
+  const double from = stray.way * sample_border(scene.hairline, stray.azimuth_deg);
+  std::vector<glm::vec3> way;
+  glm::dvec3 out(0);
+  for (int i = 0; i < kStrayPlaces; ++i) {
+    const double s = static_cast<double>(i) / (kStrayPlaces - 1);
+    const double bent_deg = std::copysign(kBent_deg * stray.bent * s * s, stray.azimuth_deg);
+    const HairPlace here{stray.azimuth_deg - bent_deg,
+                         from + s * stray.length_mm * size / scene.chart.drop_mm};
+    way.emplace_back(compute_hair_point(scene.chart, here,
+                                        compute_ground_mm(scene, here) + size * kOff_mm * (kBegins + s)));
+    out += compute_hair_direction(scene.chart, here);
   }
-  for (const Stray& stray : kCrown) {
-    const HairPlace place{stray.azimuth_deg, stray.way};
-    const glm::dvec3 out = compute_hair_direction(scene.chart, place);
-    const glm::dvec3 base = compute_hair_point(
-        scene.chart, place,
-        compute_ground_mm(scene, place) + compute_mass_height_mm(scene, place) - kSunk_mm * size);
-    const double turn = stray.turn_deg * kRadiansPerDegree;
-    const glm::dvec3 aside = glm::normalize(glm::dvec3(std::sin(turn), 0.1, std::cos(turn)));
-    std::vector<glm::vec3> way;
-    for (int i = 0; i <= 6; ++i) {
-      const double s = i / 6.0, length = stray.length_mm * size;
-      way.emplace_back(base + length * ((0.85 * s - 0.4 * s * s) * out + stray.bent * s * s * aside));
-    }
-    append_stray(part, scene, way, glm::normalize(glm::cross(aside, glm::cross(out, aside))),
-                 stray.broad_mm * size, 0.4);
+  append_stray(part, scene, way, glm::normalize(out), stray.broad_mm * size, kFlat);
+}
+
+// Off the crown, in an arc.
+void append_crown_stray(HeadPart& part, const HairScene& scene, const DrawnStray& stray) {
+  constexpr double kSunk_mm = 5, kRises = 0.85, kFalls = 0.4, kUp = 0.1, kFlat = 0.4;
+  const double size = compute_drawn_size(scene), turn = stray.turn_deg * kRadiansPerDegree;
+  const HairPlace place{stray.azimuth_deg, stray.way};
+  const glm::dvec3 out = compute_hair_direction(scene.chart, place);
+  const glm::dvec3 base = compute_hair_point(
+      scene.chart, place,
+      compute_ground_mm(scene, place) + compute_mass_height_mm(scene, place) - kSunk_mm * size);
+  const glm::dvec3 aside = glm::normalize(glm::dvec3(std::sin(turn), kUp, std::cos(turn)));
+  std::vector<glm::vec3> way;
+  for (int i = 0; i < kStrayPlaces; ++i) {
+    const double s = static_cast<double>(i) / (kStrayPlaces - 1);
+    way.emplace_back(base + stray.length_mm * size *
+                                ((kRises * s - kFalls * s * s) * out + stray.bent * s * s * aside));
   }
+  append_stray(part, scene, way, glm::normalize(glm::cross(aside, glm::cross(out, aside))),
+               stray.broad_mm * size, kFlat);
+}
+
+// Two that stand off at the crown; of gathered hair, one before each ear. Curls are life enough.
+void append_drawn_strays(HeadPart& part, const HairScene& scene) {
+  constexpr std::array<DrawnStray, 2> kCrown{{{-170, 0.1, 30, 15, 1.25, 60}, {160, 0.16, 22, 11, 1.2, 150}}};
+  constexpr std::array<DrawnStray, 2> kTemples{{{57, 0.93, 58, 9, 0.5}, {-61, 0.95, 44, 7, 0.6}}};
+  if (scene.cut.locks.curl_mm > 0) return;
+  if (scene.cut.comb.is_gathered)
+    for (const DrawnStray& stray : kTemples) append_temple_stray(part, scene, stray);
+  else
+    for (const DrawnStray& stray : kCrown) append_crown_stray(part, scene, stray);
 }
 
 }  // namespace
