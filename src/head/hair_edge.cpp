@@ -22,7 +22,12 @@ double compute_knotted_border(const HairScene& scene, double azimuth_deg) {
   constexpr double kBefore_deg = 66, kEar_deg = 78, kBehind_deg = 94, kPast_deg = 108;
   const double azimuth = std::abs(azimuth_deg), line = sample_border(scene.hairline, azimuth);
   if (scene.ends.empty()) return line;
-  const double end = sample_border(scene.ends, azimuth);
+  // Beside the face what falls reaches over the cheek: before the ear no skin shows behind it.
+  constexpr double kForward_deg = 5, kCheek_deg = 47, kWhole_deg = 62, kPassed_deg = 78, kEnd_deg = 104;
+  const double forward =
+      smooth_step(kCheek_deg, kWhole_deg, azimuth) - smooth_step(kPassed_deg, kEnd_deg, azimuth);
+  const double end =
+      sample_border(scene.ends, azimuth + (scene.cut.covers_ears ? kForward_deg * forward : 0));
   // Brows tell more where they are drawn, and go further up: a fringe leaves them room.
   constexpr double kFringe_mm = 6, kFront_deg = 44, kSide_deg = 58;
   if (scene.cut.covers_ears)
