@@ -31,6 +31,7 @@ struct MoveTable {
   std::array<std::string, 3> units;  // face units by which x, y, z scale on another head
   std::string anchors;               // name of an anchor set
   Handles plus, minus;               // minus may be empty
+  Handles even;                      // of an odd move: what both halves do alike, whichever side it goes to
   std::vector<std::pair<Driver, double>>
       yields;  // to what else moves its skin, and the share that it then lacks
 };

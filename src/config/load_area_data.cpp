@@ -57,12 +57,15 @@ MoveTable read_move(const AreaReader& reader, const YamlEntry& entry, const Data
     check_name(*table.find("anchors"), move.anchors, "anchor set", reader.anchors);
   if (table.find("plus") != nullptr) move.plus = load_handles(table.list("plus"), reader.points);
   if (table.find("minus") != nullptr) move.minus = load_handles(table.list("minus"), reader.points);
+  if (table.find("even") != nullptr) move.even = load_handles(table.list("even"), reader.points);
   std::map<std::string, double> rows;
   table.read_if("rows", rows);
   if (table.find("columns_plus") != nullptr)
     add_columns(table.list("columns_plus"), rows, reader.points, move.plus);
   if (table.find("columns_minus") != nullptr)
     add_columns(table.list("columns_minus"), rows, reader.points, move.minus);
+  if (table.find("columns_even") != nullptr)
+    add_columns(table.list("columns_even"), rows, reader.points, move.even);
   if (table.find("yields") != nullptr)
     for (const YamlEntry& other : table.list("yields")) {
       auto& [to, share] = move.yields.emplace_back();

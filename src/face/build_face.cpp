@@ -86,6 +86,11 @@ DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, 
   };
   const bool is_late = table.area == "jaw";
   if (table.is_odd) {
+    if (!table.even.empty()) {
+      const Field even =
+          solve_field(solver, scales.apply(table, table.even), anchors.at(table.anchors), Reach::both);
+      for (std::size_t i = 0; i < field.size(); ++i) field[i] += even[i];
+    }
     Field mirrored = mirror_field(*solver.cage, field);
     return {drive(Side::none),
             std::move(field),

@@ -140,8 +140,7 @@ void bring_to_level(const Face& face, const std::vector<std::optional<double>>& 
 // LIPS_MATCH_LEVEL: overlapping lips are pushed apart half and half; pressed lips close what a shut jaw
 // leaves open.
 void match_lips(const Face& face, const Pose& pose, std::vector<glm::dvec3>& points) {
-  const double press =
-      std::max(value_of(pose, "lips", Side::none, "press"), value_of(pose, "lips", Side::none, "shut"));
+  const double press = std::max(value_of(pose, "lips", Side::none, "press"), compute_shut(pose));
   const double part = 1 + kPart * (1 - kPressed * std::min(press, 1.0));
   for (const LipColumn& column : face.lips) {
     const double gap = compute_gap_mm(column, points);

@@ -96,6 +96,39 @@ TEST(contact, lips_that_stay_shut_are_shut_over_an_open_jaw) {
   }
 }
 
+// The side that it leaves is drawn forward over the teeth, the other one goes back along them.
+TEST(contact, a_mouth_that_goes_aside_goes_round_the_teeth) {
+  for (const double side : {1.0, -1.0}) {
+    const Pose aside = build_pose({{"mouth", "side", side}});
+    const std::string to = side > 0 ? "" : "R:", from = side > 0 ? "R:" : "";
+    EXPECT_LT(compute_way(adult(), aside, to + "M3_6").z, -2) << side;
+    EXPECT_GT(compute_way(adult(), aside, from + "M3_6").z, 3) << side;
+    EXPECT_GT(side * compute_way(adult(), aside, from + "M3_6").x, 8) << side;
+  }
+}
+
+TEST(contact, each_lip_rolls_in_alone) {
+  for (const auto& [move, own, other] :
+       {std::tuple{"roll_upper", "M3_0", "M3_12"}, {"roll_lower", "M3_12", "M3_0"}}) {
+    const Pose rolled = build_pose({{"lips", move, 1}});
+    EXPECT_LT(compute_way(adult(), rolled, own).z, -3) << move;
+    EXPECT_LT(glm::length(compute_way(adult(), rolled, other)), 3) << move;
+  }
+}
+
+TEST(contact, a_lip_is_drawn_away_from_the_other_on_one_side) {
+  const auto find = [](const char* move) {
+    Pose pose;
+    pose.values[*find_move(Area::corner, Side::left, move)] = 1;
+    return pose;
+  };
+  EXPECT_GT(compute_way(adult(), find("lift"), "M3_3").y, 4);
+  EXPECT_LT(compute_way(adult(), find("lift"), "R:M3_3").y, 1.5);
+  EXPECT_LT(compute_way(adult(), find("bare"), "M3_9").y, -3);
+  EXPECT_GT(compute_way(adult(), find("bare"), "R:M3_9").y, -1.5);
+  EXPECT_LT(compute_way(adult(), find("dimple"), "M3_6").z, -5);
+}
+
 TEST(contact, a_smile_thins_the_red_of_both_lips) {
   const Pose smile = build_pose({{"corner", "out", 0.8}, {"corner", "up", 0.95}});
   const auto red = [&](const Pose& pose, const char* border, const char* edge) {
