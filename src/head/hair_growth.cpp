@@ -382,7 +382,8 @@ std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count) {
   std::vector<HairPlace> roots;
   const int pairs = count / 2;
   for (int i = 0; i < 2 * pairs; ++i) {
-    const double share = (i / 2 + 0.5) / pairs;
+    const int pair = i / 2;  // one root a side
+    const double share = (pair + 0.5) / pairs;
     const double away_mm =
         std::lerp(kLeast_mm, kMost_mm, scatter(kSeries + 4, static_cast<std::uint32_t>(i), 0));
     const glm::dvec3 part = compute_part_direction(scene.cut.comb, share);
