@@ -52,7 +52,8 @@ void halve(const Sampling& sampling, const MoveShape& low, const MoveShape& high
 std::vector<MoveShape> sample_shapes(const Sampling& sampling, const std::vector<glm::vec3>& neutral) {
   const MoveInfo& info = kMoves[sampling.move];
   const MoveShape rest{0, neutral};
-  const int depth = sampling.request.most_halvings;
+  // A move of one end has as many shapes as one of two, or a sneer is off where its skin is stopped.
+  const int depth = sampling.request.most_halvings + (info.low < 0 ? 0 : 1);
   std::vector<MoveShape> shapes;
   if (info.low < 0) {
     MoveShape low = sample_shape(sampling.place, sampling.move, info.low);

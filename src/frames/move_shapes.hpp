@@ -11,8 +11,7 @@
 // Error        At a shape's own value none. Halfway between two neighbours a vertex is within
 //              ShapeRequest::tolerance_mm of its way in truth, unless the halvings were used up. Anywhere
 //              between, measured on the adult with 0.02 mm asked for and without folds: the skin within 0.06
-//              mm, hairs within 0.05 mm, but the lashes of an upper lid within 0.4 mm and a sneer, whose skin
-//              is stopped below the eye, within 0.09 mm. measure_between_mm
+//              mm, hairs within 0.05 mm, but the lashes of an upper lid within 0.4 mm. measure_between_mm
 //              tells it of any mesh. Moves that are added up are further off: expressions' own shapes are for
 //              that.
 // Mirrors      The shapes of the skin's mirrored moves are mirror images to the last bit. Hairs are not quite
@@ -47,7 +46,7 @@ struct MoveShapes {
 
 struct ShapeRequest {
   double tolerance_mm = 0.02;     // in the mesh's own space; less asks for more in-betweens
-  int most_halvings = 3;          // of the way from 0 to an end: the lids, which turn furthest, need two
+  int most_halvings = 3;          // of the way from 0 to an end, one more of a move with a single end
   std::vector<bool> is_left_out;  // vertices that something else places: no in-between is for them; or empty
 };
 

@@ -113,16 +113,14 @@ TEST(move_shapes, a_shape_is_the_deformed_head_to_the_last_bit) {
 TEST(move_shapes, between_its_shapes_the_skin_stays_on_its_way) {
   const Sampled& skin = sampled_for_skin();
   for (const MoveShapes& move : skin.moves)
-    EXPECT_LT(measure_between_mm(skin.place, skin.neutral, move, skin.request, 5),
-              name_of(move.move) == "nose sneer" ? 0.09 : 0.06)
+    EXPECT_LT(measure_between_mm(skin.place, skin.neutral, move, skin.request, 5), 0.06)
         << name_of(move.move);
 }
 
 TEST(move_shapes, between_its_shapes_hairs_stay_on_their_way) {
   const Sampled& all = sampled();
   for (const MoveShapes& move : all.moves) {
-    const std::string name = name_of(move.move);
-    const double most_mm = name == "lid upper" ? 0.4 : name == "nose sneer" ? 0.09 : 0.05;
+    const double most_mm = name_of(move.move) == "lid upper" ? 0.4 : 0.05;
     EXPECT_LT(measure_between_mm(all.place, all.neutral, move, all.request, 5), most_mm)
         << name_of(move.move);
   }
