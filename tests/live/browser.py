@@ -8,7 +8,7 @@ from selenium.webdriver.chrome.service import Service
 from selenium.webdriver.common.action_chains import ActionChains
 from selenium.webdriver.common.keys import Keys
 
-WAIT_S = 60  # on a busy machine
+WAIT_S = 150  # on a busy machine
 
 
 def start_live(program, file, *options):

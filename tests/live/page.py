@@ -105,12 +105,23 @@ def slider(page, file):
     check("what another program saves is loaded", page.until(f"{EDITOR}.getText() === {before!r}"))
 
 
+def on_mark(page, mark, add):
+    """The timeline is drawn anew when an answer comes: what was found just before that is taken again."""
+    for _ in range(8):
+        try:
+            return add(page.act(), page.find(mark)).perform()
+        except StaleElementReferenceException:
+            time.sleep(0.3)
+    raise RuntimeError(f"{mark} never stays")
+
+
 def drag(page):
     page.until(f"{MISTAKES} === 'no mistakes' && document.querySelectorAll('.mark_key').length > 3")
     line = find_line(page, KEY_LINE)
     text = page.find(f"{EDITOR}.getText()")
-    key = page.find("document.querySelectorAll('.mark_key')[2]")
-    page.act().click_and_hold(key).move_by_offset(20, 0).move_by_offset(10, 0).release().perform()
+    page.until("mienLive.state.isGood && !mienLive.timeline.isDragging")
+    on_mark(page, "document.querySelectorAll('.mark_key')[2]",
+            lambda act, key: act.click_and_hold(key).move_by_offset(20, 0).move_by_offset(10, 0).release())
     check("a dragged key changes its number", page.until(f"!{EDITOR}.cm.getLine({line}).startsWith({KEY_LINE!r})"))
     now = page.find(f"{EDITOR}.getText()").split("\n")
     check("and nothing else", sum(a != b for a, b in zip(now, text.split("\n"))) == 1)
@@ -200,16 +211,6 @@ def accessibility(page):
     check("a toggle that is pressed is told", page.until("mienLive.view.toggles.wire") and any(
         node["name"] == "Wire" and node.get("pressed") in (True, "true") for node in page.list_accessible()))
     page.run("document.querySelector('[data-name=wire]').click()")
-
-
-def on_mark(page, mark, add):
-    """The timeline is drawn anew when an answer comes: what was found just before that is taken again."""
-    for _ in range(8):
-        try:
-            return add(page.act(), page.find(mark)).perform()
-        except StaleElementReferenceException:
-            time.sleep(0.3)
-    raise RuntimeError(f"{mark} never stays")
 
 
 def stage_keys(page):
