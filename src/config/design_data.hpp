@@ -23,7 +23,7 @@ struct DesignNumbers {
   double eye_out = 0, eye_up = 0, eye_back = 0;
   double cranium_height = 1, cranium_width = 1, cranium_depth = 1;
   double face_height = 1;  // from the base of the nose to the chin
-  double chin_width = 1, cheeks = 0, neck_width = 1;
+  double chin_width = 1, chin_forward = 0, cheeks = 0, neck_width = 1;
   double nose_width = 1, nose_up = 0, nose_forward = 0;  // of the wings; of the tip
   double lip_height = 1, lip_fullness = 1;
   double calm = 0;        // how far hollows and swellings between the features are smoothed away
@@ -62,6 +62,7 @@ inline constexpr std::array kDesignDials{
     DesignDial{"cranium", "depth", &DesignNumbers::cranium_depth, 0.8, 1.5},
     DesignDial{"face", "height", &DesignNumbers::face_height, 0.5, 1.3},
     DesignDial{"face", "chin", &DesignNumbers::chin_width, 0.5, 1.3},
+    DesignDial{"face", "forward", &DesignNumbers::chin_forward, -8, 12},
     DesignDial{"face", "cheeks", &DesignNumbers::cheeks, -5, 12},
     DesignDial{"face", "neck", &DesignNumbers::neck_width, 0.5, 1.3},
     DesignDial{"nose", "width", &DesignNumbers::nose_width, 0.4, 1.6},

@@ -189,7 +189,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // A fold's stroke dives into the skin where it gets thinner than that, in lines: it grows from its middle,
   // and never is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
-  constexpr float kAside = 0.26f, kFaced = 0.46f;  // of a ridge: cosines of its normal's angle to the view
+  constexpr float kAside = 0.04f, kFaced = 0.22f;  // of a ridge: cosines of its normal's angle to the view
   constexpr float kShown = 0.3f;
   const StrokeRule& rule = stroke.rule;
   if (stroke.fold) {  // one that is nowhere thicker would be a speck

@@ -83,7 +83,8 @@ void warp_nose(const DesignNumbers& d, const Measures& m, const glm::dvec3& v, g
   p += glm::dvec3(0, d.nose_up, d.nose_forward) * tip;
 }
 
-// A shorter lower face, narrower down to the chin, on a thin neck; fuller cheeks, so that the face is an egg.
+// A shorter lower face, narrower down to the chin, which may come forward, on a thin neck; fuller cheeks, so
+// that the face is an egg.
 void warp_lower_face(const DesignNumbers& d, const Measures& m, const glm::dvec3& v, glm::dvec3& p) {
   const double from = m.nose_y + 10, height = from - m.chin_y;
   const double down = std::max(0.0, (from - p.y) / height);  // 1 at the chin
@@ -95,6 +96,8 @@ void warp_lower_face(const DesignNumbers& d, const Measures& m, const glm::dvec3
     p.y = from - height * (down <= 1 ? d.face_height * down : d.face_height + (down - 1) * below);
   }
   p.z *= 1 - 0.65 * (1 - d.neck_width) * smooth_step(1.02, 1.6, down);
+  const glm::dvec3 from_chin = (v - glm::dvec3(0, m.chin_y + 8, m.lips_z)) / glm::dvec3(38, 30, 62);
+  p.z += d.chin_forward * (1 - smooth_step(0.15, 1.0, glm::length(from_chin)));
   const double cheek = 1 - smooth_step(0.0, 1.0, std::hypot((v.y - m.mouth_y - 8) / 42, (v.z - 58) / 50));
   p.x += d.cheeks * cheek * std::clamp(v.x / 45, 0.0, 1.0);
 }

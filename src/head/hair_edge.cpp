@@ -204,6 +204,27 @@ std::vector<DrawnLock> list_drawn_locks(const HairScene& scene) {
   return locks;
 }
 
+namespace {
+
+// Toward a lock's tip an edge only goes down, and away from it up, whatever the border does between.
+void ease_edge(std::vector<DrawnEdge>& edge, const std::vector<std::size_t>& tips) {
+  const std::size_t count = edge.size();
+  for (std::size_t t = 0; t < tips.size(); ++t) {
+    const std::size_t tip = tips[t], next = tips[(t + 1) % tips.size()];
+    const std::size_t end = tip + (next + count - tip - 1) % count + 1;  // the next one, a turn on perhaps
+    // Where two locks part is the highest place between their tips.
+    std::size_t high = tip;
+    for (std::size_t i = tip; i <= end; ++i)
+      if (edge[i % count].way < edge[high % count].way) high = i;
+    for (std::size_t i = tip + 1; i < high; ++i)
+      edge[i % count].way = std::min(edge[i % count].way, edge[(i - 1) % count].way);
+    for (std::size_t i = end - 1; i > high; --i)
+      edge[i % count].way = std::min(edge[i % count].way, edge[(i + 1) % count].way);
+  }
+}
+
+}  // namespace
+
 std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
   constexpr double kStep_deg = 2.2;                  // between columns of the mass at most
   constexpr int kLeastSteps = 6;                     // from a tip to where locks part: its outline is a curve
@@ -224,6 +245,7 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
                                        0, std::max(hangs, smooth_step(0, kLifted_mm, deep))});
   };
   const std::vector<DrawnLock> locks = list_drawn_locks(scene);
+  std::vector<std::size_t> tips;
   if (locks.empty())
     for (int i = 0; i < 360 / kStep_deg; ++i) {
       DrawnEdge& at = add(i * kStep_deg, 0);
@@ -248,8 +270,10 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
       }
     };
     walk(lock.from_deg, lock.tip_deg, lock.from_mm, true);
+    tips.push_back(edge.size());
     walk(lock.tip_deg, lock.to_deg, lock.to_mm, false);
   }
+  ease_edge(edge, tips);
   return edge;
 }
 
