@@ -3,8 +3,8 @@
 # ("redefinition of"), and goes on the list.
 set(MIEN_TOGETHER 12)
 set(MIEN_ALONE command_line/help config/formula config/load_clip_laws config/load_clip_scripts config/load_fold_data
-               config/load_idle core/simplify head/beard head/eyes head/hair_chart head/hair_growth head/hair_locks
-               head/hair_mass head/hair_relief head/lip_veil head/scan_ear head/skin_spots head/teeth head/wrap_finish import/read_ply live/coarse
+               config/load_idle core/simplify head/beard head/eyes head/hair_chart head/hair_locks
+               head/hair_mass head/hair_relief head/hair_strand head/lip_veil head/scan_ear head/skin_spots head/teeth head/wrap_finish import/read_ply live/coarse
                print/opening print/report print/thicken print/thickness scene/openscad_check scene/openscad_numbers
                scene/povray_stage scene/strip scene/tiny_gltf scene/wavefront timeline/exposure)
 

@@ -7,6 +7,7 @@
 
 #include "core/conventions.hpp"
 #include "core/smooth.hpp"
+#include "head/hair_comb.hpp"
 #include "head/hair_edge.hpp"
 #include "head/hair_locks.hpp"
 #include "head/hair_mass.hpp"

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/conventions.hpp"
+#include "head/hair_comb.hpp"
 
 namespace mien {
 
@@ -44,12 +45,6 @@ HairFlow compute_hair_flow(const HairScene& scene, const HairPlace& place) {
   // The same on both sides, or it would jump where they meet.
   const double turn = std::abs(std::atan2(arm.aside, arm.ahead));
   return {kNear_mm * chart.size * turn + arm.along_mm, gone_mm + arm.distance_mm};
-}
-
-double compute_part_distance_mm(const HairScene& scene, const HairPlace& place) {
-  if (scene.cut.comb.is_gathered) return 1e9;
-  return compute_part_arm(scene, compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)))
-      .distance_mm;
 }
 
 }  // namespace mien

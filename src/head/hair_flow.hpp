@@ -14,7 +14,4 @@ struct HairFlow {
 
 HairFlow compute_hair_flow(const HairScene& scene, const HairPlace& place);
 
-// How far a place is from the part, mm; far away where hair is gathered.
-double compute_part_distance_mm(const HairScene& scene, const HairPlace& place);
-
 }  // namespace mien

@@ -7,6 +7,7 @@
 #include "core/conventions.hpp"
 #include "head/binding.hpp"
 #include "head/hair.hpp"
+#include "head/hair_comb.hpp"
 #include "head/hair_edge.hpp"
 #include "head/hair_growth.hpp"
 #include "head/tubes.hpp"

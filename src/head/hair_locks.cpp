@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/smooth.hpp"
+#include "head/hair_comb.hpp"
 #include "head/hair_mass.hpp"
 #include "head/strands.hpp"
 #include "head/tubes.hpp"

@@ -1,7 +1,7 @@
 // The threads of a cut as geometry: tapered locks, and single hairs along the hairline.
 #pragma once
 
-#include "head/hair_growth.hpp"
+#include "head/hair_strand.hpp"
 
 namespace mien {
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "core/smooth.hpp"
+#include "head/hair_comb.hpp"
 #include "head/hair_flow.hpp"
 #include "head/hair_locks.hpp"
 #include "head/tubes.hpp"
@@ -44,14 +45,6 @@ double compute_fullness(const Shell& shell, int column, const glm::dvec3& at) {
   const double share = std::min(1.0, std::sqrt(nearest) / round_mm);
   const double hangs = shell.hangs[static_cast<std::size_t>(column)];
   return std::lerp(smooth_step(0, 1, share), std::sqrt(1 - (1 - share) * (1 - share)), hangs);
-}
-
-// A shallow groove along the part.
-double compute_part_depth(const HairScene& scene, const HairPlace& place) {
-  constexpr double kWide_mm = 16, kShallowest = 0.35;  // to either side; of the thickness, in the part itself
-  if (scene.cut.comb.scalp_mm <= 0) return 1;
-  return std::lerp(kShallowest, 1.0,
-                   smooth_step(0, kWide_mm * scene.chart.size, compute_part_distance_mm(scene, place)));
 }
 
 // Of thicknesses against the adult's.

@@ -10,7 +10,9 @@
 #include "core/pool.hpp"
 #include "core/smooth.hpp"
 #include "head/hair.hpp"
+#include "head/hair_comb.hpp"
 #include "head/hair_mass.hpp"
+#include "head/hair_strand.hpp"
 
 namespace mien {
 
