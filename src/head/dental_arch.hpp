@@ -77,9 +77,9 @@ HeadPart build_teeth_band(const DentalArch& arch, const TeethRow& row);
 // The parts of build_mouth (head.hpp), its upper teeth a band.
 std::vector<HeadPart> build_drawn_mouth(const NeutralHead& head);
 
-// What hangs behind shut lips of a mouth of this scale and keeps the teeth from shining through; it rides on
-// the skin.
-HeadPart build_lip_veil(const NeutralHead& head, double scale);
+// What hangs behind shut lips of a mouth of this scale and keeps the teeth from shining through: the inside
+// of the upper lip, of its colour; it rides on the skin.
+HeadPart build_lip_veil(const NeutralHead& head, double scale, const glm::vec3& srgb);
 
 // The tongue at rest, its tip behind the lower teeth: append_loft's skin over kTongueRings upright rings of
 // kTonguePoints each, from the throat to the tip, whose vertex is the last.

@@ -131,7 +131,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     const HairPlace &a = path.places[i], &b = path.places[j];
     const double t = at - std::floor(at);
     const auto height_at = [&](const HairPlace& place) {
-      return size * child * compute_thickness_mm(scene, place);
+      return size * child * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
     };
     // Out of the skin at the root, then in its layer; the tips of short hair stay up, those of gathered hair
     // and of long hair lie down.

@@ -1,6 +1,6 @@
 // Lips that are shut leave a slit a hair wide, through which lit teeth would show as white dashes. What
-// closes it in a mouth is the wet inner side of the upper lip, which hangs behind the lower one: a thin dark
-// flap here.
+// closes it in a mouth is the wet inner side of the upper lip, which hangs behind the lower one: a thin flap
+// of its colour here. Between shut lips it lies in the dark; over bared teeth a dark one would be a gap.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ constexpr int kColumns = 6;  // of the lips from the middle to a corner
 constexpr int kSteps = 2;    // rings of the flap for each of them
 constexpr double kHang_mm =
     1.0;  // below the slit; more shows under a raised lip, less lets a low lamp's light out
-constexpr double kThinner = 0.35;   // of its hang is gone at its ends: a corner that opens would show it
+constexpr double kThinner = 0.6;    // of its hang is gone at its ends: a corner that opens would show it
 constexpr double kThick_mm = 0.12;  // half; two sides of one plane would flicker
 constexpr double kLast = 5.4;       // column where it ends, before the corner's fold
 
@@ -32,7 +32,7 @@ struct VeilCut {
 
 }  // namespace
 
-HeadPart build_lip_veil(const NeutralHead& head, double scale) {
+HeadPart build_lip_veil(const NeutralHead& head, double scale, const glm::vec3& srgb) {
   const auto at = [&](const char* ring, int column) {
     return head.skin.positions[find_point(head.cage, fmt::format("{}_{}", ring, column))];
   };
@@ -86,7 +86,7 @@ HeadPart build_lip_veil(const NeutralHead& head, double scale) {
   }
   part.part.name = "lip_veil";
   part.part.material = "plain";
-  part.part.palette = {{glm::vec3(0.24f, 0.09f, 0.08f), 0}};
+  part.part.palette = {{srgb, 0}};
   part.part.is_printed = false;
   part.mount = Mount::strands;
   return part;

@@ -7,6 +7,7 @@
 #include "head/dental_arch.hpp"
 #include "head/head.hpp"
 #include "head/lids.hpp"
+#include "head/skin_look.hpp"
 #include "head/tubes.hpp"
 
 namespace mien {
@@ -83,7 +84,7 @@ void make_room_for_lips(const NeutralHead& head, DentalArch& arch, const TeethRo
   }
 }
 
-std::vector<HeadPart> build_parts(const NeutralHead& head,
+std::vector<HeadPart> build_parts(const NeutralHead& head, const glm::vec3& lip_srgb,
                                   HeadPart (*build_upper)(const DentalArch&, const TeethRow&)) {
   const MouthNumbers& numbers = head.data->parts.mouth;
   DentalArch arch = fit_arch(head, numbers);
@@ -96,18 +97,18 @@ std::vector<HeadPart> build_parts(const NeutralHead& head,
     parts.push_back(build_gum(arch, row));
   }
   parts.push_back(build_tongue(arch));
-  parts.push_back(build_lip_veil(head, arch.scale));
+  parts.push_back(build_lip_veil(head, arch.scale, lip_srgb));
   return parts;
 }
 
 }  // namespace
 
-std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look&) {
-  return build_parts(head, build_teeth);
+std::vector<HeadPart> build_mouth(const NeutralHead& head, const Look& look) {
+  return build_parts(head, compute_inner_lip_srgb(look), build_teeth);
 }
 
 std::vector<HeadPart> build_drawn_mouth(const NeutralHead& head) {
-  return build_parts(head, build_teeth_band);
+  return build_parts(head, compute_inner_lip_srgb(Look{}), build_teeth_band);
 }
 
 }  // namespace mien

@@ -83,6 +83,12 @@ float sample_noise(const glm::vec3& p, float lump_mm) {
   return along_y(0) * (1 - t.z) + along_y(1) * t.z;
 }
 
+// The skin's own colour, linear, as a photographer exposes it.
+glm::vec3 compute_exposed_skin(const Look& look) {
+  const glm::vec3 given = to_linear(look.skin);
+  return given * (kExposure - kShoulder * compute_luminance(given));
+}
+
 // Lips keep less green and blue than the skin around them; the darker the skin, the less they differ.
 glm::vec3 compute_lip_colour(const glm::vec3& skin, const Look& look) {
   const auto share = static_cast<float>(look.lips ? look.lips_share : 0);
@@ -138,12 +144,17 @@ float compute_lightness(const glm::vec3& skin_srgb) {
   return std::clamp(compute_luminance(to_linear(skin_srgb)) / kLightSkin, 0.0f, 1.0f);
 }
 
+glm::vec3 compute_inner_lip_srgb(const Look& look) {
+  constexpr float kShaded = 0.62f;  // little light gets there, and none of it straight from a lamp
+  const glm::vec3 inner = glm::mix(kInnerLip.on_dark, kInnerLip.on_light, compute_lightness(look.skin));
+  return to_srgb(kShaded * compute_lip_colour(compute_exposed_skin(look), look) * inner);
+}
+
 Part build_skin_part(const NeutralHead& head, const Look& look) {
   SkinMasks masks = paint_skin_masks(head);
   const std::vector<float> openness = measure_openness(head.skin, head.surface->mirror);
 
-  const glm::vec3 given = to_linear(look.skin),
-                  skin = given * (kExposure - kShoulder * compute_luminance(given));
+  const glm::vec3 skin = compute_exposed_skin(look);
   const float old = compute_share_of_old(head);
   glm::vec3 lips = compute_lip_colour(skin, look);
   if (!look.lips) lips = glm::mix(lips, skin * glm::vec3(0.86f, 0.72f, 0.70f), kOldLips * old);

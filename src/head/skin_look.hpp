@@ -10,6 +10,9 @@ namespace mien {
 // darker, the more of its light is sheen.
 float compute_lightness(const glm::vec3& skin_srgb);
 
+// The inside of a lip that one looks at over teeth, in its own shade.
+glm::vec3 compute_inner_lip_srgb(const Look& look);
+
 // The skin as a part that a writer draws: name and material "skin", the neutral mesh, and a shade a vertex.
 // Lips, lids, cheeks, sockets, nostrils and mouth are masks on named rings and spots of the cage; hollows are
 // darkened once, on the neutral head (head/occlusion). Pores and patches are the same on every head. All
