@@ -12,8 +12,9 @@ namespace {
 
 // Strands are told apart where they pass this near the part: the ends of a line have no width to count on.
 constexpr double kNear_mm = 34;
-constexpr double kStep_mm = 9;  // upstream; an error of a step is a hair's breadth of `across`
-constexpr int kSteps = 40;      // from the shoulders to the top
+constexpr double kThere_mm = 0.1;  // is as near
+constexpr double kStep_mm = 9;     // upstream; an error of a step is a hair's breadth of `across`
+constexpr int kSteps = 40;         // from the shoulders to the top
 
 HairFlow compute_flow_to_knot(const HairScene& scene, const glm::dvec3& at) {
   glm::dvec3 knot, out;
@@ -34,12 +35,14 @@ HairFlow compute_hair_flow(const HairScene& scene, const HairPlace& place) {
   if (scene.cut.comb.is_gathered) return compute_flow_to_knot(scene, at);
   double gone_mm = 0;
   PartArm arm = compute_part_arm(scene, at);
-  for (int step = 0; step < kSteps && arm.distance_mm > kNear_mm * chart.size; ++step) {
+  for (int step = 0; step < kSteps && arm.distance_mm > (kNear_mm + kThere_mm) * chart.size; ++step) {
+    // The last step is as long as is left: neighbours that are told apart elsewhere would zigzag.
+    const double step_mm = std::min(kStep_mm * chart.size, arm.distance_mm - kNear_mm * chart.size);
     const HairPlace here = compute_hair_place(chart, at);
     const glm::dvec3 way = compute_comb_way(scene, here, arm.distance_mm / chart.size);
-    const HairPlace back = compute_hair_place(chart, at - kStep_mm * chart.size * way);
+    const HairPlace back = compute_hair_place(chart, at - step_mm * way);
     at = compute_hair_point(chart, back, compute_ground_mm(scene, back));
-    gone_mm += kStep_mm * chart.size;
+    gone_mm += step_mm;
     arm = compute_part_arm(scene, at);
   }
   // The same on both sides, or it would jump where they meet.

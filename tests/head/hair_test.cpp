@@ -20,6 +20,7 @@
 #include "head/hair_chart.hpp"
 #include "head/hair_comb.hpp"
 #include "head/hair_edge.hpp"
+#include "head/hair_flow.hpp"
 #include "head/hair_growth.hpp"
 #include "head/hair_lines.hpp"
 #include "head/hair_strand.hpp"
@@ -449,6 +450,22 @@ TEST(hair, leaves_its_part_side_by_side) {
       before = way;
     }
     EXPECT_LT(worst_deg, 5) << name;
+  }
+}
+
+// What tells strands of the mass apart goes on evenly from place to place, or its streaks zigzag.
+TEST(hair, of_the_mass_runs_in_even_streaks) {
+  for (const char* name : {"bob", "long"}) {
+    const HairScene scene = build_hair_scene(adult(), shipped().stock.head->hair.cuts.at(name));
+    double worst_mm = 0;
+    for (const double azimuth : {12.0, 25.0, 55.0, 80.0, 120.0}) {
+      std::vector<double> across;
+      for (double way = 0.42; way < 0.8; way += 0.015)
+        across.push_back(compute_hair_flow(scene, {azimuth, way}).across_mm);
+      for (std::size_t i = 2; i < across.size(); ++i)
+        worst_mm = std::max(worst_mm, std::abs(across[i] - 2 * across[i - 1] + across[i - 2]));
+    }
+    EXPECT_LT(worst_mm, 1.2) << name;
   }
 }
 
