@@ -197,7 +197,10 @@ DrivenField build_corrective(const FieldSolver& solver, const Anchors& anchors, 
       drivers.push_back({require_move(d.area, is_sided_area(d.area) ? side : Side::none, d.move), d.sign});
     return drivers;
   };
-  return build_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field));
+  DrivenField driven =
+      build_sided_field(*solver.cage, drivers_of(Side::left), drivers_of(Side::right), std::move(field));
+  add_yields(corrective.table, driven);
+  return driven;
 }
 
 // Moves first, then correctives, in the file's order; each is solved on its own, a solver for each thread.
