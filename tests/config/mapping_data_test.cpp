@@ -63,7 +63,7 @@ TEST(mappings, units_do_what_their_names_say) {
   EXPECT_GT(moved("jawOpen", Area::chin, Side::none, "down"), 0.5);
   EXPECT_GT(moved("mouthSmileLeft", Area::corner, Side::left, "up"), 0.4);
   EXPECT_LT(moved("mouthFrownRight", Area::corner, Side::right, "up"), -0.2);
-  EXPECT_LT(moved("mouthPucker", Area::corner, Side::left, "out"), -0.4);
+  EXPECT_GT(moved("mouthPucker", Area::lips, Side::none, "pucker"), 0.9);
   EXPECT_GT(moved("eyeLookOutLeft", Area::eye, Side::left, "side"), 0.9);  // to the character's left
   EXPECT_LT(moved("eyeLookOutRight", Area::eye, Side::right, "side"), -0.9);
   EXPECT_LT(moved("eyeLookDownLeft", Area::eye, Side::left, "up"), -0.9);

@@ -204,12 +204,17 @@ TEST(areas, move_every_vertex_without_pops) {
       return std::ranges::find(kLate, kMoves[i].move) != kLate.end() ||
              (kMoves[i].of == Area::lid && kMoves[i].move == "out");
     };
+    const auto is_latest = [](std::size_t i) {
+      return kMoves[i].move == "pucker" || kMoves[i].move.starts_with("shrug_");
+    };
     const std::size_t shut = *find_move(Area::lips, Side::none, "shut");
     for (std::size_t i = 0; i < kMoveCount; ++i)
-      if (i != shut && !is_late(i)) draw(i);
+      if (i != shut && !is_late(i) && !is_latest(i)) draw(i);
     draw(shut);
     for (std::size_t i = 0; i < kMoveCount; ++i)
       if (is_late(i)) draw(i);
+    for (std::size_t i = 0; i < kMoveCount; ++i)
+      if (is_latest(i)) draw(i);
     std::array<std::vector<glm::vec3>, 3> skins;
     for (int step = 0; step <= kSteps; ++step) {
       Pose pose;

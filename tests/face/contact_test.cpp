@@ -116,6 +116,27 @@ TEST(contact, each_lip_rolls_in_alone) {
   }
 }
 
+TEST(contact, lips_are_pursed_forward_and_pushed_up) {
+  const Pose kiss = build_pose({{"lips", "pucker", 1}}), upper = build_pose({{"lips", "shrug_upper", 1}}),
+             lower = build_pose({{"lips", "shrug_lower", 1}});
+  EXPECT_GT(compute_way(adult(), kiss, "M3_0").z, 5);
+  EXPECT_GT(compute_way(adult(), kiss, "M3_12").z, 5);
+  EXPECT_LT(compute_way(adult(), kiss, "M3_6").x, -3);
+  EXPECT_GT(compute_way(adult(), upper, "M3_0").y, 4);
+  EXPECT_LT(glm::length(compute_way(adult(), upper, "M3_6")), 1);
+  EXPECT_LT(glm::length(compute_way(adult(), upper, "M3_12")), 0.5);
+  EXPECT_GT(compute_way(adult(), lower, "M3_12").y, 4);
+  EXPECT_GT(compute_way(adult(), lower, "M6_12").y, 6);
+}
+
+// The skin above the lid goes with a look down; that of a shut eye is down already.
+TEST(contact, the_skin_above_a_lid_follows_a_look_down) {
+  const Pose down = build_pose({{"eye", "up", -1}}), shut = build_pose({{"lid", "upper", -1}}),
+             both = build_pose({{"eye", "up", -1}, {"lid", "upper", -1}});
+  EXPECT_LT(compute_way(adult(), down, "E3_4").y, -3);
+  EXPECT_NEAR(compute_way(adult(), both, "E3_4").y, compute_way(adult(), shut, "E3_4").y, 1.5);
+}
+
 TEST(contact, a_lip_is_drawn_away_from_the_other_on_one_side) {
   const auto find = [](const char* move) {
     Pose pose;

@@ -41,7 +41,7 @@ glm::dvec3 travel(const Figure& figure, const Limit& limit) {
 bool is_contact(const Limit& limit) { return limit.name->thesis == "LIPS_MATCH_LEVEL"; }
 
 // Lids, lips, corners, cheeks, jaw to the sides and forward, mouth, nose.
-constexpr int kBeyond = 2 * 2 + 4 + 2 * 3 + 2 * 2 + 2 + 1 + 2 + 2 * 1;
+constexpr int kBeyond = 2 * 2 + 7 + 2 * 3 + 2 * 2 + 2 + 1 + 2 + 2 * 1;
 
 TEST(limits, are_the_way_that_their_point_goes_on_every_head) {
   for (const auto& [age, skull] :

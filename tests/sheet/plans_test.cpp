@@ -253,7 +253,7 @@ TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
 
 TEST(sheet_plans, show_each_move_of_each_area_to_its_ends) {
   const SheetPlan plan = build_sheet_plan("areas", build_subject(), *shipped_stock().head);
-  EXPECT_EQ(plan.blocks.size(), 32u);
+  EXPECT_EQ(plan.blocks.size(), 35u);
   for (const SheetBlock& block : plan.blocks) {
     EXPECT_EQ(list_captions(block), block.skipped ? (Captions{"0", "+1"}) : (Captions{"-1", "0", "+1"}))
         << block.heading;
