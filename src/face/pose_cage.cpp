@@ -227,14 +227,15 @@ glm::dvec3 move_jaw_point(const JawRig& jaw, const glm::dvec3& point, double tur
 }
 
 double compute_shut(const Pose& pose) {
-  // A chin that is pushed up and corners that are drawn in push together what shut lips draw out: all of both
-  // would fold the skin beside the mouth over.
-  constexpr double kChin = 0.6, kCorner = 0.25;
+  // A chin that is pushed up and corners that are drawn in or up push together what shut lips draw out: all
+  // of both would fold the skin beside the mouth over.
+  constexpr double kChin = 0.6, kCorner = 0.25, kUp = 0.4;
   const double shut = value_of(pose, "lips", Side::none, "shut") *
                       (1 - kChin * std::clamp(value_of(pose, "chin", Side::none, "up"), 0.0, 1.0));
   double corners = 1;  // of two sides first: the mirrored pose has the same to the last bit
   for (const Side side : {Side::left, Side::right})
-    corners *= 1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0);
+    corners *= (1 - kCorner * std::clamp(-value_of(pose, "corner", side, "out"), 0.0, 1.0)) *
+               (1 - kUp * std::clamp(value_of(pose, "corner", side, "up"), 0.0, 1.0));
   // So do lips that are drawn aside, and a jaw that goes forward or aside.
   constexpr double kAside = 0.6, kJaw = 0.5;
   const auto keep = [&](const char* area, const char* move, double share) {

@@ -294,7 +294,7 @@ BustBody build_body(const Figure& figure, const BustSize& size, bool has_hair) {
   const Mesh all = build_all(figure, mm_of_print, hair, body);
   if (has_hair && !body.hair.is_on()) return body;
   thin_body(figure, size.triangles, all.triangles, body);
-  if (body.lens.is_on()) body.relax = build_bust_relax(body.triangles, list_fixed(body));
+  body.relax = build_bust_relax(body.triangles, list_fixed(body));
   return body;
 }
 
@@ -320,9 +320,8 @@ std::vector<bool> list_fixed(const BustBody& body) {
 std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose,
                                       Stand stand) {
   std::vector<glm::vec3> print = compute_print(body, place_all(body, figure, pose, stand));
-  if (body.lens.is_on())
-    relax_crossings(
-        body.relax, body.triangles, [&](std::vector<glm::vec3>& bent) { bend_print(body, bent); }, print);
+  relax_crossings(
+      body.relax, body.triangles, [&](std::vector<glm::vec3>& bent) { bend_print(body, bent); }, print);
   return print;
 }
 

@@ -45,7 +45,7 @@ struct BustBody {
   glm::vec3 origin{0};
   float print_per_head = 1;
 
-  BustRelax relax;  // of a drawn head's
+  BustRelax relax;
   Lens lens;        // that all of it goes through at last
   std::vector<glm::vec3>
       thicker;  // of each kept vertex, mm of the print: what every pose adds before the lens; or empty

@@ -1,5 +1,6 @@
-// What passes through itself on a drawn head's print is relaxed: lips that are hardly higher than a layer
-// have skin over their corners that a printer would find inside out.
+// What passes through itself on a print is relaxed: a drawn head's lips, which are hardly higher than a layer,
+// have skin over their corners that a printer would find inside out, and in a frown that is left few triangles
+// one may come through another.
 #pragma once
 
 #include <cstdint>
