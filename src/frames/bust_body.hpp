@@ -46,7 +46,7 @@ struct BustBody {
   float print_per_head = 1;
 
   BustRelax relax;
-  Lens lens;        // that all of it goes through at last
+  Lens lens;  // that all of it goes through at last
   std::vector<glm::vec3>
       thicker;  // of each kept vertex, mm of the print: what every pose adds before the lens; or empty
 

@@ -1,6 +1,6 @@
-// What passes through itself on a print is relaxed: a drawn head's lips, which are hardly higher than a layer,
-// have skin over their corners that a printer would find inside out, and in a frown that is left few triangles
-// one may come through another.
+// What passes through itself on a print is relaxed: a drawn head's lips, which are hardly higher than a
+// layer, have skin over their corners that a printer would find inside out, and in a frown that is left few
+// triangles one may come through another.
 #pragma once
 
 #include <cstdint>
