@@ -304,7 +304,8 @@ std::string describe_unprinted_hair(const Model& model, bool wears_hair) {
 MadeBust make_bust(BustCache& cache, const BustSpec& bust) {
   BustCache::Body& entry = find_body(cache, bust);
   const Base base = find_base(bust);
-  const std::vector<glm::vec3> positions = place_bust(entry.body, cache.figure, bust.expression.pose);
+  std::vector<glm::vec3> positions = place_bust(entry.body, cache.figure, bust.expression.pose);
+  relax_print(entry.body, positions);
   MadeBust made;
   made.colours = list_colours(entry.body, cache.figure.model);
   const std::array<std::function<void()>, 2> works{

@@ -320,8 +320,9 @@ std::vector<bool> list_fixed(const BustBody& body) {
 std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure, const Pose& pose,
                                       Stand stand) {
   std::vector<glm::vec3> print = compute_print(body, place_all(body, figure, pose, stand));
-  relax_crossings(
-      body.relax, body.triangles, [&](std::vector<glm::vec3>& bent) { bend_print(body, bent); }, print);
+  if (body.lens.is_on())
+    relax_crossings(
+        body.relax, body.triangles, [&](std::vector<glm::vec3>& bent) { bend_print(body, bent); }, print);
   return print;
 }
 
@@ -337,6 +338,12 @@ void bend_print(const BustBody& body, std::vector<glm::vec3>& print) {
                      bent = (bend(body.lens, at) - glm::dvec3(body.origin)) * scale;
     p = {bent.x, -bent.z, bent.y};
   }
+}
+
+void relax_print(const BustBody& body, std::vector<glm::vec3>& print) {
+  if (!body.lens.is_on())
+    relax_crossings(
+        body.relax, body.triangles, [](std::vector<glm::vec3>&) {}, print);
 }
 
 std::vector<glm::vec3> place_bust(const BustBody& body, const Figure& figure, const Pose& pose, Stand stand) {

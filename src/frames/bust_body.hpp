@@ -88,6 +88,10 @@ std::vector<glm::vec3> place_straight(const BustBody& body, const Figure& figure
 // Through the lens: vertices of the print.
 void bend_print(const BustBody& body, std::vector<glm::vec3>& print);
 
+// What is printed of a real head in one expression: where it passes through itself it is relaxed. A drawn one
+// is so in every pose, by place_straight; a real one's sums of moves must be its own poses.
+void relax_print(const BustBody& body, std::vector<glm::vec3>& print);
+
 // Which kept vertices stay where formulas look for them: patches, their rims and the foot.
 std::vector<bool> list_fixed(const BustBody& body);
 
