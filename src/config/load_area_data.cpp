@@ -109,6 +109,9 @@ LidData read_lids(const DataTable& table, const PointNames& points) {
     if (!lids.rows_lower.contains(ring))
       table.fail(fmt::format("'rows_lower' has no '{}'; expected the rings of 'rows_upper'", ring));
   table.read("column_taper", lids.column_taper);
+  const DataTable slide = table.at("slide");
+  slide.read("upper", lids.slide_upper);
+  slide.read("lower", lids.slide_lower);
   table.read("meeting", lids.meeting);
   table.read("least_gap_deg", lids.least_gap_deg);
   table.read("wide_deg", lids.wide_deg);

@@ -111,6 +111,12 @@ LidRig build_lid_rig(const NeutralHead& head, const LidData& data) {
   rig.fold_least = data.fold_least;
   rig.fold_forward = data.fold_forward;
   rig.taper = data.column_taper;
+  // Columns that a design brings beside each other do not slide as well.
+  const double size = (1 - rig.pairing) * head.eye.radius_mm / head.adult_eye.radius_mm;
+  for (int i = 0; i < 9; ++i) {
+    rig.slide_upper_mm[i] = size * data.slide_upper[i];
+    rig.slide_lower_mm[i] = size * data.slide_lower[i];
+  }
   rig.meeting = data.meeting;
   return rig;
 }

@@ -55,6 +55,7 @@ struct LidRig {
   EyeNumbers eye_numbers;
   glm::dvec3 axis{1, 0, 0};  // from the inner to the outer corner
   LidRow taper{};
+  LidRow slide_upper_mm{}, slide_lower_mm{};  // of a shut lid toward the inner corner
   double pairing = 0;  // how far columns of both lids that meet come to lie beside each other
   double meeting = 0, least_gap_rad = 0, wide_rad = 0, raised_rad = 0;
   double follow_up = 0, follow_down = 0, follow_lower = 0;

@@ -55,12 +55,13 @@ EdgeAim compute_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
   EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm, {}, {}};
   for (int i = 1; i < 8; ++i) {
     const double apart = 0.5 * rig.pairing * (rest.lower_along_mm[i] - rest.upper_along_mm[i]);
-    aim.upper_along_mm[i] = shut * apart;
-    aim.lower_along_mm[i] = -shut * apart;
-    const double at = rest.upper_along_mm[i] + apart, low_at = rest.lower_along_mm[i] - apart;
+    const double gain = apart - rig.slide_upper_mm[i], low_gain = -apart - rig.slide_lower_mm[i];
+    aim.upper_along_mm[i] = shut * gain;
+    aim.lower_along_mm[i] = shut * low_gain;
+    const double at = rest.upper_along_mm[i] + gain, low_at = rest.lower_along_mm[i] + low_gain;
     const double height = sample_row(rest.lower_along_mm, line, at),
-                 low_height = apart == 0 ? line[i] : sample_row(rest.lower_along_mm, line, low_at),
-                 low_radius = apart == 0 ? radius[i] : sample_row(rest.lower_along_mm, radius, low_at);
+                 low_height = low_gain == 0 ? line[i] : sample_row(rest.lower_along_mm, line, low_at),
+                 low_radius = low_gain == 0 ? radius[i] : sample_row(rest.lower_along_mm, radius, low_at);
     aim.upper_turn[i] = glm::mix(up[i], height + 0.5 * find_gap(i), shut) - rest.upper_rad[i];
     aim.lower_turn[i] = glm::mix(low[i], low_height - 0.5 * find_gap(i), shut) - rest.lower_rad[i];
     aim.upper_radius_mm[i] =
@@ -84,18 +85,21 @@ struct LidColumn {
 };
 LidColumn compute_lid_column(int column) { return {column < 8, column <= 8 ? column : kLidColumns - column}; }
 
-RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, double raised) {
+RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const LidPose& pose) {
+  const double shut = std::max(0.0, -pose.upper);
   RingPoints points;
   for (const LidRing& ring : rig.rings) {
     const EdgeAim& aim = aims[ring.is_inner ? 0 : 1];
     points.push_back(ring.rest);
     for (int i = 0; i < kLidColumns; ++i) {
       const auto [is_upper, row] = compute_lid_column(i);
-      const double angle =
-          is_upper ? aim.upper_turn[row] * ring.upper_share : aim.lower_turn[row] * ring.lower_share;
-      if (angle == 0) continue;
+      const double share = is_upper ? ring.upper_share : ring.lower_share;
+      const double angle = share * (is_upper ? aim.upper_turn[row] : aim.lower_turn[row]);
+      const double slide_mm = share * shut * (is_upper ? rig.slide_upper_mm[row] : rig.slide_lower_mm[row]);
+      if (angle == 0 && slide_mm == 0) continue;
       points.back()[i] = rig.eye.centre + turn_about_axis(rig, ring.rest[i] - rig.eye.centre, angle);
-      if (!is_upper) points.back()[i] += raised * rig.taper[row] * ring.bulge;
+      points.back()[i] -= slide_mm * rig.axis;
+      if (!is_upper) points.back()[i] += pose.lower * rig.taper[row] * ring.bulge;
     }
   }
   return points;
@@ -111,10 +115,9 @@ LidPlace compute_shortfall(const LidRig& rig, std::size_t e, const EdgeAim& aim,
   shortfall.height_rad =
       (is_upper ? edge.upper_rad[row] + aim.upper_turn[row] : edge.lower_rad[row] + aim.lower_turn[row]) -
       now.height_rad;
-  if (rig.pairing > 0)
-    shortfall.along_mm = (is_upper ? edge.upper_along_mm[row] + aim.upper_along_mm[row]
-                                   : edge.lower_along_mm[row] + aim.lower_along_mm[row]) -
-                         now.along_mm;
+  shortfall.along_mm = (is_upper ? edge.upper_along_mm[row] + aim.upper_along_mm[row]
+                                 : edge.lower_along_mm[row] + aim.lower_along_mm[row]) -
+                       now.along_mm;
   shortfall.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
   if (e == 0) {
     const glm::dvec3 looked = rig.eye.centre + eye_from_head * (on_skin - rig.eye.centre);
@@ -132,11 +135,11 @@ double compute_push_mm(const LidRig& rig, const EdgeAim& aim, int column, const 
 }
 
 // Moves the control points of both edges until the skin is where they aim.
-void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const glm::dmat3& gaze,
+void set_edges(const LidRig& rig, const std::array<EdgeAim, 2>& aims, const LidPose& pose,
                RingPoints& points) {
   constexpr int kRounds = 6;     // fewer leave a tenth of a millimetre beside the corners
   constexpr double kGain = 1.4;  // a point has four ninths of its place on the skin, a whole edge two thirds
-  const glm::dmat3 eye_from_head = glm::transpose(gaze);
+  const glm::dmat3 eye_from_head = glm::transpose(pose.gaze);
   for (int round = 0; round < kRounds; ++round) {
     std::array<std::array<LidPlace, kLidColumns>, 2> shortfalls;
     for (int i = 0; i < kLidColumns; ++i) {
@@ -206,8 +209,8 @@ void turn_lids(const LidRig& rig, const LidPose& pose, Side side, std::vector<gl
   RingPoints moved;
   if (is_moved) {
     const std::array aims{compute_aim(rig, 0, pose), compute_aim(rig, 1, pose)};
-    moved = turn_rings(rig, aims, pose.lower);
-    set_edges(rig, aims, pose.gaze, moved);
+    moved = turn_rings(rig, aims, pose);
+    set_edges(rig, aims, pose, moved);
   }
   for (std::size_t r = 0; r < rig.rings.size(); ++r) {
     const LidRing& ring = rig.rings[r];
