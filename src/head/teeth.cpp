@@ -119,8 +119,10 @@ std::uint16_t compute_tooth_shade(const ToothShape& shape, double height, double
   const Tooth& tooth = shape.tooth;
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
   // The lower row lies in the shade of the cheek and the upper one: bright, its sides look like broken ones.
-  const double dark = shape.row.sign < 0 ? 0.6 : 0.95;
-  const double far = std::max(smooth_step(0.12, dark, tooth.share), kBehind * behind);
+  const double dark = shape.row.sign < 0 ? 0.8 : 0.95;
+  // Its tables are seen from above, and are lit from there.
+  const double turned = shape.row.sign < 0 ? std::lerp(0.2, 1.0, smooth_step(0, 0.35, height)) : 1;
+  const double far = std::max(smooth_step(0.12, dark, tooth.share), kBehind * turned * behind);
   const auto depth = std::lround(far * (kDepthShades - 1));
   const auto gap = std::lround(smooth_step(0.8, 1.0, std::abs(across)) * (kGapShades - 1));
   const auto milk = std::lround(tooth.milk);
@@ -136,7 +138,9 @@ std::vector<Shade> make_teeth_palette() {
   constexpr std::array<Enamel, kMilkShades> kEnamel{
       {{{0.90f, 0.89f, 0.85f}, {0.945f, 0.905f, 0.83f}, {0.91f, 0.81f, 0.67f}},
        {{0.94f, 0.94f, 0.93f}, {0.965f, 0.95f, 0.91f}, {0.94f, 0.89f, 0.81f}}}};
-  const glm::vec3 shade(0.17f, 0.08f, 0.065f);  // of cheeks and throat
+  const glm::vec3 shade(
+      0.17f, 0.08f, 0.065f);  // of cheeks and throat, which on its way to it is red: grey teeth are stones
+  const glm::vec3 half(0.50f, 0.34f, 0.28f);
   std::vector<Shade> palette;
   for (const Enamel& enamel : kEnamel)
     for (int height = 0; height < kHeightShades; ++height)
@@ -147,7 +151,10 @@ std::vector<Shade> make_teeth_palette() {
           const float between = 0.09f * static_cast<float>(gap) / (kGapShades - 1);
           const glm::vec3 low = glm::mix(enamel.edge, enamel.body, std::min(1.0f, 4 * up));
           const glm::vec3 own = glm::mix(low, enamel.neck, smooth_step(0.35f, 1.0f, up));
-          palette.push_back({glm::mix(glm::mix(own, enamel.neck * 0.8f, between), shade, far), 0.5f});
+          const glm::vec3 lit = glm::mix(own, enamel.neck * 0.8f, between);
+          // In the shade no lamp is mirrored either.
+          palette.push_back({glm::mix(glm::mix(lit, half, far), glm::mix(half, shade, far), far),
+                             0.5f * (1 - smooth_step(0.1f, 0.7f, far))});
         }
   return palette;
 }
