@@ -42,7 +42,7 @@ double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t famil
   constexpr double kFamily = 0.5;
   const double own = scatter(kSeries, index, kTone);
   const double tone = index == family ? own : std::lerp(own, scatter(kSeries, family, kTone), kFamily);
-  return 0.15 + 0.5 * layer + 0.7 * (tone - 0.5) * (0.4 + 0.6 * layer);
+  return 0.15 + 0.5 * layer + 0.5 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
 double compute_tail_radius(double s) {

@@ -70,6 +70,23 @@ void append_vertex(HeadPart& part, const HairScene& scene, const HairPlace& plac
 
 glm::dvec3 mirror(const glm::dvec3& p) { return {-p.x, p.y, p.z}; }
 
+// Where it hangs it ends in tips of its own, each as broad as a column or two and none as long as its
+// neighbour, or its edge is a level one that shows from inside and between the locks.
+void fray(Shell& shell, const HairBorder& border) {
+  constexpr std::uint32_t kSeries = 47;
+  constexpr double kDeep = 2.2;                // of how much tips differ
+  constexpr double kHigh = 0.05, kLow = 0.35;  // ways below the hairline: there it begins, here it is whole
+  const HairScene& scene = shell.scene;
+  for (int column = 0; column < kColumns; ++column) {
+    const double azimuth = std::abs(compute_azimuth(column));
+    const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
+    const int left = std::max(column, kColumns - 1 - column);
+    const double deep_mm = kDeep * scene.cut.locks.tips_mm * smooth_step(kHigh, kLow, below) *
+                           sample_noise(kSeries, 1.3 * left, 2 * kColumns);
+    shell.border[static_cast<std::size_t>(column)] -= deep_mm * scene.chart.size / scene.chart.drop_mm;
+  }
+}
+
 void append_shell(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const HairChart& chart = scene.chart;
@@ -77,25 +94,20 @@ void append_shell(HeadPart& part, const HairScene& scene) {
   const bool is_free = !scene.ends.empty() && cut.covers_ears;
   // Its edge lies so far inside the border, above and beside, that locks hide it.
   constexpr double kInset_mm = 7, kBeside_deg = 9;
-  constexpr std::uint32_t kRaggedSeries = 47;
   for (int column = 0; column < kColumns; ++column) {
     // Where it hangs, tips of locks make the edge; where it grows, it runs out in the skin.
-    constexpr double kTips = 2.2, kRagged = 1.6;  // of how much tips differ
+    constexpr double kTips = 1.4;  // of how much tips differ
     constexpr double kHigh = 0.05,
                      kLow = 0.35;  // of a way below the hairline: there tips begin, here all are
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
     const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
-    const int left = std::max(column, kColumns - 1 - column);
-    const double ragged_mm =
-        kRagged * cut.locks.tips_mm * sample_noise(kRaggedSeries, 1.3 * left, 2 * kColumns);
     // A fringe's tips are locks alone: the mass would stand over the brows as a roof.
     constexpr double kFringe_mm = 9, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
-    const double inset_mm = std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm + ragged_mm,
-                                      smooth_step(kHigh, kLow, below)) +
-                            (cut.locks.from_part > 0 ? kFringe_mm : 0) *
-                                smooth_step(kHigh, 2 * kHigh, below) *
-                                (1 - smooth_step(kFringe, kLong, below));
+    const double inset_mm =
+        std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below)) +
+        (cut.locks.from_part > 0 ? kFringe_mm : 0) * smooth_step(kHigh, 2 * kHigh, below) *
+            (1 - smooth_step(kFringe, kLong, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
@@ -120,6 +132,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
           std::min(before[i], 0.5 * before[i] + 0.25 * (before[(i + 1) % before.size()] +
                                                         before[(i + before.size() - 1) % before.size()]));
   }
+  fray(shell, is_free ? scene.ends : scene.hairline);
   for (int column = 0; column < kColumns; ++column) {
     const HairPlace place = find_place(shell, column, 1);
     shell.edge.push_back(compute_hair_point(chart, place, compute_ground_mm(scene, place)));
