@@ -61,8 +61,8 @@ struct LidData {
 struct JawData {
   glm::dvec3 axis{0};                // a point of it on the adult, mm
   double degrees = 0, straight = 0;  // at chin.down 1; mm down at chin.straight 1
-  glm::dvec3 forward{0}, aside{0},
-      protruded{0};  // the teeth's ways at 1 of chin.down, jaw.side and jaw.forward
+  // The teeth's ways at 1 of chin.down, jaw.side, jaw.forward and lips.roll_lower.
+  glm::dvec3 forward{0}, aside{0}, protruded{0}, rolled{0};
   std::array<double, 13> columns{}, mb2{};
   double m6_factor = 1;
   std::vector<std::pair<std::string, double>> points;  // pattern -> weight

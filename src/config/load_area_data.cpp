@@ -147,6 +147,7 @@ JawData read_jaw(const DataTable& table, const PointNames& points) {
   table.read("forward", jaw.forward);
   table.read("aside", jaw.aside);
   table.read("protruded", jaw.protruded);
+  table.read("rolled", jaw.rolled);
   table.read("columns", jaw.columns);
   table.read("mb2", jaw.mb2);
   table.read("m6_factor", jaw.m6_factor);

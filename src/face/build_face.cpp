@@ -294,6 +294,7 @@ JawRig build_jaw(const NeutralHead& head, const FieldSolver& solver, const AreaD
   rig.aside = jaw.aside * (scales.here.mouth_width / scales.adult.mouth_width);
   rig.straight_mm = jaw.straight * (scales.here.mouth_nose / scales.adult.mouth_nose);
   rig.protruded = jaw.protruded * (scales.here.mouth_width / scales.adult.mouth_width);
+  rig.rolled = jaw.rolled * (scales.here.mouth_width / scales.adult.mouth_width);
   return rig;
 }
 

@@ -57,8 +57,8 @@ struct JawRig {
   double open_rad = 0;     // at chin.down 1
   glm::dvec3 forward{0};   // mm at chin.down 1
   double straight_mm = 0;  // straight down at chin.straight 1
-  glm::dvec3 aside{0},
-      protruded{0};             // at jaw.side and jaw.forward 1: of teeth and tongue, the skin has its fields
+  // At jaw.side, jaw.forward and lips.roll_lower 1: of teeth and tongue, the skin has its fields.
+  glm::dvec3 aside{0}, protruded{0}, rolled{0};
   std::vector<double> weights;  // of each control point
   std::vector<double> shut;     // and what it lacks of that at lips.shut 1
 };

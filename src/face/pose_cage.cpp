@@ -340,7 +340,8 @@ glm::dmat4 compute_jaw(const Face& face, const Pose& pose) {
   const Pose stiff = stiffen_pose(face, pose);
   const double open = value_of(stiff, "chin", Side::none, "down");
   const glm::dvec3 slide = value_of(stiff, "jaw", Side::none, "side") * face.jaw.aside +
-                           value_of(stiff, "jaw", Side::none, "forward") * face.jaw.protruded -
+                           value_of(stiff, "jaw", Side::none, "forward") * face.jaw.protruded +
+                           value_of(stiff, "lips", Side::none, "roll_lower") * face.jaw.rolled -
                            glm::dvec3(0, compute_straight(stiff) * face.jaw.straight_mm, 0);
   glm::dmat4 world = glm::translate(glm::dmat4(1), face.jaw.axis + open * face.jaw.forward + slide);
   world = glm::rotate(world, open * face.jaw.open_rad, glm::dvec3(1, 0, 0));
