@@ -50,8 +50,9 @@ struct PastLimit {
 struct LidData {
   std::map<std::string, double> rows_upper, rows_lower;  // ring -> share of the lid's angle
   std::array<double, 9> column_taper{};
+  std::array<double, 9> meeting{};                     // of shut lids, in shares of the opening
   std::array<double, 9> slide_upper{}, slide_lower{};  // of a shut lid toward the nose, mm
-  double meeting = 0, least_gap_deg = 0, wide_deg = 0, raised_deg = 0;
+  double least_gap_deg = 0, wide_deg = 0, raised_deg = 0;
   std::map<std::string, glm::dvec3> raised_bulge;  // ring -> mm
   double follow_up = 0, follow_down = 0, follow_lower = 0;
   double fold_least = 0, fold_forward = 0;

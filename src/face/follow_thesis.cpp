@@ -149,7 +149,7 @@ void follow_thesis(const NeutralHead& head, Face& face) {
   turn_brows_about_ends(head, face);
   face.follows_thesis = true;
   find_corner_points(head, face);
-  face.lids.meeting = 0;
+  face.lids.meeting = face.lids.slide_upper_mm = face.lids.slide_lower_mm = {};
   keep_pupils_in_outline(head, face);
   if (!face.match_level_mm) face.match_level_mm = 0;
 }

@@ -57,7 +57,8 @@ struct LidRig {
   LidRow taper{};
   LidRow slide_upper_mm{}, slide_lower_mm{};  // of a shut lid toward the inner corner
   double pairing = 0;  // how far columns of both lids that meet come to lie beside each other
-  double meeting = 0, least_gap_rad = 0, wide_rad = 0, raised_rad = 0;
+  LidRow meeting{};
+  double least_gap_rad = 0, wide_rad = 0, raised_rad = 0;
   double follow_up = 0, follow_down = 0, follow_lower = 0;
   std::size_t lid_ring = 0, fold_ring = 0;  // E2, E3
   double fold_least = 0, fold_forward = 0;  // what keeps the fold over the lid; see areas.yaml

@@ -29,6 +29,7 @@ struct EdgeAim {
   LidRow upper_turn{}, lower_turn{};
   LidRow upper_radius_mm{}, lower_radius_mm{};
   LidRow upper_along_mm{}, lower_along_mm{};  // that it gains along the axis
+  bool slides = false;                        // where it lies along it is asked at all
 };
 
 // Gaze and the two lids first, then shutting as a share of the way to the line where the lids meet. Both
@@ -49,10 +50,10 @@ EdgeAim compute_aim(const LidRig& rig, std::size_t e, const LidPose& pose) {
   LidRow line = low, radius = rest.lower_radius_mm;
   for (int i = 1; i < 8; ++i) {
     const double at = rest.lower_along_mm[i];
-    line[i] = glm::mix(low[i], sample_row(rest.upper_along_mm, up, at), rig.meeting);
+    line[i] = glm::mix(low[i], sample_row(rest.upper_along_mm, up, at), rig.meeting[i]);
     radius[i] = 0.5 * (radius[i] + sample_row(rest.upper_along_mm, rest.upper_radius_mm, at));
   }
-  EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm, {}, {}};
+  EdgeAim aim{{}, {}, rest.upper_radius_mm, rest.lower_radius_mm, {}, {}, rig.pairing > 0 || shut > 0};
   for (int i = 1; i < 8; ++i) {
     const double apart = 0.5 * rig.pairing * (rest.lower_along_mm[i] - rest.upper_along_mm[i]);
     const double gain = apart - rig.slide_upper_mm[i], low_gain = -apart - rig.slide_lower_mm[i];
@@ -115,9 +116,10 @@ LidPlace compute_shortfall(const LidRig& rig, std::size_t e, const EdgeAim& aim,
   shortfall.height_rad =
       (is_upper ? edge.upper_rad[row] + aim.upper_turn[row] : edge.lower_rad[row] + aim.lower_turn[row]) -
       now.height_rad;
-  shortfall.along_mm = (is_upper ? edge.upper_along_mm[row] + aim.upper_along_mm[row]
-                                 : edge.lower_along_mm[row] + aim.lower_along_mm[row]) -
-                       now.along_mm;
+  if (aim.slides)
+    shortfall.along_mm = (is_upper ? edge.upper_along_mm[row] + aim.upper_along_mm[row]
+                                   : edge.lower_along_mm[row] + aim.lower_along_mm[row]) -
+                         now.along_mm;
   shortfall.radius_mm = (is_upper ? aim.upper_radius_mm[row] : aim.lower_radius_mm[row]) - now.radius_mm;
   if (e == 0) {
     const glm::dvec3 looked = rig.eye.centre + eye_from_head * (on_skin - rig.eye.centre);

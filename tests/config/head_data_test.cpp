@@ -72,8 +72,8 @@ TEST(head_data, unknown_keys_are_told_with_the_nearest_known_one) {
             "hair.yaml:36:5: error: unknown key 'whirl'; did you mean 'whorl'?");
   EXPECT_EQ(find_mistake("heads.yaml", "    brow_thickness: 0.9", "    brow_thicknes: 0.9"),
             "heads.yaml:30:5: error: unknown key 'brow_thicknes'; did you mean 'brow_thickness'?");
-  EXPECT_EQ(find_mistake("areas.yaml", "  meeting: 0.16", "  meeting: 0.16\n  meting: 1"),
-            build_place("areas.yaml", "  meeting: 0.16", 3, 1) +
+  EXPECT_EQ(find_mistake("areas.yaml", "  wide_deg: 19", "  wide_deg: 19\n  meting: 1"),
+            build_place("areas.yaml", "  wide_deg: 19", 3, 1) +
                 ": error: unknown key 'meting'; did you mean 'meeting'?");
 }
 
