@@ -41,7 +41,7 @@ clip:
             "test.yaml:11:28: note: lids.upper asked for 1.7 (surprise 1 + fear 0.8); held at its limit, 1\n"
             "test.yaml:12:51: note: eyes.side asked for 1.5; held at 1: an eye turns no further\n"
             "test.yaml:12:73: note: brow.left.up asked for 1.8; held at its limit, 1.5\n"
-            "test.yaml:13:25: note: corners.up asked for 2.025 (sly); held at its limit, 2\n");
+            "test.yaml:13:25: note: corners.up asked for 2.137 (sly); held at its limit, 2\n");
   EXPECT_EQ(find_value(spec.clip.keys[0].pose, "brow", Side::left, "up"), 1);
   EXPECT_EQ(find_value(spec.clip.keys[1].pose, "brow", Side::left, "up"), 1);
   EXPECT_EQ(find_value(spec.clip.keys[2].pose, "brow", Side::left, "up"), 1.5);
