@@ -29,6 +29,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .flat = 0.4},
       {.name = "crease",
        .points = {"E3_1", "E3_2", "E3_3", "E3_4", "E3_5", "E3_6", "E3_7"},
+       .lies_in_profile = true,
        .widths = {{0, 0.02}, {0.3, 0.55}, {0.7, 0.6}, {1, 0.02}},
        .lift_mm = 1.3,
        .flat = 0.7},
@@ -42,6 +43,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .points = {"R:M1_6", "R:M1_5", "R:M1_4", "R:M1_3", "R:M1_2", "R:M1_1", "M1_0", "M1_1", "M1_2", "M1_3",
                   "M1_4", "M1_5", "M1_6"},
        .is_sided = false,
+       .lies_in_profile = true,
        .widths = {{0, 0.1}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.1}},
        .lift_mm = 1.2,
        .facing = {"M4_0", "M4_12"}},
@@ -49,6 +51,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .points = {"R:M1_6", "R:M1_7", "R:M1_8", "R:M1_9", "R:M1_10", "R:M1_11", "M1_12", "M1_11", "M1_10",
                   "M1_9", "M1_8", "M1_7", "M1_6"},
        .is_sided = false,
+       .lies_in_profile = true,
        .widths = {{0, 0.1}, {0.06, 0.7}, {0.5, 0.5}, {0.94, 0.7}, {1, 0.1}},
        .lift_mm = 1,
        .facing = {"M4_0", "M4_12"}},
@@ -191,6 +194,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
   constexpr float kAside = 0.04f, kFaced = 0.22f;  // of a ridge: cosines of its normal's angle to the view
   constexpr float kShown = 0.3f;
+  constexpr float kProfile = 0.1f, kEdge = 0.1f, kFace = 0.5f;  // of its lift; cosines as well
   const StrokeRule& rule = stroke.rule;
   if (stroke.fold) {  // one that is nowhere thicker would be a speck
     constexpr double kLeast = 0.2, kWhole = 0.27;
@@ -230,7 +234,11 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = std::lerp(rule.from, rule.to, static_cast<double>(i) / (kStrokeSteps - 1));
     lifts[i] = glm::normalize(sample_curve(ups, at * last));
-    centres[i] = sample_curve(line, at * last) + static_cast<float>(find_lift_mm(at)) * eye * lifts[i];
+    centres[i] = sample_curve(line, at * last);
+    // Seen along the skin, what stands off it is a second line beside its edge.
+    const float faced = std::abs(glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
+    const float lift = rule.lies_in_profile ? std::lerp(kProfile, 1.0f, smooth_step(kEdge, kFace, faced)) : 1;
+    centres[i] += lift * static_cast<float>(find_lift_mm(at)) * eye * lifts[i];
   }
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);

@@ -21,6 +21,7 @@ struct StrokeRule {
   bool is_ridge = false;    // drawn where the skin faces the camera: beside an outline it would double it
   bool is_brow = false;     // in the brow's colour, its widths mm on an adult's eye of 16 mm
   bool is_on_hair = false;  // its points are those of the mass of hair
+  bool lies_in_profile = false;  // comes down to the skin where that is seen along
   std::vector<StrokeWidth> widths;
   double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
   glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
