@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <tuple>
 
 #include "core/pool.hpp"
 
@@ -102,9 +103,10 @@ Joint build_jaw_joint(const Figure& figure) {
   joint.turns = {
       build_turn(figure, find_move(Area::chin, Side::none, "down").value(), {1, 0, 0}, jaw.open_rad, 0)};
   joint.turns.front().shift_mm = jaw.forward;
-  for (const auto& [move, way] : {std::pair{"side", jaw.aside}, {"forward", jaw.protruded}}) {
-    joint.turns.push_back(
-        build_turn(figure, find_move(Area::jaw, Side::none, move).value(), {1, 0, 0}, 0, 0));
+  for (const auto& [area, move, way] : {std::tuple{Area::jaw, "side", jaw.aside},
+                                        {Area::jaw, "forward", jaw.protruded},
+                                        {Area::lips, "roll_lower", jaw.rolled}}) {
+    joint.turns.push_back(build_turn(figure, find_move(area, Side::none, move).value(), {1, 0, 0}, 0, 0));
     joint.turns.back().shift_mm = way;
   }
   joint.turns.push_back(

@@ -177,6 +177,34 @@ TEST(face, shut_lids_meet_and_open_ones_never_cross) {
   }
 }
 
+// The ring of muscle about the eye hangs on the nose's side; the corners stay.
+TEST(face, shutting_lids_slide_toward_the_nose) {
+  const auto slide_mm = [](double shut, const char* point) {
+    Pose pose;
+    set(pose, "lid", Side::left, "upper", -shut);
+    std::vector<glm::dvec3> points;
+    pose_cage(adult().head, adult().face, pose, points);
+    const std::uint32_t v = adult().head.cage.index.find(point)->second;
+    return compute_on_skin(adult(), adult().head.cage.points)[v].x - compute_on_skin(adult(), points)[v].x;
+  };
+  EXPECT_NEAR(slide_mm(1, "E1_12"), 2.5, 0.5);
+  EXPECT_NEAR(slide_mm(1, "E1_4"), 1.6, 0.5);
+  EXPECT_NEAR(slide_mm(0.5, "E1_12"), 0.5 * slide_mm(1, "E1_12"), 0.2);
+  for (const char* corner : {"E1_0", "E1_8"}) EXPECT_NEAR(slide_mm(1, corner), 0, 0.35) << corner;
+}
+
+// Nobody rolls a lip in between shut teeth: the lower ones part behind the chin, which stays.
+TEST(face, a_lower_lip_that_rolls_in_finds_the_teeth_apart) {
+  Pose rolled;
+  set(rolled, "lips", Side::none, "roll_lower", 1);
+  const glm::dvec4 incisors(0, -75, 90, 1);
+  const glm::dvec3 way =
+      glm::dvec3(compute_jaw(adult().face, rolled) * incisors - compute_jaw(adult().face, Pose{}) * incisors);
+  EXPECT_LT(way.y, -3);
+  EXPECT_LT(way.z, -2);
+  EXPECT_LT(glm::length(travel(adult(), rolled, "m12_D1")), 1.5);
+}
+
 TEST(face, lids_never_enter_the_ball) {
   std::mt19937 random(21);
   std::vector<glm::dvec3> points;

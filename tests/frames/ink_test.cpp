@@ -420,6 +420,30 @@ TEST(ink, the_line_of_the_jaw_gives_way_to_the_outline) {
   EXPECT_LT(measure_middle(subject, draw(subject, Pose{}, TurnKey{}, above), "jaw"), 0.05);
 }
 
+// In profile a line that stands before the lips would leave a strip of the ground between.
+TEST(ink, lines_of_the_lips_lie_on_them_in_profile) {
+  const Subject& subject = comic();
+  std::size_t first = 0;
+  for (const InkStroke& stroke : subject.ink.strokes) {
+    if (std::string_view(stroke.rule.name) == "upper_lip") break;
+    if (!stroke.rule.is_brow) first += kStrokeVertices;
+  }
+  const std::uint32_t lip = subject.ink.lips.front();
+  const auto measure_mm =
+      [&](const glm::dvec3& camera_mm) {  // of the line's middle off the middle of the lip
+        const Drawing drawing =
+            draw(subject, make_pose({{"chin.down", 0.6}}), TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+        const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+        glm::vec3 middle(0);
+        for (int ring = kStrokeSteps / 2 - 1; ring <= kStrokeSteps / 2; ++ring)
+          for (int k = 0; k < kStrokeSpokes; ++k)
+            middle +=
+                p.at(first + static_cast<std::size_t>(ring * kStrokeSpokes + k)) / (2.0f * kStrokeSpokes);
+        return glm::distance(middle, drawing.parts.front().positions[lip]);
+      };
+  EXPECT_LT(measure_mm({900, -60, 80}), 0.5 * measure_mm({0, 0, 900}));
+}
+
 TEST(ink, is_the_same_on_both_sides_and_in_every_turn) {
   const Subject& subject = comic();
   const InkView view{{0, 0, 900}, {0, 0.6, 0.8}, 1};

@@ -469,6 +469,26 @@ TEST(hair, of_the_mass_runs_in_even_streaks) {
   }
 }
 
+// What is seen of the mass between locks and from inside has tips as they do.
+TEST(hair, long_and_straight_has_a_mass_that_ends_in_tips) {
+  const std::vector<HeadPart> parts = build_hair(adult(), "long", {}, false);
+  const auto mass = std::ranges::find(parts, "hair_mass", [](const HeadPart& p) { return p.part.name; });
+  ASSERT_NE(mass, parts.end());
+  // The lowest vertices, in slices round the nape: neighbours end at heights of their own.
+  std::map<int, float> lowest;
+  for (const glm::vec3& p : mass->part.rest.positions)
+    if (p.z < -20) {
+      const auto [slice, is_new] = lowest.try_emplace(static_cast<int>(std::floor(p.x / 6)), p.y);
+      if (!is_new) slice->second = std::min(slice->second, p.y);
+    }
+  double steps_mm = 0;
+  int count = 0;
+  for (auto next = std::next(lowest.begin()); next != lowest.end(); ++next, ++count)
+    steps_mm += std::abs(next->second - std::prev(next)->second);
+  ASSERT_GT(count, 8);
+  EXPECT_GT(steps_mm / count, 4);
+}
+
 TEST(hair, bends_in_arcs_and_has_no_elbows) {
   for (const char* name : {"crop", "side_part", "pixie"}) {
     const HairCut& cut = shipped().stock.head->hair.cuts.at(name);
