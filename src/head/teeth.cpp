@@ -138,8 +138,8 @@ std::vector<Shade> make_teeth_palette() {
   constexpr std::array<Enamel, kMilkShades> kEnamel{
       {{{0.90f, 0.89f, 0.85f}, {0.945f, 0.905f, 0.83f}, {0.91f, 0.81f, 0.67f}},
        {{0.94f, 0.94f, 0.93f}, {0.965f, 0.95f, 0.91f}, {0.94f, 0.89f, 0.81f}}}};
-  const glm::vec3 shade(
-      0.17f, 0.08f, 0.065f);  // of cheeks and throat, which on its way to it is red: grey teeth are stones
+  // Of cheeks and throat; on the way to it teeth are reddish, for grey ones look like stones.
+  const glm::vec3 shade(0.17f, 0.08f, 0.065f);
   const glm::vec3 half(0.50f, 0.34f, 0.28f);
   std::vector<Shade> palette;
   for (const Enamel& enamel : kEnamel)
