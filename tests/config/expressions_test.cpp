@@ -1,5 +1,5 @@
-#include <cmath>
 #include <fmt/format.h>
+#include <cmath>
 
 #include "config/config_fixture.hpp"
 #include "config/pose_mix.hpp"

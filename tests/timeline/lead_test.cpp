@@ -90,7 +90,9 @@ TEST(lead, meets_every_key_and_leaves_plain_ways_as_they_were) {
   const LeadSpec given{kNaturalLead.after_s};
   const auto at = [](const LeadSpec& lead, const std::string& to) {
     ClipSpec clip =
-        load_text("mien: 1\nclip: {keys: [{at: 0s, express: smile}, {at: 1s, express: " + to + "}]}\n").clip;
+        load_text("mien: 1\nclip: {keys: [{at: 0s, express: smile, strength: 0.5}, {at: 1s, express: " + to +
+                  "}]}\n")
+            .clip;
     clip.lead = lead;
     return sample_performance(build_performance(clip), 0.4).pose;
   };
