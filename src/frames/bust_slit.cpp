@@ -105,6 +105,30 @@ std::vector<Reached> walk_from_rims(const Mesh& cut, const Slit& slit, float far
   return reached;
 }
 
+// What a rim is at a place across the slit; `across` and `heights` of its columns, whose ends are corners.
+float sample_rim(const std::vector<float>& across, const std::vector<float>& heights, float at) {
+  std::size_t i = 2;
+  while (i + 2 < across.size() && across[i] < at) ++i;
+  const float width = across[i] - across[i - 1];
+  const float share = width > 0 ? std::clamp((at - across[i - 1]) / width, 0.0f, 1.0f) : 0;
+  return glm::mix(heights[i - 1], heights[i], share);
+}
+
+// How far apart the rims are in height, column by column: straight above and below one another, since lids
+// slide when they shut and a column's two ends come to lie aside of each other on a line that slopes.
+std::vector<float> measure_rooms(const Slit& slit, const std::vector<float>& lowest,
+                                 const std::vector<float>& highest, const std::vector<glm::vec3>& positions) {
+  std::vector<float> upper, lower, rooms(slit.columns.size(), 0);
+  for (const SlitColumn& column : slit.columns) {
+    upper.push_back(positions[column.upper.front()].x);
+    lower.push_back(positions[column.lower.front()].x);
+  }
+  for (std::size_t c = 1; c + 1 < rooms.size(); ++c)
+    rooms[c] = std::min(lowest[c] - sample_rim(lower, highest, upper[c]),
+                        sample_rim(upper, lowest, lower[c]) - highest[c]);
+  return rooms;
+}
+
 }  // namespace
 
 Slit compute_eye_slit(const NeutralHead& head, int side) {
@@ -161,10 +185,11 @@ void part_slit(const Slit& slit, float width_mm, std::vector<glm::vec3>& positio
     if (v.share > kMoved) lowest[v.column] = std::min(lowest[v.column], y);
     if (v.share < -kMoved) highest[v.column] = std::max(highest[v.column], y);
   }
+  const std::vector<float> rooms = measure_rooms(slit, lowest, highest, positions);
   std::vector<float> ways(count, 0.0f);
   for (std::size_t c = 1; c + 1 < count; ++c) {
     const float taper = smooth_step(0, kEnd, find_from_end(c));
-    ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - (lowest[c] - highest[c]));
+    ways[c] = 0.5f * std::max(0.0f, width_mm * (0.25f + 0.75f * taper) - rooms[c]);
   }
   for (const SlitVertex& v : slit.vertices) positions[v.vertex].y += v.share * ways[v.column];
 }
