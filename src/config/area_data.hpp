@@ -49,6 +49,7 @@ struct PastLimit {
 
 struct LidData {
   std::map<std::string, double> rows_upper, rows_lower;  // ring -> share of the lid's angle
+  std::map<std::string, double> rows_shut;               // of a shut upper lid, where it is another
   std::array<double, 9> column_taper{};
   std::array<double, 9> meeting{};                     // of shut lids, in shares of the opening
   std::array<double, 9> slide_upper{}, slide_lower{};  // of a shut lid toward the nose, mm

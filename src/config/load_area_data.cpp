@@ -108,6 +108,7 @@ LidData read_lids(const DataTable& table, const PointNames& points) {
   for (const auto& [ring, share] : lids.rows_upper)
     if (!lids.rows_lower.contains(ring))
       table.fail(fmt::format("'rows_lower' has no '{}'; expected the rings of 'rows_upper'", ring));
+  read_rings(table, "rows_shut", points, lids.rows_shut);
   table.read("column_taper", lids.column_taper);
   const DataTable slide = table.at("slide");
   slide.read("upper", lids.slide_upper);

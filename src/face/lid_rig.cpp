@@ -26,7 +26,9 @@ std::vector<LidRing> build_rings(const NeutralHead& head, const LidData& data) {
   for (const auto& [name, share] : data.rows_upper) {
     LidRing ring;
     ring.is_inner = name == "EB" || name == kEdgeRings[0];
-    ring.upper_share = share;
+    ring.upper_share = ring.shut_share = share;
+    if (const auto shut = data.rows_shut.find(name); shut != data.rows_shut.end())
+      ring.shut_share = shut->second;
     ring.lower_share = data.rows_lower.at(name);
     if (const auto least = data.least_radius.find(name); least != data.least_radius.end())
       ring.least_radius_mm = least->second * size;

@@ -25,6 +25,7 @@ struct LidRing {
   std::array<glm::dvec3, kLidColumns> rest{};              // the left ones, mm
   bool is_inner = false;                                   // turns with the margin's inner edge
   double upper_share = 0, lower_share = 0;                 // of the lid's angle
+  double shut_share = 0;                                   // of a shut upper lid's
   double least_radius_mm = 0;                              // from the eye's centre; 0: free
   glm::dvec3 bulge{0};                                     // mm, of a lower lid fully raised
 };

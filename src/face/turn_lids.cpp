@@ -94,7 +94,7 @@ RingPoints turn_rings(const LidRig& rig, const std::array<EdgeAim, 2>& aims, con
     points.push_back(ring.rest);
     for (int i = 0; i < kLidColumns; ++i) {
       const auto [is_upper, row] = compute_lid_column(i);
-      const double share = is_upper ? ring.upper_share : ring.lower_share;
+      const double share = is_upper ? std::lerp(ring.upper_share, ring.shut_share, shut) : ring.lower_share;
       const double angle = share * (is_upper ? aim.upper_turn[row] : aim.lower_turn[row]);
       const double slide_mm = share * shut * (is_upper ? rig.slide_upper_mm[row] : rig.slide_lower_mm[row]);
       if (angle == 0 && slide_mm == 0) continue;

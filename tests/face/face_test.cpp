@@ -190,6 +190,10 @@ TEST(face, shutting_lids_slide_toward_the_nose) {
   EXPECT_NEAR(slide_mm(1, "E1_12"), 2.5, 0.5);
   EXPECT_NEAR(slide_mm(1, "E1_4"), 1.6, 0.5);
   EXPECT_NEAR(slide_mm(0.5, "E1_12"), 0.5 * slide_mm(1, "E1_12"), 0.2);
+  // And the lid is drawn out flat: what lies over the margin comes down as far.
+  Pose shut;
+  set(shut, "lid", Side::left, "upper", -1);
+  EXPECT_GT(travel(adult(), shut, "E2_4").y / travel(adult(), shut, "E1_4").y, 0.85);
   for (const char* corner : {"E1_0", "E1_8"}) EXPECT_NEAR(slide_mm(1, corner), 0, 0.35) << corner;
 }
 
