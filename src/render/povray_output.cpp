@@ -4,12 +4,25 @@
 #include <algorithm>
 #include <regex>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace mien {
 
 namespace {
 
 constexpr std::size_t kFold = 80;  // POV-Ray's widest line
+
+// The lines of `text` that hold one of `words`, each with its end.
+std::string find_lines(const std::string& text, const std::vector<std::string>& words) {
+  std::string found;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line);)
+    if (std::any_of(words.begin(), words.end(),
+                    [&](const std::string& word) { return line.find(word) != std::string::npos; }))
+      found += line + '\n';
+  return found;
+}
 
 }  // namespace
 
@@ -34,17 +47,12 @@ std::string unwrap_povray_output(const std::string& output) {
 
 std::string find_povray_reason(const ProcessResult& result) {
   const std::string text = unwrap_povray_output(result.output);
-  if (result.exit_code != 0) {
-    const std::size_t heading = text.rfind("\n==== [");
-    return heading == std::string::npos ? text
-                                        : text.substr(std::min(text.find('\n', heading + 1), text.size()));
-  }
-  std::string warnings;
-  std::istringstream lines(text);
-  for (std::string line; std::getline(lines, line);)
-    if (line.find("Warning:") != std::string::npos || line.find("Error:") != std::string::npos)
-      warnings += line + '\n';
-  return warnings;
+  if (result.exit_code == 0) return find_lines(text, {"Warning:", "Error:"});
+  // POV-Ray prints its headings and its messages from two queues: an error may come before its heading.
+  const std::size_t heading = text.rfind("\n==== [");
+  if (heading == std::string::npos) return text;
+  return find_lines(text.substr(0, heading), {"Error:"}) +
+         text.substr(std::min(text.find('\n', heading + 1), text.size()));
 }
 
 bool is_empty_scene(const std::string& output) {

@@ -10,8 +10,8 @@ namespace mien {
 // POV-Ray's messages with the line breaks taken out that it puts in after 80 columns.
 std::string unwrap_povray_output(const std::string& output);
 
-// The lines where the reason of a failure stands, unwrapped: those since the last heading ("====
-// [Parsing...]"), or if it thinks that all went well, its warnings.
+// The lines where the reason of a failure stands, unwrapped: the errors and what came since the last heading
+// ("==== [Parsing...]"), or if it thinks that all went well, its warnings.
 std::string find_povray_reason(const ProcessResult& result);
 
 // By its own statistics: nothing bounded, such as a mesh, and nothing without bounds, such as a plane. Lights

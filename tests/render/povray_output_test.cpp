@@ -21,6 +21,9 @@ TEST(povray_output, holds_the_reason_behind_its_last_heading) {
   const std::string banner = "Persistence of Vision\n==== [Parsing...] ====\n";
   EXPECT_EQ(find_povray_reason({1, banner + "Parse Error: x\nRender failed\n", 0}),
             "\nParse Error: x\nRender failed");
+  EXPECT_EQ(find_povray_reason(
+                {1, "Options\nFile 'a' line 2: Parse Error: x\n==== [Parsing...] ====\nRender failed\n", 0}),
+            "File 'a' line 2: Parse Error: x\n\nRender failed");
   EXPECT_EQ(find_povray_reason({1, "povray: not found", 0}), "povray: not found");
   EXPECT_EQ(find_povray_reason({0, banner + "Parse Warning: x\nFinite Objects: 3\n", 0}),
             "Parse Warning: x\n");
