@@ -50,6 +50,8 @@ void run_import(const Options& options) {
       return import_take(options, TakeKind::tracks);
     case TakeGuess::vrma:
       return import_take(options, TakeKind::vrma);
+    case TakeGuess::gltf:
+      return import_take(options, TakeKind::gltf);
     case TakeGuess::none:
       return import_mouths(options);
   }
@@ -64,7 +66,8 @@ const CommandInfo command_import{
     "what other programs recorded of a face, as keys and cues",
     "Writes a YAML file that does what FILE says. Takes of a face become keys: of Live Link Face (.csv),\n"
     "MediaPipe and recorders of ARKit (.json), OpenFace 2 (.csv), OpenFaceFX (.json) and VRM animation\n"
-    "(.vrma); what of a take our areas cannot do is told. An expression of MPFB (.json) or MakeHuman\n"
+    "(.vrma), heads that glTF animates (.glb, .gltf); what of a take our areas cannot do is told. An\n"
+    "expression of MPFB (.json) or MakeHuman\n"
     "(.mhpose) becomes one of ours, and those of an avatar of VRM (.vrm) do by their names. What FILE says "
     "of\n"
     "a mouth becomes a script: the cues of Rhubarb Lip Sync (.tsv, .xml, .json, .dat), of Papagayo and Moho\n"

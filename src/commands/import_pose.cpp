@@ -20,20 +20,6 @@ namespace mien {
 
 namespace {
 
-// A file's one face as a take of one row: what takes are judged by, it is judged by, too.
-Take build_pose_take(const UnitPose& pose) {
-  Take take;
-  take.file = pose.file;
-  take.mapping = pose.mapping;
-  for (const PosedUnit& unit : pose.units) {
-    take.channels.push_back({unit.name, unit.line, unit.column});
-    take.values.push_back(static_cast<float>(unit.value));
-  }
-  take.at_s = {0};
-  take.row_count = 1;
-  return take;
-}
-
 void print_pose_report(const TakeReport& report) {
   fmt::print("lost: {:.1f} % of the motion, {:.3g} of {:.3g} mm2\n", report.lost_percent(), report.lost_mm2,
              report.moved_mm2);
@@ -58,7 +44,7 @@ void import_pose(const Options& options) {
   const LanguagePointer language = load_language(find_data_folder());
   const MappingData& data = *language->libraries.mappings;
   const UnitPose pose = load_unit_pose(options.file);
-  const TakeMoves moves = retarget_take(build_pose_take(pose), find_mapping(data, pose.mapping), data.moves);
+  const TakeMoves moves = retarget_take(build_unit_take(pose), find_mapping(data, pose.mapping), data.moves);
   if (const auto most = options.take.strict_percent; most && moves.report.lost_percent() > *most)
     throw InputError(
         fmt::format("{}: {:.1f} % of the motion is lost; expected {:g} % at most, as --strict says",

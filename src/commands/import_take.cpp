@@ -24,7 +24,7 @@ constexpr double kKeys_mm = 0.5;        // what an eye sees of a head on a scree
 constexpr std::size_t kMostLines = 12;  // of a list in a report; more are counted
 
 std::string_view find_take_track(TakeKind kind) {
-  for (const std::string_view key : {"live_link", "arkit", "openface", "openfacefx", "vrma"})
+  for (const std::string_view key : {"live_link", "arkit", "openface", "openfacefx", "vrma", "gltf"})
     if (find_take_key(key) == kind) return key;
   return "";
 }
@@ -53,8 +53,11 @@ void print_report(const Options& options, const Take& take, const TakeMoves& mov
   const TakeReport& report = moves.report;
   fmt::print("{}: {} rows, {}{}; {} keys, {:.2g} mm from it at most\n", options.file.string(), take.row_count,
              format_time(take.end_s), take.start.empty() ? "" : " from " + take.start, key_count, keys_mm);
-  fmt::print("lost: {:.1f} % of the motion, {:.3g} of {:.3g} mm2", report.lost_percent(), report.lost_mm2,
-             report.moved_mm2);
+  if (report.moved_mm2 > 0)
+    fmt::print("lost: {:.1f} % of the motion, {:.3g} of {:.3g} mm2", report.lost_percent(), report.lost_mm2,
+               report.moved_mm2);
+  else
+    fmt::print("lost: nothing; all that moves is our own");
   if (report.worst_mm2 > 0)
     fmt::print("; most from {} on, {:.3g} mm2", format_time(report.worst_s), report.worst_mm2);
   fmt::print("\n");
@@ -70,6 +73,8 @@ void print_report(const Options& options, const Take& take, const TakeMoves& mov
   print_lines(report.gaps, [](const TakeGap& gap) {
     return fmt::format("  from {} to {}", format_time(gap.from_s), format_time(gap.to_s));
   });
+  if (!report.passed.empty()) fmt::print("passed, no units of a face:\n");
+  print_lines(report.passed, [](const std::string& name) { return "  " + show_word(name); });
   if (take.repeated_count > 0)
     fmt::print("passed: {} rows at the time of the one before\n", take.repeated_count);
 }
@@ -88,7 +93,8 @@ void print_json(const Options& options, const Take& take, const TakeMoves& moves
                                 {"lost_percent", round_to(report.lost_percent(), 2)},
                                 {"worst_s", round_to(report.worst_s, 3)},
                                 {"unseen", take.unseen_count},
-                                {"repeated", take.repeated_count}};
+                                {"repeated", take.repeated_count},
+                                {"passed", report.passed}};
   object["losses"] = object["held"] = object["gaps"] = nlohmann::ordered_json::array();
   for (const UnitLoss& loss : report.losses)
     object["losses"].push_back({{"unit", loss.unit},
@@ -146,7 +152,7 @@ void import_take(const Options& options, TakeKind kind) {
   const std::filesystem::path output = find_import_output(options);
   const LanguagePointer language = load_language(find_data_folder());
   const MappingData& data = *language->libraries.mappings;
-  TakeReading reading;
+  TakeReading reading = find_usual_reading(kind);
   if (options.take.smooth_hz) reading.smooth_hz = *options.take.smooth_hz;
   reading.fps = options.take.fps.value_or(0);
   const Take take = load_take(options.file, kind, reading.fps);

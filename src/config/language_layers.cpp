@@ -134,9 +134,12 @@ void fill_sources(Sections& all) {
       {"openface", {as_file({".csv"})}, "A take of OpenFace 2."},
       {"openfacefx", {as_file({".json"})}, "Tracks of OpenFaceFX."},
       {"vrma", {as_file({".vrma"})}, "An animation of VRM."},
+      {"gltf",
+       {as_file({".glb", ".gltf"})},
+       "A head that glTF animates, by targets of mien's names, of ARKit's or of VRM's."},
       {"smooth",
        {as_number(0, kMostSmooth_hz, "Hz")},
-       "How quick a change of a take may be noise: lower is calmer, 0 leaves it as it is.",
+       "How quick a change of a take may be noise: lower is calmer, 0 leaves it as it is (of `gltf` usual).",
        say(SmoothSpec{}.cutoff_hz)},
       {"fps",
        {as_number(1, kMostTakeRate)},
@@ -150,13 +153,15 @@ void fill_sources(Sections& all) {
        say(kTableAttack_s, "s")},
       {"release", {as_duration()}, "How long after its last row it is gone.", say(kTableRelease_s, "s")},
       build_rule()};
-  track.rules = {{KeyRule::Kind::one_of, {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma"}},
-                 {KeyRule::Kind::apart,
-                  {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma", "smooth", "fps"}},
-                 {KeyRule::Kind::apart, {"live_link", "arkit", "openface", "openfacefx", "vrma"}},
-                 {KeyRule::Kind::apart, {"arkit", "openface", "openfacefx", "vrma"}},
-                 {KeyRule::Kind::apart, {"openface", "openfacefx", "vrma"}},
-                 {KeyRule::Kind::apart, {"openfacefx", "vrma"}}};
+  track.rules = {
+      {KeyRule::Kind::one_of, {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma", "gltf"}},
+      {KeyRule::Kind::apart,
+       {"csv", "live_link", "arkit", "openface", "openfacefx", "vrma", "gltf", "smooth", "fps"}},
+      {KeyRule::Kind::apart, {"live_link", "arkit", "openface", "openfacefx", "vrma", "gltf"}},
+      {KeyRule::Kind::apart, {"arkit", "openface", "openfacefx", "vrma", "gltf"}},
+      {KeyRule::Kind::apart, {"openface", "openfacefx", "vrma", "gltf"}},
+      {KeyRule::Kind::apart, {"openfacefx", "vrma", "gltf"}},
+      {KeyRule::Kind::apart, {"vrma", "gltf"}}};
 
   Section& include = all.include;
   include.name = "include";

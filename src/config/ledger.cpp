@@ -73,6 +73,11 @@ std::string name_move(std::size_t move, bool is_both) {
   return fmt::format("{}.{}", is_plural ? find_area(info.of).plural : find_area_key(info), info.move);
 }
 
+std::string name_way(std::size_t move, double value) {
+  const MoveInfo& info = kMoves[move];
+  return fmt::format("{}.{}", find_area_key(info), (value > 0 ? info.plus : info.minus).name);
+}
+
 std::vector<HeldNote> build_notes(const std::vector<Held>& ledger) {
   std::vector<HeldNote> notes;
   std::vector<bool> is_reported(ledger.size(), false);

@@ -39,6 +39,9 @@ std::vector<Held> list_held(const Spec& spec);
 // "brow.left.up"; "brows.up" when both sides are meant.
 std::string name_move(std::size_t move, bool is_both = false);
 
+// The way of an area's move to the side of `value`, not 0: "brow.left.down".
+std::string name_way(std::size_t move, double value);
+
 // What a user reads of a ledger: a line for each area, move and place; two sides that asked the same in one.
 struct HeldNote {
   Held held;

@@ -332,7 +332,7 @@ const YamlEntry* find_track_file(const YamlMapping& entries, const YamlValue& it
   }
   if (named == nullptr)
     add_mistake(item, fmt::format("{} names no file; expected 'csv', 'live_link', 'arkit', 'openface', "
-                                  "'openfacefx' or 'vrma' and a file such as talk.csv",
+                                  "'openfacefx', 'vrma' or 'gltf' and a file such as talk.csv",
                                   describe_subject(item)));
   return named;
 }
@@ -367,8 +367,9 @@ void load_tables(const YamlMapping& clip, const ClipReader& reader, ClipSpec& in
     load_duration(entries, "release", reader.clock, release_s);
     Between between = Between::linear;
     load_between(entries, between);
-    const TakeReading reading = load_take_reading(entries);
     const YamlEntry* named = find_track_file(entries, item);
+    const TakeReading reading =
+        load_take_reading(entries, named == nullptr ? std::nullopt : find_take_key(named->key));
     std::optional<FileReference> file;
     if (named == nullptr || !load_file(named->value, file)) continue;
     if (named->key == "csv") {

@@ -64,6 +64,7 @@ std::optional<TakeKind> find_take_key(std::string_view key) {
   if (key == "openface") return TakeKind::openface;
   if (key == "openfacefx") return TakeKind::tracks;
   if (key == "vrma") return TakeKind::vrma;
+  if (key == "gltf") return TakeKind::gltf;
   return std::nullopt;
 }
 
@@ -99,8 +100,14 @@ std::vector<TurnKey> build_turn_keys(const TakeMoves& moves, double tolerance_de
   return keys;
 }
 
-TakeReading load_take_reading(const YamlMapping& track) {
+TakeReading find_usual_reading(std::optional<TakeKind> kind) {
   TakeReading reading;
+  if (kind == TakeKind::gltf) reading.smooth_hz = 0;
+  return reading;
+}
+
+TakeReading load_take_reading(const YamlMapping& track, std::optional<TakeKind> kind) {
+  TakeReading reading = find_usual_reading(kind);
   if (const YamlValue* smooth = find_value(track, "smooth")) load_number(*smooth, reading.smooth_hz);
   if (const YamlValue* fps = find_value(track, "fps")) load_number(*fps, reading.fps);
   return reading;

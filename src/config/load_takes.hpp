@@ -28,10 +28,13 @@ struct TakeReading {
   double fps = 0;  // 0: the file's own
 };
 
-// `smooth:` and `fps:` of a track.
-TakeReading load_take_reading(const YamlMapping& track);
+// What is read where nobody says how: an animation has no noise of a camera's.
+TakeReading find_usual_reading(std::optional<TakeKind> kind);
 
-// Which kind of take a track's key names: "live_link", "arkit", "openface", "openfacefx", "vrma".
+// `smooth:` and `fps:` of a track of such a take.
+TakeReading load_take_reading(const YamlMapping& track, std::optional<TakeKind> kind);
+
+// Which kind of take a track's key names: "live_link", "arkit", "openface", "openfacefx", "vrma", "gltf".
 std::optional<TakeKind> find_take_key(std::string_view key);
 
 // The take's rows as moves, smoothed, with what is lost. Throws InputError at each unit that nobody knows.

@@ -6,6 +6,7 @@
 
 #include "config/data_table.hpp"
 #include "config/expressions.hpp"
+#include "config/ledger.hpp"
 #include "core/error.hpp"
 
 namespace mien {
@@ -214,6 +215,9 @@ TakeReach build_take_reach() {
   for (std::size_t i = 0; i < kMoveCount; ++i) {
     table.ranges.push_back({kMoves[i].low, kMoves[i].high});
     if (kMoves[i].of == Area::eye) table.gaze.push_back({i, kMoves[i].move == "up"});
+    for (const auto& [way, end] :
+         {std::pair{kMoves[i].plus, kMoves[i].high}, {kMoves[i].minus, kMoves[i].low}})
+      if (!way.name.empty()) table.ways[name_way(i, end)] = {i, end};
   }
   return table;
 }

@@ -8,8 +8,11 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
+#include "config/ledger.hpp"
 #include "config/mapping_data.hpp"
 #include "core/text.hpp"
 #include "exchange/target_sets.hpp"
@@ -74,11 +77,33 @@ constexpr std::array kUnits{"eyeBlinkLeft",
 
 constexpr int kDecimals = 6;
 
-// The units of a pose in the order of kUnits, and how far the worst move is off.
+// The units of a pose in the order of kUnits, how far the worst move is off, and what they leave over as ways
+// of our moves: "lips.press", 1 at its end; below 0 where a unit does too much.
 struct WeighedUnits {
   std::array<double, kUnits.size()> weights{};
   double lost = 0;
+  std::map<std::string, double> rest;
 };
+
+double round_weight(double weight) { return std::round(weight * 1e4) / 1e4; }
+
+// What readers of the rounded weights come to lacks of the pose. Shares of correctives count as they do.
+std::map<std::string, double> find_rest(const Mapping& arkit, const WeighedUnits& units, const Pose& asked) {
+  constexpr double kSlight = 0.002;
+  std::vector<double> weights(arkit.units.size(), 0), moves(kMoveCount, 0);
+  for (std::size_t u = 0; u < kUnits.size(); ++u)
+    if (const auto unit = find_unit(arkit, kUnits[u])) weights[*unit] = units.weights[u];
+  add_mapped_moves(arkit, weights, moves);
+  std::map<std::string, double> rest;
+  for (std::size_t i = 0; i < kMoveCount; ++i) {
+    const double left = asked.values[i] - moves[i];
+    if (std::abs(left) <= kSlight) continue;
+    double end = left > 0 ? kMoves[i].high : kMoves[i].low;
+    if (end == 0) end = left > 0 ? kMoves[i].low : kMoves[i].high;  // less of its only way
+    rest[name_way(i, end)] = round_weight(left / end);
+  }
+  return rest;
+}
 
 WeighedUnits weigh_units(const Spec& spec, const std::vector<TargetPose>& poses, const Pose& asked) {
   // What units that correct others do is a share of those.
@@ -98,7 +123,8 @@ WeighedUnits weigh_units(const Spec& spec, const std::vector<TargetPose>& poses,
   }
   for (std::size_t u = 0; u < kUnits.size(); ++u)
     for (std::size_t i = 0; i < poses.size(); ++i)
-      if (poses[i].name == kUnits[u]) units.weights[u] = shares[i];
+      if (poses[i].name == kUnits[u]) units.weights[u] = round_weight(shares[i]);
+  units.rest = find_rest(arkit, units, asked);
   return units;
 }
 
@@ -133,24 +159,38 @@ ExportNotes export_live_link(const ExportWork& work, const std::filesystem::path
   }
   for (const char* of : {"Head", "LeftEye", "RightEye"})
     for (const char* angle : {"Yaw", "Pitch", "Roll"}) text += fmt::format(",{}{}", of, angle);
-  text += "\n";
+  std::vector<Moment> moments;
+  std::vector<WeighedUnits> weighed;
+  std::set<std::string> rests;  // columns of what is ever left over
   double lost = 0;
   for (int frame = work.first; frame <= work.last; ++frame) {
-    const Moment moment = sample_performance(work.performance, work.compute_time_s(frame));
-    const WeighedUnits units = weigh_units(work.clip.spec, poses, moment.pose);
-    lost = std::max(lost, units.lost);
+    moments.push_back(sample_performance(work.performance, work.compute_time_s(frame)));
+    weighed.push_back(weigh_units(work.clip.spec, poses, moments.back().pose));
+    lost = std::max(lost, weighed.back().lost);
+    for (const auto& [way, share] : weighed.back().rest) rests.insert(way);
+  }
+  for (const std::string& way : rests) text += fmt::format(",{}{}", kOwnUnit, way);
+  text += "\n";
+  for (int frame = work.first; frame <= work.last; ++frame) {
+    const auto at = static_cast<std::size_t>(frame - work.first);
+    const WeighedUnits& units = weighed[at];
     text += fmt::format("{},{}", format_timecode(frame - work.first, static_cast<int>(work.fps())),
                         kUnits.size() + 9);
     for (const double weight : units.weights) text += "," + format_number(weight, kDecimals);
-    for (const double angle : list_angles_rad(work.figure, moment))
+    for (const double angle : list_angles_rad(work.figure, moments[at]))
       text += "," + format_number(angle, kDecimals);
+    for (const std::string& way : rests) {
+      const auto rest = units.rest.find(way);
+      text += "," + format_number(rest == units.rest.end() ? 0 : rest->second, kDecimals);
+    }
     text += "\n";
   }
   write_file(path, text);
   return {fmt::format(
       "{} rows of ARKit's {} units; a move is off by at most {:.0f} % of its limit, for which there is no "
-      "unit",
-      work.frame_count(), kUnits.size(), 100 * lost)};
+      "unit{}",
+      work.frame_count(), kUnits.size(), 100 * lost,
+      rests.empty() ? "" : "; columns of mien's own say the rest")};
 }
 
 ExportNotes export_face_units(const ExportWork& work, const std::filesystem::path& path) {
@@ -159,17 +199,20 @@ ExportNotes export_face_units(const ExportWork& work, const std::filesystem::pat
   const WeighedUnits weighed = weigh_units(work.clip.spec, poses, pose);
   nlohmann::ordered_json units = nlohmann::ordered_json::object();
   for (std::size_t u = 0; u < kUnits.size(); ++u)
-    if (weighed.weights[u] > 0.0005) units[kUnits[u]] = std::round(weighed.weights[u] * 1000) / 1000;
-  const nlohmann::ordered_json face{{"name", work.title()},
-                                    {"description", ""},
-                                    {"author", work.clip.spec.author},
-                                    {"license", work.clip.spec.licence},
-                                    {"face_units", units}};
+    if (weighed.weights[u] > 0) units[kUnits[u]] = weighed.weights[u];
+  nlohmann::ordered_json face{{"name", work.title()},
+                              {"description", ""},
+                              {"author", work.clip.spec.author},
+                              {"license", work.clip.spec.licence},
+                              {"face_units", units}};
+  // Others read the units; what these leave over is there for mien.
+  if (!weighed.rest.empty()) face["mien"] = weighed.rest;
   write_file(path, face.dump(2) + "\n");
   return {fmt::format(
       "{} of ARKit's {} units, frame {}; a move is off by at most {:.0f} % of its limit, for which there "
-      "is no unit",
-      units.size(), kUnits.size(), work.first, 100 * weighed.lost)};
+      "is no unit{}",
+      units.size(), kUnits.size(), work.first, 100 * weighed.lost,
+      weighed.rest.empty() ? "" : "; 'mien' says the rest")};
 }
 
 }  // namespace mien

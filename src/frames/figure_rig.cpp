@@ -190,8 +190,7 @@ double dot_poses(const Pose& a, const Pose& b) {
 
 std::string name_move_target(std::size_t move, double value) {
   const MoveInfo& info = kMoves[move];
-  const MoveWay& way = value > 0 ? info.plus : info.minus;
-  std::string name = fmt::format("{}.{}", find_area_key(info), way.name);
+  std::string name = name_way(move, value);
   if (const double end = value > 0 ? info.high : info.low; value != end)
     name += fmt::format("@{:g}", std::round(1e4 * value / end) / 100);
   return name;

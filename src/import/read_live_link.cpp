@@ -5,7 +5,7 @@
 // BlendShapeCount of 0 is one without a face. Angles are radians (readers of the same numbers, as JimWest's
 // PyLiveLinkFace and players of VRM, take them so); a file with one beyond half a turn is in degrees. Yaw is
 // to the character's left, pitch chin down, roll crown to the left. The eyes' angles say again what EyeLook*
-// say, and are passed.
+// say, and are passed. Columns such as mien.lips.press are what our own table says beside the units.
 #include <fmt/format.h>
 
 #include <algorithm>

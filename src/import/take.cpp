@@ -151,6 +151,7 @@ bool begin_take_row(Take& take, const TakePlace& place, double at_s) {
 
 std::string build_arkit_name(std::string_view name) {
   std::string built(name);
+  if (name.starts_with(kOwnUnit)) return built;
   if (!built.empty() && built[0] >= 'A' && built[0] <= 'Z') built[0] = static_cast<char>(built[0] + 32);
   for (const auto& [ending, side] : {std::pair{"_L", "Left"}, std::pair{"_R", "Right"}})
     if (built.ends_with(ending)) built.replace(built.size() - 2, 2, side);
@@ -174,6 +175,7 @@ Take load_take(const fs::path& file, TakeKind kind, double fps) {
               : kind == TakeKind::openface ? read_openface(file, fps)
               : kind == TakeKind::tracks   ? read_face_tracks(file, fps)
               : kind == TakeKind::vrma     ? read_vrma(file, fps)
+              : kind == TakeKind::gltf     ? read_gltf_take(file, fps)
                                            : read_arkit_json(file, fps);
   if (take.channels.empty()) fail_file(take.file, "has no units of a face; expected some, such as jawOpen");
   if (take.at_s.empty()) fail_file(take.file, "has no row with a face; expected one at least");
@@ -190,6 +192,7 @@ TakeGuess guess_take_kind(const fs::path& file) {
   const auto has = [&](std::string_view word) { return text.find(word) != text.npos; };
   const std::string ending = find_ending(file);
   if (ending == ".vrma") return TakeGuess::vrma;
+  if (ending == ".glb" || ending == ".gltf") return TakeGuess::gltf;
   if (ending == ".csv" && (has("Timecode,") || has("EyeBlinkLeft"))) return TakeGuess::live_link;
   if (ending == ".csv" && (has("AU01_r") || has("face_id"))) return TakeGuess::openface;
   if (ending != ".json") return TakeGuess::none;

@@ -75,5 +75,6 @@ Take read_openface(const std::filesystem::path& file, double fps);
 Take read_arkit_json(const std::filesystem::path& file, double fps);
 Take read_face_tracks(const std::filesystem::path& file, double fps);
 Take read_vrma(const std::filesystem::path& file, double fps);
+Take read_gltf_take(const std::filesystem::path& file, double fps);
 
 }  // namespace mien

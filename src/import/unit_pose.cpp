@@ -20,15 +20,19 @@ constexpr std::uintmax_t kMostPoseBytes = 1 << 20;  // an expression has some ki
 constexpr std::size_t kMostPosedUnits = 200;
 constexpr double kMostPosed = 2;  // ranges are 0 to 1
 
-enum PoseRole { kPoseOther, kPoseWhole, kPoseUnits };
+enum PoseRole { kPoseOther, kPoseWhole, kPoseUnits, kPoseOwn };
 
-void take_posed_unit(UnitPose& pose, const std::string& key, double value, JsonSpot spot) {
+bool is_of_units(const JsonStep& step) { return step.role == kPoseUnits || step.role == kPoseOwn; }
+
+void take_posed_unit(UnitPose& pose, const std::string& key, bool is_own, double value, JsonSpot spot) {
   if (std::abs(value) > kMostPosed)
     fail_json(pose.file, spot,
               fmt::format("'{}' is {:.7g}; expected a number from 0 to 1", show_found(key), value));
   if (pose.units.size() >= kMostPosedUnits)
     fail_json(pose.file, spot, fmt::format("more than {} units; expected those of a face", kMostPosedUnits));
-  std::string name = pose.mapping == "arkit" ? build_arkit_name(key) : key;
+  std::string name = is_own                    ? fmt::format("{}{}", kOwnUnit, key)
+                     : pose.mapping == "arkit" ? build_arkit_name(key)
+                                               : key;
   if (std::ranges::find(pose.units, name, &PosedUnit::name) != pose.units.end())
     fail_json(pose.file, spot, fmt::format("'{}' is there twice; expected it once", show_found(key)));
   pose.units.push_back({std::move(name), value, spot.line, spot.column});
@@ -47,9 +51,10 @@ UnitPose load_unit_pose(const std::filesystem::path& file) {
     if (steps.empty() && is_list) fail_json(pose.file, spot, "a list; expected an object");
     if (steps.empty()) return kPoseWhole;
     const JsonStep& around = steps.back();
-    if (around.role == kPoseUnits)
+    if (is_of_units(around))
       fail_json(pose.file, spot,
                 fmt::format("'{}' is no number; expected one from 0 to 1", show_found(around.key)));
+    if (around.role == kPoseWhole && around.key == "mien" && !is_list) return kPoseOwn;
     if (around.role != kPoseWhole || (around.key != "face_units" && around.key != "unit_poses"))
       return kPoseOther;
     if (is_list || has_units)
@@ -62,12 +67,13 @@ UnitPose load_unit_pose(const std::filesystem::path& file) {
   };
   use.number = [&](const JsonUse::Steps& steps, double value, JsonSpot spot) {
     if (steps.empty()) fail_json(pose.file, spot, "a number alone; expected an object");
-    if (steps.back().role == kPoseUnits) take_posed_unit(pose, steps.back().key, value, spot);
+    if (is_of_units(steps.back()))
+      take_posed_unit(pose, steps.back().key, steps.back().role == kPoseOwn, value, spot);
   };
   use.text = [&](const JsonUse::Steps& steps, const std::string& value, JsonSpot spot) {
     if (steps.empty()) fail_json(pose.file, spot, "a text alone; expected an object");
     const JsonStep& around = steps.back();
-    if (around.role == kPoseUnits)
+    if (is_of_units(around))
       fail_json(pose.file, spot,
                 fmt::format("'{}' is a text; expected a number from 0 to 1", show_found(around.key)));
     if (around.role == kPoseWhole && around.key == "name") pose.name = value;
@@ -76,6 +82,19 @@ UnitPose load_unit_pose(const std::filesystem::path& file) {
   if (!has_units)
     fail_json(pose.file, {}, "the object has no 'face_units' and no 'unit_poses'; expected one of them");
   return pose;
+}
+
+Take build_unit_take(const UnitPose& pose) {
+  Take take;
+  take.file = pose.file;
+  take.mapping = pose.mapping;
+  for (const PosedUnit& unit : pose.units) {
+    take.channels.push_back({unit.name, unit.line, unit.column});
+    take.values.push_back(static_cast<float>(unit.value));
+  }
+  take.at_s = {0};
+  take.row_count = 1;
+  return take;
 }
 
 bool is_unit_pose(const std::filesystem::path& file) {

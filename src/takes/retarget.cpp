@@ -7,6 +7,7 @@
 
 #include "core/error.hpp"
 #include "core/text.hpp"
+#include "import/reading.hpp"
 
 namespace mien {
 
@@ -17,15 +18,27 @@ constexpr double kHeldSlack = 0.02;   // of a limit: less is noise about it
 constexpr double kLeastLoss = 0.01;   // of all that is lost; less is not worth a line
 constexpr double kLeastWeight = 0.1;  // of a unit that moves no skin: less is noise
 
-// The mapping's unit of each channel.
-std::vector<std::size_t> find_units(const Take& take, const Mapping& mapping) {
+// What a channel is: a unit of the mapping, a way of ours, or neither.
+struct ChannelUse {
+  std::optional<std::size_t> unit = {};
+  std::optional<MappedMove> own = {};
+};
+
+std::vector<ChannelUse> find_uses(const Take& take, const Mapping& mapping, const TakeReach& table,
+                                  TakeReport& report) {
   std::vector<std::string> names;
   for (const MappedUnit& unit : mapping.units) names.push_back(unit.name);
-  std::vector<std::size_t> units;
+  std::vector<ChannelUse> uses;
   std::vector<Diagnostic> mistakes;
   for (const TakeChannel& channel : take.channels) {
-    if (const auto unit = find_unit(mapping, channel.name)) {
-      units.push_back(*unit);
+    ChannelUse& use = uses.emplace_back(ChannelUse{find_unit(mapping, channel.name)});
+    if (use.unit) continue;
+    if (channel.name.starts_with(kOwnUnit))
+      if (const auto way = table.ways.find(channel.name.substr(kOwnUnit.size())); way != table.ways.end())
+        use.own = way->second;
+    if (use.own) continue;
+    if (take.is_animation) {
+      report.passed.push_back(channel.name);
       continue;
     }
     const std::string nearest = find_nearest(channel.name, names);
@@ -37,7 +50,12 @@ std::vector<std::size_t> find_units(const Take& take, const Mapping& mapping) {
                         false});
   }
   if (!mistakes.empty()) throw InputError(std::move(mistakes));
-  return units;
+  if (report.passed.size() == uses.size())
+    throw InputError(fmt::format(
+        "{}: none of its {} targets is a unit of a face, such as '{}'; expected names of mien's moves, of "
+        "ARKit's units or of VRM's expressions",
+        take.file, uses.size(), show_found(report.passed.front())));
+  return uses;
 }
 
 double find_usual_step(const std::vector<double>& at_s) {
@@ -130,15 +148,16 @@ void find_span(const Take& take, std::size_t channel, UnitLoss& loss) {
   loss.to_s = take.at_s[last];
 }
 
-void build_losses(const Take& take, const Mapping& mapping, const std::vector<std::size_t>& units,
+void build_losses(const Take& take, const Mapping& mapping, const std::vector<ChannelUse>& uses,
                   const LossSums& sums, TakeReport& report) {
   const auto rows = static_cast<double>(take.at_s.size());
   for (std::size_t i = 0; i < mapping.units.size(); ++i) {
     report.moved_mm2 += sums.moved[i] / rows;
     report.lost_mm2 += sums.lost[i] / rows;
   }
-  for (std::size_t channel = 0; channel < units.size(); ++channel) {
-    const std::size_t i = units[channel];
+  for (std::size_t channel = 0; channel < uses.size(); ++channel) {
+    if (!uses[channel].unit) continue;
+    const std::size_t i = *uses[channel].unit;
     const MappedUnit& unit = mapping.units[i];
     const bool is_skinless =
         unit.motion_mm2 == 0 && unit.moves.empty() && unit.residual > 0 && sums.most[i] >= kLeastWeight;
@@ -153,8 +172,8 @@ void build_losses(const Take& take, const Mapping& mapping, const std::vector<st
 }  // namespace
 
 TakeMoves retarget_take(const Take& take, const Mapping& mapping, const TakeReach& table) {
-  const std::vector<std::size_t> units = find_units(take, mapping);
   TakeMoves moves{table.ranges.size(), take.at_s, {}, take.turn_deg, {}};
+  const std::vector<ChannelUse> uses = find_uses(take, mapping, table, moves.report);
   moves.values.reserve(take.at_s.size() * moves.width);
   const std::size_t count = mapping.units.size(), channels = take.channels.size();
   LossSums sums;
@@ -164,8 +183,11 @@ TakeMoves retarget_take(const Take& take, const Mapping& mapping, const TakeReac
   for (std::size_t at = 0; at < take.at_s.size(); ++at) {
     std::ranges::fill(weights, 0.0);
     std::ranges::fill(row, 0.0);
-    for (std::size_t i = 0; i < channels; ++i)
-      weights[units[i]] = static_cast<double>(take.values[at * channels + i]);
+    for (std::size_t i = 0; i < channels; ++i) {
+      const auto value = static_cast<double>(take.values[at * channels + i]);
+      if (uses[i].unit) weights[*uses[i].unit] = value;
+      if (uses[i].own) row[uses[i].own->move] += value * uses[i].own->value;
+    }
     add_mapped_moves(mapping, weights, row);
     if (!take.gaze_deg.empty()) add_gaze(table, take.gaze_deg[at], row);
     add_losses(mapping, weights, take.at_s[at], sums, moves.report);
@@ -173,12 +195,12 @@ TakeMoves retarget_take(const Take& take, const Mapping& mapping, const TakeReac
     for (const double value : row) moves.values.push_back(static_cast<float>(value));
   }
   end_second(sums, moves.report);
-  build_losses(take, mapping, units, sums, moves.report);
+  build_losses(take, mapping, uses, sums, moves.report);
   for (std::size_t i = 0; i < held.size(); ++i) {
     held[i].move = i;
     if (held[i].rows > 0) moves.report.held.push_back(held[i]);
   }
-  moves.report.gaps = find_gaps(take.at_s);
+  if (!take.is_animation) moves.report.gaps = find_gaps(take.at_s);
   return moves;
 }
 

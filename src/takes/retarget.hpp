@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <map>
 #include <span>
 #include <string>
 #include <vector>
@@ -22,7 +23,8 @@ struct GazeMove {
 struct TakeReach {
   std::vector<MoveRange> ranges;
   std::vector<GazeMove> gaze;
-  std::array<double, 3> gaze_deg{30, 25, 30};  // to a side, up and down at 1
+  std::array<double, 3> gaze_deg{30, 25, 30};           // to a side, up and down at 1
+  std::map<std::string, MappedMove, std::less<>> ways;  // "lid.left.shut": what it is at its end
 };
 
 // What of a unit our areas cannot do.
@@ -53,6 +55,7 @@ struct TakeReport {
   std::vector<UnitLoss> losses;  // the most lost first; all that a take uses and loses a hundredth of
   std::vector<TakeHeld> held;
   std::vector<TakeGap> gaps;
+  std::vector<std::string> passed;  // channels of an animation that are no units of a face
 
   double lost_percent() const { return moved_mm2 > 0 ? 100 * lost_mm2 / moved_mm2 : 0; }
 };
@@ -66,8 +69,8 @@ struct TakeMoves {
   TakeReport report;
 };
 
-// Motion adds up unit by unit, as if no two moved one point: an estimate. Throws InputError at the place of a
-// unit that the mapping lacks.
+// Motion adds up unit by unit, as if no two moved one point: an estimate; our own ways do not count. Throws
+// InputError at the place of a unit that the mapping lacks, and of an animation that has none at all.
 TakeMoves retarget_take(const Take& take, const Mapping& mapping, const TakeReach& table);
 
 }  // namespace mien

@@ -150,7 +150,8 @@ std::filesystem::path make_folder_with_files() {
                                     {"arkit.json", "mediapipe.json"},
                                     {"openface.csv", "openface.csv"},
                                     {"openfacefx.json", "openfacefx.json"},
-                                    {"vrma.vrma", "gesture.vrma"}})
+                                    {"vrma.vrma", "gesture.vrma"},
+                                    {"gltf.glb", "head.glb"}})
     std::filesystem::copy_file(kData / "tests/import/takes" / sample, folder / key);
   return folder;
 }

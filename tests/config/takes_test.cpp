@@ -52,6 +52,30 @@ TEST(takes, of_each_kind_is_a_track) {
   EXPECT_EQ(load_track_spec("arkit: mediapipe.json", "mediapipe.json").clip.cues.size(), 1u);
   EXPECT_EQ(load_track_spec("openface: openface.csv, smooth: 0", "openface.csv").clip.cues.size(), 1u);
   EXPECT_EQ(load_track_spec("openfacefx: openfacefx.json", "openfacefx.json").clip.cues.size(), 1u);
+  const Spec spec = load_track_spec("gltf: head.glb", "head.glb");
+  ASSERT_EQ(spec.clip.cues.size(), 1u);
+  const TimeTable& table = *spec.clip.cues[0].table;
+  EXPECT_NEAR(find_table_value(table, table.at_s.size() - 1, *find_move(Area::lid, Side::left, "upper")),
+              -0.75, 1e-6);
+  EXPECT_NEAR(spec.clip.turn.back().turn_deg, 20, 0.3);
+}
+
+TEST(takes, an_animation_of_nothing_known_is_told) {
+  const MappingData& data = find_mapping_data();
+  Take take = load_take(find_take_sample("head.glb"), TakeKind::gltf);
+  EXPECT_EQ(build_take_moves(take, find_usual_reading(TakeKind::gltf), data).report.passed,
+            std::vector<std::string>{"viseme_PP"});
+  for (TakeChannel& channel : take.channels) channel.name = "x" + channel.name;
+  take.file = "head.glb";
+  try {
+    build_take_moves(take, {}, data);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(
+        error.what(),
+        "head.glb: none of its 4 targets is a unit of a face, such as 'xmien.corner.left.up'; expected "
+        "names of mien's moves, of ARKit's units or of VRM's expressions");
+  }
 }
 
 TEST(takes, a_mistake_in_the_file_is_told_there) {

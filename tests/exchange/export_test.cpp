@@ -9,6 +9,7 @@
 
 #include "clip/moment.hpp"
 #include "clip/view.hpp"
+#include "config/mapping_data.hpp"
 #include "core/error.hpp"
 #include "core/pool.hpp"
 #include "core/text.hpp"
@@ -16,7 +17,9 @@
 #include "exchange/exports.hpp"
 #include "exchange/gltf_probe.hpp"
 #include "exchange/target_sets.hpp"
+#include "import/unit_pose.hpp"
 #include "shipped.hpp"
+#include "takes/retarget.hpp"
 
 namespace mien {
 namespace {
@@ -232,6 +235,75 @@ TEST(exports, table_is_read_back_as_the_same_performance) {
     const Pose asked = sample_performance(made.performance, frame / 24.0).pose;
     const Pose told = sample_performance(again.actors.front().performance, frame / 24.0).pose;
     for (std::size_t m = 0; m < kMoveCount; ++m) EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << frame;
+  }
+}
+
+// How far the moves of two performances are apart at worst, and in which of them.
+struct Apart {
+  double most = 0;
+  std::string move;
+};
+
+Apart measure_apart(const Performance& a, const Performance& b, int frames) {
+  Apart apart;
+  for (int frame = 0; frame < frames; ++frame) {
+    const Pose one = sample_performance(a, frame / 24.0).pose, two = sample_performance(b, frame / 24.0).pose;
+    for (std::size_t m = 0; m < kMoveCount; ++m)
+      if (std::abs(one.values[m] - two.values[m]) > apart.most)
+        apart = {std::abs(one.values[m] - two.values[m]), fmt::format("{} frame {}", name_move(m), frame)};
+  }
+  return apart;
+}
+
+TEST(exports, gltf_and_live_link_are_read_back_as_the_same_performance) {
+  const auto folder = make_folder("export_back");
+  const Exported made = open_exported(folder, "{}");
+  write_to(made, {}, folder / "face.glb");
+  Options arkit;
+  arkit.targets = "arkit";
+  write_to(made, arkit, folder / "take.csv");
+  for (const char* track : {"gltf: face.glb", "live_link: take.csv, fps: 24, smooth: 0"}) {
+    write_file(folder / "again.yaml",
+               fmt::format("mien: 1\nclip: {{fps: 24, length: 1.5s, tracks: [{{{}}}]}}\n", track));
+    Options options;
+    options.file = folder / "again.yaml";
+    const Clip again = plan_clip(options, *shipped().stock.language);
+    const Performance& told = again.actors.front().performance;
+    const Apart apart = measure_apart(made.performance, told, 36);
+    EXPECT_LT(apart.most, 0.01) << track << ", " << apart.move;
+    for (int frame = 0; frame < 36; ++frame)
+      EXPECT_NEAR(sample_performance(told, frame / 24.0).turn.turn_deg,
+                  sample_performance(made.performance, frame / 24.0).turn.turn_deg, 0.3)
+          << track << " frame " << frame;
+  }
+}
+
+TEST(exports, a_face_of_mpfb_is_read_back_as_the_same_pose) {
+  const auto folder = make_folder("export_face_back");
+  const MappingData& data = *shipped().stock.language->libraries.mappings;
+  std::mt19937 random(7);
+  for (int round = 0; round < 6; ++round) {
+    Exported made = open_exported(folder, "{}");
+    Pose asked;
+    for (std::size_t m = 0; m < kMoveCount; ++m)
+      if (random() % 3 == 0)
+        asked.values[m] = std::uniform_real_distribution<double>(kMoves[m].low, kMoves[m].high)(random);
+    std::string csv = "time", row = "0";
+    for (std::size_t m = 0; m < kMoveCount; ++m) {
+      csv += "," + name_move(m);
+      row += fmt::format(",{:.4f}", asked.values[m]);
+    }
+    write_file(folder / "pose.csv", csv + "\n" + row + "\n1" + row.substr(1) + "\n");
+    write_file(folder / "pose.yaml", "mien: 1\nclip: {fps: 24, length: 1s, tracks: [{csv: pose.csv}]}\n");
+    Options options;
+    options.file = folder / "pose.yaml";
+    made.clip = plan_clip(options, *shipped().stock.language);
+    made.performance = made.clip.actors.front().performance;
+    write_to(made, {}, folder / "face.json");
+    const UnitPose units = load_unit_pose(folder / "face.json");
+    const TakeMoves told = retarget_take(build_unit_take(units), find_mapping(data, "arkit"), data.moves);
+    for (std::size_t m = 0; m < kMoveCount; ++m)
+      EXPECT_NEAR(told.values[m], asked.values[m], 0.01) << name_move(m) << " round " << round;
   }
 }
 

@@ -73,6 +73,7 @@ TEST(broken_takes, of_mediapipe_are_told) { expect_told("mediapipe.json", TakeKi
 TEST(broken_takes, of_arkit_are_told) { expect_told("arkit.json", TakeKind::arkit); }
 TEST(broken_takes, of_openfacefx_are_told) { expect_told("openfacefx.json", TakeKind::tracks); }
 TEST(broken_takes, of_vrm_are_told) { expect_told("gesture.vrma", TakeKind::vrma); }
+TEST(broken_takes, of_gltf_are_told) { expect_told("head.glb", TakeKind::gltf); }
 
 }  // namespace
 }  // namespace mien

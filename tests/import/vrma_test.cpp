@@ -23,17 +23,16 @@ TEST(vrma, what_is_wrong_is_told) {
   const auto fault = [](const std::string& from, const std::string& to) {
     return find_broken_take_fault("gesture.vrma", TakeKind::vrma, from, to);
   };
-  EXPECT_EQ(
-      fault("glTF", "glTX"),
-      "gesture.vrma: error: does not begin as a binary glTF of version 2 does; expected an animation of VRM");
+  EXPECT_EQ(fault("glTF", "glTX"), "gesture.vrma: error: it is no JSON; expected glTF 2.0");
   EXPECT_EQ(fault("VRMC_vrm_animation\": {", "VRMC_vrm_animatiom\": {"),
             "gesture.vrma: error: has no VRMC_vrm_animation; expected an animation of VRM");
+  EXPECT_EQ(fault("\"count\": 4, \"type\": \"SCALAR\"", "\"count\": 3, \"type\": \"SCALAR\""),
+            "gesture.vrma: error: the way of node 2 has 3 times and 4 values, or times that do not rise; "
+            "expected an animation of glTF 2.0");
   EXPECT_EQ(fault("\"count\": 4, \"type\": \"SCALAR\"", "\"count\": 9, \"type\": \"SCALAR\""),
-            "gesture.vrma: error: the way of node 2 has 9 times and 4 values, or times that do not rise; "
-            "expected an "
-            "animation of VRM");
+            "gesture.vrma: error: accessor 0 ends behind its buffer; expected the whole file");
   EXPECT_EQ(fault("5126", "5123"),
-            "gesture.vrma: error: accessor 0 is no list of numbers of floats; expected an animation of VRM");
+            "gesture.vrma: error: accessor 0 holds numbers of kind 5123; expected floats");
 }
 
 TEST(unit_pose, an_expression_of_makehuman_is_read) {
@@ -73,6 +72,8 @@ TEST(unit_pose, what_is_wrong_is_told_at_its_place) {
             "a.mhpose:1:16: error: 'unit_poses' is a list; expected one object of units");
   EXPECT_EQ(fault("{\"name\": \"a\"}"),
             "a.mhpose:1:1: error: the object has no 'face_units' and no 'unit_poses'; expected one of them");
+  EXPECT_EQ(fault("{\"unit_poses\": {}, \"mien\": {\"lips.press\": \"x\"}}"),
+            "a.mhpose:1:43: error: 'lips.press' is a text; expected a number from 0 to 1");
   EXPECT_EQ(fault("{\"unit_poses\": {\"JawDrop\": 1, \"JawDrop\": 1}}"),
             "a.mhpose:1:42: error: 'JawDrop' is there twice; expected it once");
 }
