@@ -18,6 +18,7 @@ namespace mien {
 struct Shade {
   glm::vec3 srgb{1};  // 0..1 a channel, as in "#rrggbb"
   float gloss = 0;    // 0 matt .. 1 wet; what it means is the material's affair
+  float blood = 0;    // 0..1: how much of its red goes where the drawing is pale (PartShape::paling)
 };
 
 // A picture that lies over a part.
@@ -60,6 +61,7 @@ struct PartShape {
   std::vector<glm::vec3> normals;    // unit, world; as many, or none of a part that is flat
   std::vector<Triangle> triangles;   // of an outline alone
   glm::mat4 world_from_rest{1};      // a rotation and a shift
+  double paling = 0;                 // 0..1: how little blood is in the shades that have some
 };
 
 // Whether a drawing carries the part as a whole, and has no vertices of it.

@@ -432,6 +432,7 @@ Face build_face(const NeutralHead& head) {
   face.lips = build_lips(head.cage, data);
   face.philtrum = build_philtrum(head.cage, data);
   face.give_way = build_give_way(head.cage, data.give_way);
+  face.red_border = build_red_border(head.cage);
   face.upper_lip = build_lip_sheet(*head.surface, head.cage, true);
   face.lower_lip = build_lip_sheet(*head.surface, head.cage, false);
   face.seal_until_mm = data.seal_until_mm * (scales.here.mouth_nose / scales.adult.mouth_nose);

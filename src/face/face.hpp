@@ -12,6 +12,7 @@
 
 #include "config/areas.hpp"
 #include "face/lid_rig.hpp"
+#include "face/paling.hpp"
 #include "head/fields.hpp"
 #include "head/head.hpp"
 #include "head/least_squares.hpp"
@@ -131,6 +132,7 @@ struct Face {
   std::vector<PhiltrumColumn> philtrum;
   GiveWay give_way;
   LipSheet upper_lip, lower_lip;
+  RedBorder red_border;
   double seal_until_mm = 4;
   double tongue_out_mm = 34, tongue_up_mm = 20;  // of its tip at its limits
   bool follows_thesis = false;

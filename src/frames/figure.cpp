@@ -180,6 +180,7 @@ void deform_figure(const Figure& figure, const Pose& asked, const TurnKey& turn,
   const glm::dmat4 world = stretch == 0 ? head_turn : head_turn * compute_stretching(figure.redraw, stretch);
   pose_cage(figure.head, figure.face, pose, buffers.points);
   const bool has_bent = bend_tongue(figure.tongue, figure.face, pose, buffers.points, buffers.tongue);
+  drawing.parts.front().paling = compute_paling(figure.face.red_border, buffers.points);
   deform_slots(figure, *figure.head.surface, pose, turn, buffers);
   for (std::size_t i = 1; i < figure.parts.size(); ++i) {
     const HeadPart& bound = figure.parts[i];

@@ -52,7 +52,7 @@ constexpr glm::vec3 kMouthColour{0.30f, 0.085f, 0.075f};  // linear: deep red, w
 constexpr float kExposure = 1.30f, kShoulder = 0.46f;
 constexpr float kShadesPerChannel = 160;  // steps of the palette; fewer show as patches on dark skin
 constexpr float kLightSkin = 0.45f;       // luminance from which blood shows through in full
-constexpr float kGlossSteps = 16;
+constexpr float kGlossSteps = 16, kBloodSteps = 4;
 // Light that does get into a hollow of flesh has met flesh before: it comes out redder. The share of the open
 // sky to the power of these; dark skin takes the red as well.
 constexpr glm::vec3 kHollowLight{0.32f, 0.46f, 0.52f}, kHollowDark{0.42f, 0.46f, 0.48f};
@@ -165,7 +165,7 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
   const glm::vec3 inner_lip = glm::mix(kInnerLip.on_dark, kInnerLip.on_light, light);
   const glm::vec3 hollow = glm::mix(kHollowDark, kHollowLight, light);
   Part part{.name = "skin", .material = "skin", .rest = head.skin, .palette = {}, .shade = {}, .grain = {}};
-  std::map<std::array<int, 4>, std::uint16_t> known;
+  std::map<std::array<int, 5>, std::uint16_t> known;
   part.wear = old;
   const std::vector<glm::vec3> places = compute_places_on_adult(head);
   for (std::size_t i = 0; i < head.skin.positions.size(); ++i) {
@@ -198,10 +198,12 @@ Part build_skin_part(const NeutralHead& head, const Look& look) {
 
     const glm::vec3 srgb = glm::round(to_srgb(colour) * kShadesPerChannel) / kShadesPerChannel;
     gloss = std::round(gloss * kGlossSteps) / kGlossSteps;
-    const std::array<int, 4> key{static_cast<int>(srgb.x * 1000), static_cast<int>(srgb.y * 1000),
-                                 static_cast<int>(srgb.z * 1000), static_cast<int>(gloss * 1000)};
+    const float blood = std::round(masks[kLips][i] * (1 - masks[kMouth][i]) * kBloodSteps) / kBloodSteps;
+    const std::array<int, 5> key{static_cast<int>(srgb.x * 1000), static_cast<int>(srgb.y * 1000),
+                                 static_cast<int>(srgb.z * 1000), static_cast<int>(gloss * 1000),
+                                 static_cast<int>(blood * 1000)};
     const auto [entry, is_new] = known.try_emplace(key, static_cast<std::uint16_t>(part.palette.size()));
-    if (is_new) part.palette.push_back(Shade{srgb, gloss});
+    if (is_new) part.palette.push_back(Shade{srgb, gloss, blood});
     part.shade.push_back(entry->second);
   }
   return part;

@@ -325,7 +325,9 @@ void append_camera(std::string& text, const CameraView& view) {
 std::string format_povray_texture(const Part& part, const Shade& shade) {
   std::string colour;
   append_numbers(colour, shade.srgb, kColourDecimals);
-  return fmt::format("{}_texture(srgb <{}>, {})", part.material, colour, format_number(shade.gloss, 3));
+  const std::string pale = shade.blood > 0 ? fmt::format(" * pale({})", format_number(shade.blood, 3)) : "";
+  return fmt::format("{}_texture(srgb <{}>{}, {})", part.material, colour, pale,
+                     format_number(shade.gloss, 3));
 }
 
 double compute_camera_distance_mm(const CameraView& view) {
@@ -382,6 +384,8 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     const std::size_t count = part.rest.positions.size();
     if (shape.positions.size() != count || (!shape.normals.empty() && shape.normals.size() != count))
       fail_part(part, "is drawn with another number of vertices");
+    const std::string paling = format_number(shape.paling, 2);
+    if (paling != "0") text += fmt::format("#declare Paling = {};\n", paling);
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
@@ -392,6 +396,7 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     }
     const bool has_caster = casters && !(*casters)[i].triangles.empty();
     text += fmt::format("surface_of_{}(){} }}\n", part.name, has_caster ? " no_shadow" : "");
+    if (paling != "0") text += "#declare Paling = 0;\n";
     if (has_caster) append_caster(text, (*casters)[i]);
   }
 }

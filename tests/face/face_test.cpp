@@ -197,6 +197,23 @@ TEST(face, shutting_lids_slide_toward_the_nose) {
   for (const char* corner : {"E1_0", "E1_8"}) EXPECT_NEAR(slide_mm(1, corner), 0, 0.35) << corner;
 }
 
+TEST(face, lips_that_are_drawn_out_pale) {
+  const auto pale = [](const std::vector<std::tuple<const char*, const char*, double>>& moves) {
+    Pose pose;
+    for (const auto& [area, move, value] : moves)
+      for (std::size_t m = 0; m < kMoveCount; ++m)
+        if (kMoves[m].area == area && kMoves[m].move == move) pose.values[m] = value;
+    std::vector<glm::dvec3> points;
+    pose_cage(adult().head, adult().face, pose, points);
+    return compute_paling(adult().face.red_border, points);
+  };
+  EXPECT_EQ(pale({}), 0);
+  EXPECT_EQ(pale({{"corner", "out", -1}}), 0) << "a kiss";
+  const double smile = pale({{"corner", "out", 0.8}, {"corner", "up", 0.7}});
+  EXPECT_GT(smile, 0.15);
+  EXPECT_GT(pale({{"corner", "out", 0.8}, {"corner", "up", 0.7}, {"chin", "down", 0.8}}), smile + 0.1);
+}
+
 // Nobody rolls a lip in between shut teeth: the lower ones part behind the chin, which stays.
 TEST(face, a_lower_lip_that_rolls_in_finds_the_teeth_apart) {
   Pose rolled;

@@ -242,6 +242,21 @@ TEST(povray, tells_a_material_how_worn_its_part_is_and_no_other) {
   EXPECT_EQ(text.find("Wear", ends + 20), text.npos);
 }
 
+TEST(povray, a_stretched_part_pales_where_it_has_blood) {
+  Part part = build_square("lips", false);
+  part.material = "skin";
+  part.palette[1].blood = 0.75f;
+  EXPECT_THAT(
+      build_povray_parts({{part}}, shipped_stock().templates),
+      HasSubstr("skin_texture(srgb <0.8,0.6,0.5>, 0),\nskin_texture(srgb <0.5,0.2,0.2> * pale(0.75), 1)"));
+  Drawing drawing = draw_at_rest({{part}});
+  EXPECT_EQ(format_frame({{part}}, drawing).find("Paling"), std::string::npos);
+  drawing.parts[0].paling = 0.4;
+  const std::string text = format_frame({{part}}, drawing);
+  EXPECT_LT(text.find("#declare Paling = 0.4;\nmesh2 {"),
+            text.find("surface_of_lips() }\n#declare Paling = 0;\n"));
+}
+
 TEST(povray, says_what_is_wrong_with_a_part) {
   Part part = build_square("card", false);
   part.material = "velvet";
