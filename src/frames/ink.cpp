@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/smooth.hpp"
 #include "frames/ink_hair.hpp"
@@ -32,18 +33,34 @@ void sink_lower_teeth(const Ink& ink, const Pose& pose, Drawing& drawing) {
   }
 }
 
+// Brings the ends of teeth nearer to their gum, along their own way up. What is drawn as a whole stays a
+// body: POV-Ray undoes its transform.
+void draw_in(const Ink& ink, float share, PartShape& teeth) {
+  constexpr float kLeast = 0.02f;
+  if (teeth.positions.empty()) {
+    glm::mat4& world = teeth.world_from_rest;
+    world = glm::translate(world, glm::vec3(0, ink.teeth_top_mm, 0));
+    world = glm::scale(world, glm::vec3(1, std::max(kLeast, 1 - share), 1));
+    world = glm::translate(world, glm::vec3(0, -ink.teeth_top_mm, 0));
+    return;
+  }
+  const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1]));
+  float top = -INFINITY;
+  for (const glm::vec3& p : teeth.positions) top = std::max(top, glm::dot(p, up));
+  for (glm::vec3& p : teeth.positions) p += share * (top - glm::dot(p, up)) * up;
+}
+
 // Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
 void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
   constexpr float kHidden_mm = 4.0f, kShown_mm = 6.0f;  // between an adult's lips
-  constexpr float kUp = 0.35f,
-                  kBack = 0.35f;  // of the teeth's height: more, and they come out beside the nose
+  constexpr float kUp = 0.35f, kBack = 0.35f;  // of the teeth's height: more, and the tongue comes out below
   const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
-  const float hidden = ink.teeth_high_mm * (1 - smooth_step(kHidden_mm, kShown_mm, gap_mm));
+  const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
   if (hidden == 0) return;
   PartShape& teeth = drawing.parts[ink.teeth];
   const glm::vec3 up(teeth.world_from_rest[1]), forward(teeth.world_from_rest[2]);
-  shift(hidden * (kUp * up - kBack * forward), teeth);
-  shift(hidden * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
+  draw_in(ink, hidden, teeth);
+  shift(hidden * ink.teeth_high_mm * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
 }
 
 // Rounds of going half the way to the neighbours' mean.
@@ -93,6 +110,14 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
   return static_cast<float>(view.line_mm) * (kLit + kShaded * smooth_step(-0.2f, 0.9f, away));
 }
 
+// Whether the head is seen from the side: 0 up to three-quarter view, 1 in profile.
+float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
+  constexpr float kQuarter = 0.88f, kProfile = 0.98f;  // sines of the camera's way round the head
+  const glm::vec3 &left = skin[ink.sides[0]], &right = skin[ink.sides[1]];
+  const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
+  return smooth_step(kQuarter, kProfile, std::abs(glm::dot(to_camera, glm::normalize(left - right))));
+}
+
 void clear_shape(PartShape& shape) {
   shape.positions.clear();
   shape.normals.clear();
@@ -123,10 +148,12 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
+    const float beside = measure_beside(ink, view, skin.positions);
     buffers.turn.resize(skin.positions.size());
-    for (std::size_t v = 0; v < skin.positions.size(); ++v)
-      buffers.turn[v] =
-          skin.positions[v] + ink.hull[v] * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
+    for (std::size_t v = 0; v < skin.positions.size(); ++v) {
+      const float share = ink.hull[v] * (1 - beside * ink.hull_beside[v]);
+      buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
+    }
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
   }
   const Box hair_ball =

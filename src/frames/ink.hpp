@@ -25,14 +25,16 @@ struct Ink {
   std::vector<CutVertex> cuts;               // behind the skin's own vertices
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
+  std::vector<float> hull_beside;            // and what it lacks of that where the head is seen from the side
+  std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
   std::size_t caster = 0;  // in `model`: what the skin's shadow is cast by
   std::size_t first_outline =
       0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
-  std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth
-  std::array<std::size_t, 2> lower{};  // in `model`: the lower teeth and their gum
-  float teeth_high_mm = 0;
+  std::size_t teeth = 0, tongue = 0;          // in `model`; the upper teeth
+  std::array<std::size_t, 2> lower{};         // in `model`: the lower teeth and their gum
+  float teeth_high_mm = 0, teeth_top_mm = 0;  // how high they are, and where at rest their gum is
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::vector<std::size_t> outlined;    // parts of the figure besides the skin that have outlines
   std::vector<std::vector<float>> before;  // of each of them, of its vertices: how far it is drawn over skin

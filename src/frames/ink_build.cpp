@@ -52,10 +52,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
       if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
-  for (const char* point :
-       {"E2_1",  "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
-        "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13", "E3_14",
-        "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
+  for (const char* point : {"E2_6",  "E2_7",  "E2_8",  "E2_9",  "E3_6",  "E3_7",  "E3_8",  "E3_9",  "E2_1",
+                            "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
+                            "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13",
+                            "E3_14", "E4_10", "E4_11", "E4_12", "E4_13", "E4_14", "E5_11", "E5_12", "E5_13"})
     add(point, margins);
   // In an ear hulls leave crumbs of its many small folds, and before it where the cheek goes over into it:
   // strokes draw it.
@@ -69,6 +69,12 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (const char* point :
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
+  // In profile the bag below the eye ends before the nose: a line there looks like a tear.
+  constexpr float kBagNone_mm = 7, kBagAll_mm = 13;
+  std::vector<glm::vec3> bags;
+  for (const char* point : {"E2_15", "E3_14", "E3_15", "E4_14", "E4_15", "E5_14", "E5_15"}) add(point, bags);
+  const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
+  ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
     for (const glm::vec3& place : places) most = std::min(most, glm::distance(place, at));
     return most;
@@ -77,6 +83,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float margin = measure(margins, positions[v], 2 * kAll_mm) / ink.eye_size;
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
     const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
+    const float bag = measure(bags, positions[v], 2 * kBagAll_mm) / ink.eye_size;
+    ink.hull_beside.push_back(1 - smooth_step(kBagNone_mm, kBagAll_mm, bag));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
                        smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                        smooth_step(kEarNone_mm, kEarAll_mm, ear));
@@ -207,6 +215,7 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
+  ink.teeth_top_mm = box.high.y;
   ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
 }
 

@@ -142,8 +142,9 @@ double find_stroke_width(const std::vector<StrokeWidth>& widths, double at) {
 
 std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
                                     std::vector<FoldField>& folds) {
-  // What is drawn says more than skin would show: a child's frown is a thin line, not none.
-  constexpr double kMostStrength = 1.3, kTold = 0.7;
+  // What is drawn says more than skin would show: a child's frown is a thin line, not none, and an old face
+  // has its lines at rest.
+  constexpr double kMostStrength = 1.3, kTold = 0.7, kRest = 1.7;
   const Cage& cage = figure.head.cage;
   std::vector<InkStroke> strokes;
   for (const StrokeRule& rule : list_stroke_rules())
@@ -163,6 +164,7 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
     if (data.sets[f].ink == 0) continue;
     FoldField field = figure.folds.fields[f];
     field.vertices.clear();
+    field.rest = std::min(1.0, kRest * field.rest);
     for (const FoldLine& line : data.sets[f].lines)
       for (const float side : {1.0f, -1.0f}) {
         InkStroke stroke{make_crease(data.sets[f], line, strength), {}, {}, side, folds.size()};

@@ -10,6 +10,7 @@
 #include "core/pool.hpp"
 #include "core/smooth.hpp"
 #include "head/binding.hpp"
+#include "head/cage.hpp"
 #include "head/hair_drawn.hpp"
 #include "head/hair_growth.hpp"
 #include "head/hair_locks.hpp"
@@ -190,6 +191,26 @@ std::vector<float> paint_ground(const NeutralHead& head, const HairScene& scene)
   return covers;
 }
 
+// Large eyes reach under the hair that falls beside a face: it gives way there, back and aside.
+void leave_eyes_free(const NeutralHead& head, std::vector<HeadPart>& parts) {
+  constexpr float kUsual_mm = 32, kLarge_mm = 47;      // an eye's width from corner to corner
+  constexpr float kAll_mm = 26, kNone_mm = 72;         // from its outer corner
+  constexpr float kBehind_mm = -42, kBeside_mm = -20;  // sideburns stay: they lie behind it
+  const glm::vec3 way_mm(2, 0, -10);
+  const glm::vec3 outer = head.skin.positions[find_point(head.cage, "E1_8")],
+                  inner = head.skin.positions[find_point(head.cage, "E1_0")];
+  const float large = smooth_step(kUsual_mm, kLarge_mm, glm::distance(outer, inner));
+  if (large == 0) return;
+  for (HeadPart& part : parts)
+    for (glm::vec3& place : part.part.rest.positions) {
+      const float side = place.x < 0 ? -1.0f : 1.0f;
+      const float far_mm = glm::distance(glm::vec3(side * place.x, place.y, place.z), outer);
+      const float share = smooth_step(kBehind_mm, kBeside_mm, place.z - outer.z) *
+                          (1 - smooth_step(kAll_mm, kNone_mm, far_mm));
+      place += large * share * glm::vec3(side, 1, 1) * way_mm;
+    }
+}
+
 }  // namespace
 
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& name, const Look& look,
@@ -197,7 +218,9 @@ std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& nam
   if (name == "none") return {};
   const HairCut& worn = find_cut(head, name);
   const HairScene scene = build_hair_scene(head, is_drawn ? draw_cut(worn) : worn);
-  return grow_hair(head, scene, look);
+  std::vector<HeadPart> parts = grow_hair(head, scene, look);
+  if (is_drawn) leave_eyes_free(head, parts);
+  return parts;
 }
 
 std::vector<float> paint_scalp(const NeutralHead& head, const std::string& name) {

@@ -11,6 +11,7 @@
 #include "core/conventions.hpp"
 #include "frames/drawn_gaze.hpp"
 #include "frames/ink_strokes.hpp"
+#include "head/cage.hpp"
 #include "head/landmarks.hpp"
 #include "poses.hpp"
 #include "scene/povray.hpp"
@@ -444,6 +445,40 @@ TEST(ink, lines_of_the_lips_lie_on_them_in_profile) {
   EXPECT_LT(measure_mm({900, -60, 80}), 0.5 * measure_mm({0, 0, 900}));
 }
 
+// From the side the bag below the eye has no outline, which would look like a tear; from elsewhere it has.
+TEST(ink, no_line_runs_down_from_the_eye_in_profile) {
+  const Subject& subject = comic();
+  const std::uint32_t bag = find_point(subject.figure.head.cage, "E4_15");
+  const auto measure_off = [&](const glm::dvec3& camera_mm) {  // of the outline, from the skin it stands off
+    const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const glm::vec3 at = drawing.parts.front().positions[bag];
+    const std::vector<glm::vec3>& hull = drawing.parts[subject.ink.first_outline].positions;
+    double off = 0;
+    for (const glm::vec3& p : hull) {
+      if (glm::distance(p, at) > 6) continue;
+      float nearest = 1e9f;
+      for (const glm::vec3& v : drawing.parts.front().positions)
+        nearest = std::min(nearest, glm::distance(v, p));
+      off = std::max(off, static_cast<double>(nearest));
+    }
+    return off;
+  };
+  EXPECT_LT(measure_off({900, -40, 80}), 0.15);
+  EXPECT_GT(measure_off({-600, -40, 650}), 0.3);
+}
+
+TEST(ink, hair_beside_a_face_leaves_large_eyes_free) {
+  HeadSpec spec = make_spec("comic");
+  spec.hair = "long";
+  const Subject drawn = build_subject(spec);
+  const float corner_mm = drawn.figure.head.skin.positions[find_point(drawn.figure.head.cage, "E1_8")].z;
+  const float middle_mm = drawn.figure.head.skin.positions[find_point(drawn.figure.head.cage, "E1_8")].y;
+  float front_mm = -1e9f;
+  for (const glm::vec3& p : drawn.ink.model.parts[find_part(drawn.ink.model, "hair_mass")].rest.positions)
+    if (std::abs(p.y - middle_mm) < 6) front_mm = std::max(front_mm, p.z);
+  EXPECT_LT(front_mm, corner_mm);
+}
+
 TEST(ink, is_the_same_on_both_sides_and_in_every_turn) {
   const Subject& subject = comic();
   const InkView view{{0, 0, 900}, {0, 0.6, 0.8}, 1};
@@ -661,7 +696,11 @@ TEST(ink, lips_that_part_a_little_show_no_teeth) {
     Drawing plain;
     deform_figure(subject.figure, pose, TurnKey{}, buffers, plain);
     const glm::mat4 drawn = draw(subject, pose, TurnKey{}, {}).parts[teeth].world_from_rest;
-    return drawn[3].y - plain.parts[teeth].world_from_rest[3].y;
+    const Box box = compute_bounds(subject.ink.model.parts[teeth].rest.positions);
+    const glm::vec4 edge(0, box.low.y, 0, 1);
+    EXPECT_NEAR((drawn * glm::vec4(0, box.high.y, 0, 1)).y,
+                (plain.parts[teeth].world_from_rest * glm::vec4(0, box.high.y, 0, 1)).y, 0.01);
+    return (drawn * edge).y - (plain.parts[teeth].world_from_rest * edge).y;
   };
   EXPECT_GT(measure_rise(0), 2);
   EXPECT_EQ(measure_rise(1), 0);
