@@ -129,6 +129,8 @@ void clear_shape(PartShape& shape) {
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
   constexpr float kBelow_mm = 0.9f;
+  constexpr double kOpening = 0.08, kOpen = 0.35;  // of the jaw
+  static const std::size_t kJaw = find_move(Area::chin, Side::none, "down").value();
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   buffers.soft = skin.normals;
@@ -144,11 +146,11 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   for (std::size_t v = 0; v < caster.positions.size(); ++v)
     caster.positions[v] = skin.positions[v] - kBelow_mm * ink.eye_size * buffers.tones[v];
 
+  const float beside = measure_beside(ink, view, skin.positions);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
-    const float beside = measure_beside(ink, view, skin.positions);
     buffers.turn.resize(skin.positions.size());
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
       const float share = ink.hull[v] * (1 - beside * ink.hull_beside[v]);
@@ -202,7 +204,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
-    return stroke.fold ? compute_fold_amount(ink.folds[*stroke.fold], pose, side) : 1.0;
+    if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);
+    return stroke.rule.is_of_shut_jaw ? 1 - beside * smooth_step(kOpening, kOpen, pose.values[kJaw]) : 1.0;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm), view.line_mm,
                             ink.eye_size};

@@ -70,9 +70,11 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
   // In profile the bag below the eye ends before the nose: a line there looks like a tear.
-  constexpr float kBagNone_mm = 7, kBagAll_mm = 13;
+  constexpr float kBagNone_mm = 12, kBagAll_mm = 20;
   std::vector<glm::vec3> bags;
-  for (const char* point : {"E2_15", "E3_14", "E3_15", "E4_14", "E4_15", "E5_14", "E5_15"}) add(point, bags);
+  for (const char* point :
+       {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14", "E5_15"})
+    add(point, bags);
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -111,7 +113,7 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
 // theirs on their neighbours. Lips and nostrils cast none: it would be crumbs about them.
 Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kLips_mm = 7, kNostril_mm = 3, kBridge_mm = 9, kEye_mm = 5;
+  constexpr float kLips_mm = 7, kNostril_mm = 10, kBridge_mm = 9, kEye_mm = 5;
   std::vector<std::pair<glm::vec3, float>> places;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},

@@ -79,6 +79,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",  "R:s2_D1",  "R:s3_C9"},
        .is_sided = false,
        .is_ridge = true,
+       .is_of_shut_jaw = true,
        .widths = {{0, 0.02}, {0.12, 0.6}, {0.5, 0.75}, {0.88, 0.6}, {1, 0.02}},
        .lift_mm = 0.35,
        .flat = 0.4,
@@ -246,9 +247,10 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
     const double unit = rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm;
     const float shown =
-        rule.is_ridge
-            ? smooth_step(kAside, kFaced, glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])))
-            : 1.0f;
+        rule.is_ridge ? static_cast<float>(amount) *
+                            smooth_step(kAside, kFaced,
+                                        glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])))
+                      : 1.0f;
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =

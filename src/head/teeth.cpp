@@ -130,14 +130,17 @@ std::uint16_t compute_tooth_shade(const ToothShape& shape, double height, double
 }
 
 // Warm off-white: a little grey where the edge lets light through, yellower at the gum, in the cheeks' shade
-// further back. Milk teeth have the blue-ish white they are called after.
-std::vector<Shade> make_teeth_palette() {
+// further back. Milk teeth have the blue-ish white they are called after; enamel wears thin with the years,
+// and the yellow below it shows.
+std::vector<Shade> make_teeth_palette(double years) {
   struct Enamel {
     glm::vec3 edge, body, neck;
   };
   constexpr std::array<Enamel, kMilkShades> kEnamel{
       {{{0.90f, 0.89f, 0.85f}, {0.945f, 0.905f, 0.83f}, {0.91f, 0.81f, 0.67f}},
        {{0.94f, 0.94f, 0.93f}, {0.965f, 0.95f, 0.91f}, {0.94f, 0.89f, 0.81f}}}};
+  constexpr Enamel kWorn{{0.80f, 0.74f, 0.62f}, {0.83f, 0.74f, 0.57f}, {0.77f, 0.63f, 0.45f}};
+  const auto worn = static_cast<float>(smooth_step(30, 75, years));
   // Of cheeks and throat; on the way to it teeth are reddish, for grey ones look like stones.
   const glm::vec3 shade(0.17f, 0.08f, 0.065f);
   const glm::vec3 half(0.50f, 0.34f, 0.28f);
@@ -149,9 +152,12 @@ std::vector<Shade> make_teeth_palette() {
           const float up = static_cast<float>(height) / (kHeightShades - 1);
           const float far = 0.88f * static_cast<float>(depth) / (kDepthShades - 1);
           const float between = 0.09f * static_cast<float>(gap) / (kGapShades - 1);
-          const glm::vec3 low = glm::mix(enamel.edge, enamel.body, std::min(1.0f, 4 * up));
-          const glm::vec3 own = glm::mix(low, enamel.neck, smooth_step(0.35f, 1.0f, up));
-          const glm::vec3 lit = glm::mix(own, enamel.neck * 0.8f, between);
+          const glm::vec3 edge = glm::mix(enamel.edge, kWorn.edge, worn),
+                          neck = glm::mix(enamel.neck, kWorn.neck, worn);
+          const glm::vec3 low =
+              glm::mix(edge, glm::mix(enamel.body, kWorn.body, worn), std::min(1.0f, 4 * up));
+          const glm::vec3 own = glm::mix(low, neck, smooth_step(0.35f, 1.0f, up));
+          const glm::vec3 lit = glm::mix(own, neck * 0.8f, between);
           // In the shade no lamp is mirrored either.
           palette.push_back({glm::mix(glm::mix(lit, half, far), glm::mix(half, shade, far), far),
                              0.5f * (1 - smooth_step(0.1f, 0.7f, far))});
@@ -310,7 +316,7 @@ HeadPart build_teeth(const DentalArch& arch, const TeethRow& row) {
   append_mirror(mesh, part.part.shade);
   part.part.name = row.sign > 0 ? "teeth_upper" : "teeth_lower";
   part.part.material = "teeth";
-  part.part.palette = make_teeth_palette();
+  part.part.palette = make_teeth_palette(arch.years);
   finish_row(row, part);
   return part;
 }
