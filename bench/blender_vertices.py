@@ -1,12 +1,14 @@
 # How far the vertices of the face that Blender has open are from where they should be: prints one line of JSON.
-#   blender -b --factory-startup -P face.py -P blender_vertices.py -- MOMENTS.json
+#   blender -b --factory-startup -P face.py -P blender_vertices.py -- MOMENTS.json [BACK.glb]
+# BACK.glb: where Blender's own exporter writes the face again, sampled frame by frame.
 # MOMENTS.json: {"moments": [seconds], "truths": [{part: [[x, y, z] in mm]}]}.
 import json
 import sys
 
 import bpy
 
-asked = json.load(open(sys.argv[sys.argv.index("--") + 1]))
+words = sys.argv[sys.argv.index("--") + 1 :]
+asked = json.load(open(words[0]))
 scene = bpy.context.scene
 told = {"worst_mm": 0, "part": "", "at": 0, "parts": 0}
 for at, truth in zip(asked["moments"], asked["truths"]):
@@ -32,3 +34,5 @@ for at, truth in zip(asked["moments"], asked["truths"]):
         shown.to_mesh_clear()
     told["parts"] = len(parts)
 print(json.dumps(told))
+if len(words) > 1:
+    bpy.ops.export_scene.gltf(filepath=words[1], export_format="GLB", export_morph=True, export_animations=True)

@@ -1,6 +1,8 @@
 // Avatars of VRM.
 #include "import/vrm_avatar.hpp"
 
+#include <random>
+
 #include "import/take_samples.hpp"
 
 namespace mien {
@@ -89,6 +91,29 @@ TEST(vrm_avatar, what_is_wrong_is_told) {
       find_avatar_fault(of("7")),
       "face.vrm: error: 'morphTargetBinds' of expression 'aa' is no list of 1000 binds at most; expected an "
       "avatar of VRM");
+}
+
+// Cut, changed, with pieces lost, twice or of other words: read, or told with the file's name.
+TEST(vrm_avatar, broken_ones_are_told) {
+  const std::string whole =
+      R"({"extensions": {"VRMC_vrm": {"expressions": {"preset": {"aa": {"morphTargetBinds": [{"node": 0, "index": 0, )"
+      R"("weight": 1}], "overrideBlink": "block"}, "happy": {}}}}}, "nodes": [{"mesh": 0}], "meshes": [{"extras": )"
+      R"({"targetNames": ["jawOpen"]}, "primitives": [{}]}]})";
+  const char* words[] = {"null", "[", "}", "-1", "1e9", "\"x\"", "{}", ":"};
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    std::string json = whole;
+    const std::size_t at = random() % json.size(), length = 1 + random() % 20;
+    if (round % 4 == 0) json = json.substr(0, at);
+    if (round % 4 == 1) json.insert(at, words[random() % std::size(words)]);
+    if (round % 4 == 2) json.erase(at, length);
+    if (round % 4 == 3) json[at] = static_cast<char>(random() % 256);
+    const std::string fault = find_avatar_fault(json);
+    if (!fault.empty()) {
+      EXPECT_EQ(fault.find("face.vrm: error: "), 0U) << json << "\n" << fault;
+      EXPECT_NE(fault.find("expected"), fault.npos) << json << "\n" << fault;
+    }
+  }
 }
 
 }  // namespace
