@@ -139,7 +139,7 @@ std::vector<Shade> make_teeth_palette(double years) {
   constexpr std::array<Enamel, kMilkShades> kEnamel{
       {{{0.90f, 0.89f, 0.85f}, {0.945f, 0.905f, 0.83f}, {0.91f, 0.81f, 0.67f}},
        {{0.94f, 0.94f, 0.93f}, {0.965f, 0.95f, 0.91f}, {0.94f, 0.89f, 0.81f}}}};
-  constexpr Enamel kWorn{{0.80f, 0.74f, 0.62f}, {0.83f, 0.74f, 0.57f}, {0.77f, 0.63f, 0.45f}};
+  constexpr Enamel kWorn{{0.86f, 0.82f, 0.73f}, {0.89f, 0.82f, 0.69f}, {0.83f, 0.71f, 0.54f}};
   const auto worn = static_cast<float>(smooth_step(30, 75, years));
   // Of cheeks and throat; on the way to it teeth are reddish, for grey ones look like stones.
   const glm::vec3 shade(0.17f, 0.08f, 0.065f);

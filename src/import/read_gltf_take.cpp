@@ -128,7 +128,8 @@ std::optional<glm::dquat> read_bound_turn(GltfFile& gltf, std::size_t node) {
     if (first + 16 > binds.size()) return std::nullopt;
     glm::dmat3 axes;
     for (int c = 0; c < 3; ++c)
-      for (int r = 0; r < 3; ++r) axes[c][r] = static_cast<double>(binds[first + 4 * c + r]);
+      for (int r = 0; r < 3; ++r)
+        axes[c][r] = static_cast<double>(binds[first + static_cast<std::size_t>(4 * c + r)]);
     for (int c = 0; c < 3; ++c) {
       if (glm::length(axes[c]) < 1e-9) return std::nullopt;
       axes[c] = glm::normalize(axes[c]);
