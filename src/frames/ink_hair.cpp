@@ -69,7 +69,7 @@ std::vector<Triangle> list_hair_line_triangles(std::uint32_t first) {
 
 void append_hair_line(const InkStroke& stroke, const StrokeGround& ground, const glm::vec3& middle,
                       std::vector<glm::vec3>& vertices) {
-  constexpr float kLift_mm = 1.1f;                // toward the camera: facets bulge between its places
+  constexpr float kLift_mm = 2.4f;                // toward the camera: facets bulge between its places
   constexpr float kAside = 0.12f, kFaced = 0.4f;  // cosines of its normal to the view
   constexpr float kDived_mm = 4;
   std::vector<glm::vec3> way;
