@@ -1,9 +1,10 @@
-// A head that glTF 2.0 animates: the weights of its targets by their names, and how the joint called "head"
+// A head that glTF 2.0 animates: the weights of its targets by their names, and how the joint of the head
 // turns. Targets that mien names are moves of ours ("lid.left.shut"; "lid.left.shut@50" is half of it);
 // others are units of ARKit or VRM by name. The turn is in the world, from how the skin is bound.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <set>
 
@@ -139,11 +140,21 @@ std::optional<glm::dquat> read_bound_turn(GltfFile& gltf, std::size_t node) {
   return std::nullopt;
 }
 
+// "head", "Head", "mixamorig:Head", "J_Bip_C_Head", and no "Forehead".
+bool is_head_name(std::string name) {
+  constexpr std::string_view kHead = "head";
+  std::ranges::transform(name, name.begin(), [](unsigned char c) { return std::tolower(c); });
+  if (!name.ends_with(kHead)) return false;
+  return name.size() == kHead.size() ||
+         std::isalpha(static_cast<unsigned char>(name[name.size() - kHead.size() - 1])) == 0;
+}
+
+// The first joint of such a name; meshes may be called so, too.
 std::optional<std::size_t> find_head(const GltfFile& gltf) {
   const GltfJson& nodes = find_gltf_list(gltf, "nodes");
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     const GltfJson name = nodes[n].is_object() ? nodes[n].value("name", GltfJson()) : GltfJson();
-    if (name == GltfJson("head") || name == GltfJson("Head")) return n;
+    if (name.is_string() && !nodes[n].contains("mesh") && is_head_name(name.get<std::string>())) return n;
   }
   return std::nullopt;
 }

@@ -38,6 +38,19 @@ TEST(gltf_take, between_keys_it_goes_as_the_file_says) {
   EXPECT_NEAR(take.turn_deg[8][1], 20, 0.01);
 }
 
+TEST(gltf_take, the_joint_of_the_head_has_a_name_that_ends_so) {
+  const auto read_named = [](const std::string& node) {  // of as many letters
+    const std::string told = "\"name\": \"head\" }";
+    std::string text = read_take_sample("head.glb");
+    EXPECT_EQ(node.size(), told.size());
+    return load_take(write_take_file("named.glb", text.replace(text.find(told), told.size(), node)),
+                     TakeKind::gltf);
+  };
+  EXPECT_NEAR(read_named("\"name\": \"HEAD\" }").turn_deg.back()[1], 20, 0.01);
+  EXPECT_NEAR(read_named("\"name\":\"C_Head\"}").turn_deg.back()[1], 20, 0.01);
+  EXPECT_TRUE(read_named("\"name\":\"Xhead\" }").turn_deg.empty()) << "a forehead";
+}
+
 TEST(gltf_take, a_head_without_an_animation_is_one_row) {
   std::string text = read_take_sample("head.glb");
   const std::size_t at = text.find("animations");
