@@ -118,6 +118,14 @@ float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm:
   return smooth_step(kQuarter, kProfile, std::abs(glm::dot(to_camera, glm::normalize(left - right))));
 }
 
+// From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
+void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet) {
+  const glm::vec3 throat = 0.5f * (skin[ink.sheet_points[ink.sheet_points.size() - 1]] +
+                                   skin[ink.sheet_points[ink.sheet_points.size() - 2]]);
+  sheet.positions.clear();
+  for (const std::uint32_t v : ink.sheet_points) sheet.positions.push_back(glm::mix(throat, skin[v], beside));
+}
+
 void clear_shape(PartShape& shape) {
   shape.positions.clear();
   shape.normals.clear();
@@ -147,6 +155,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     caster.positions[v] = skin.positions[v] - kBelow_mm * ink.eye_size * buffers.tones[v];
 
   const float beside = measure_beside(ink, view, skin.positions);
+  place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];

@@ -32,8 +32,11 @@ struct Ink {
   std::size_t caster = 0;  // in `model`: what the skin's shadow is cast by
   std::size_t first_outline =
       0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
-  std::size_t teeth = 0, tongue = 0;          // in `model`; the upper teeth
-  std::array<std::size_t, 2> lower{};         // in `model`: the lower teeth and their gum
+  std::size_t sheet = 0;  // in `model`: what is dark between open lips in profile
+  std::vector<std::uint32_t>
+      sheet_points;                    // vertices of the skin that it lies through, upper and lower in turn
+  std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth
+  std::array<std::size_t, 2> lower{};  // in `model`: the lower teeth and their gum
   float teeth_high_mm = 0, teeth_top_mm = 0;  // how high they are, and where at rest their gum is
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::vector<std::size_t> outlined;    // parts of the figure besides the skin that have outlines

@@ -142,6 +142,21 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) 
   return part;
 }
 
+// Seen from the side, one looks through an open mouth from corner to corner: a sheet in the middle of it,
+// from the lips to the throat.
+Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink) {
+  for (const char* ring : {"M0", "MB1", "MB2"})
+    for (const int column : {0, 12})
+      ink.sheet_points.push_back(find_point(figure.head.cage, fmt::format("{}_{}", ring, column)));
+  Part part = make_flat_part("mouth_sheet", "ink_flat", colours.cavity);
+  part.rest.positions.resize(ink.sheet_points.size());
+  for (std::uint32_t v = 0; v + 3 < ink.sheet_points.size(); v += 2) {
+    part.rest.triangles.push_back({v, v + 1, v + 3});
+    part.rest.triangles.push_back({v, v + 3, v + 2});
+  }
+  return part;
+}
+
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
 // the arch.
 void darken_backs(const InkColours& colours, Part& teeth) {
@@ -287,6 +302,8 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
   ink.model.parts.push_back(make_caster(figure, positions));
+  ink.sheet = ink.model.parts.size();
+  ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
   ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)

@@ -467,6 +467,20 @@ TEST(ink, no_line_runs_down_from_the_eye_in_profile) {
   EXPECT_GT(measure_off({-600, -40, 650}), 0.3);
 }
 
+TEST(ink, an_open_mouth_is_dark_in_profile) {
+  const Subject& subject = comic();
+  const auto measure_mm = [&](const glm::dvec3& camera_mm) {
+    const Drawing drawing =
+        draw(subject, make_pose({{"chin.down", 0.7}}), TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const Box box = compute_bounds(drawing.parts[subject.ink.sheet].positions);
+    EXPECT_LT(box.high.x - box.low.x, 0.1) << "in the middle of the face";
+    return glm::vec2(box.high.y - box.low.y, box.high.z - box.low.z);
+  };
+  EXPECT_GT(measure_mm({900, -60, 80}).x, 8);
+  EXPECT_GT(measure_mm({900, -60, 80}).y, 20);
+  EXPECT_EQ(measure_mm({0, 0, 900}), glm::vec2(0));
+}
+
 TEST(ink, hair_beside_a_face_leaves_large_eyes_free) {
   HeadSpec spec = make_spec("comic");
   spec.hair = "long";
