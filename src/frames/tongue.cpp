@@ -48,6 +48,12 @@ void append_places(const Mesh& mesh, double step, double from_z, std::vector<glm
   }
 }
 
+// Neighbouring triangles share places.
+void drop_repeated(std::vector<glm::vec3>& places) {
+  std::ranges::sort(places, {}, [](const glm::vec3& p) { return std::array{p.x, p.y, p.z}; });
+  places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
 const Mesh* find_rest(const Model& model, std::string_view name) {
   for (const Part& part : model.parts)
     if (part.name == name) return &part.rest;
@@ -83,23 +89,43 @@ struct Lane {
   int first_known = kLong;            // row of the first place, of teeth or lips, in the middle
 
   static std::size_t at(int x, int z) { return static_cast<std::size_t>(x * kLong + z); }
-  int find_x(double x) const { return static_cast<int>(std::lround(x / step)) + kMiddle; }
-  int find_z(double z) const { return static_cast<int>(std::lround((z - begin_z) / along)); }
+  // A cast is quicker than rounding, of what is above 0.
+  static int find_nearest(double at) { return static_cast<int>(at + 1000.5) - 1000; }
+  int find_x(double x) const { return find_nearest(x / step) + kMiddle; }
+  int find_z(double z) const { return find_nearest((z - begin_z) / along); }
 };
 
-// Each place counts for its neighbours too: teeth have points.
-void raise_floor(Lane& lane, const glm::dvec3& p) {
+// The highest and the lowest places in each cell of the grid and of one more all round.
+struct Heights {
+  static constexpr int kWide = Lane::kWide + 2, kLong = Lane::kLong + 2;
+  std::array<float, static_cast<std::size_t>(kWide*kLong)> highest{}, lowest{};
+
+  static std::size_t at(int x, int z) { return static_cast<std::size_t>((x + 1) * kLong + z + 1); }
+};
+
+void add_place(const Lane& lane, const glm::dvec3& p, bool is_below, Heights& heights) {
   const int x = lane.find_x(p.x), z = lane.find_z(p.z);
-  for (int i = std::max(x - 1, 0); i <= std::min(x + 1, Lane::kWide - 1); ++i)
-    for (int k = std::max(z - 1, 0); k <= std::min(z + 1, Lane::kLong - 1); ++k)
-      lane.floor[Lane::at(i, k)] = std::max(lane.floor[Lane::at(i, k)], static_cast<float>(p.y));
+  if (x < -1 || x > Lane::kWide || z < -1 || z > Lane::kLong) return;
+  const std::size_t cell = Heights::at(x, z);
+  const auto y = static_cast<float>(p.y);
+  if (is_below)
+    heights.highest[cell] = std::max(heights.highest[cell], y);
+  else
+    heights.lowest[cell] = std::min(heights.lowest[cell], y);
 }
 
-void lower_ceiling(Lane& lane, const glm::dvec3& p) {
-  const int x = lane.find_x(p.x), z = lane.find_z(p.z);
-  for (int i = std::max(x - 1, 0); i <= std::min(x + 1, Lane::kWide - 1); ++i)
-    for (int k = std::max(z - 1, 0); k <= std::min(z + 1, Lane::kLong - 1); ++k)
-      lane.ceiling[Lane::at(i, k)] = std::min(lane.ceiling[Lane::at(i, k)], static_cast<float>(p.y));
+// Each place counts for its neighbours too: teeth have points.
+void take_heights(const Heights& heights, Lane& lane) {
+  for (int x = 0; x < Lane::kWide; ++x)
+    for (int z = 0; z < Lane::kLong; ++z) {
+      float& floor = lane.floor[Lane::at(x, z)];
+      float& ceiling = lane.ceiling[Lane::at(x, z)];
+      for (int i = x - 1; i <= x + 1; ++i)
+        for (int k = z - 1; k <= z + 1; ++k) {
+          floor = std::max(floor, heights.highest[Heights::at(i, k)]);
+          ceiling = std::min(ceiling, heights.lowest[Heights::at(i, k)]);
+        }
+    }
 }
 
 // Straight between what is known of a column; behind its first place the floor falls and the ceiling rises,
@@ -148,30 +174,39 @@ void add_lip(const LipSheet& sheet, const std::vector<glm::dvec3>& points, const
   }
 }
 
-Lane build_lane(const TongueRig& rig, const Face& face, const glm::dmat4& into_jaw,
-                const std::vector<glm::dvec3>& points) {
-  constexpr float kBehind = 2, kFloorBefore = -0.45f, kCeilingBefore = 0.5f;  // mm a mm
+// Without teeth and lips.
+Lane make_lane(const TongueRig& rig) {
   Lane lane;
   lane.step *= rig.scale;
   lane.along *= rig.scale;
   lane.begin_z = rig.tip.z - 8 * rig.scale;
   lane.floor.fill(-Lane::kNone);
   lane.ceiling.fill(Lane::kNone);
-  for (const glm::vec3& p : rig.lower) raise_floor(lane, glm::dvec3(p));
+  return lane;
+}
+
+Lane build_lane(const TongueRig& rig, const Face& face, const glm::dmat4& into_jaw,
+                const std::vector<glm::dvec3>& points) {
+  constexpr float kBehind = 2, kFloorBefore = -0.45f, kCeilingBefore = 0.5f;  // mm a mm
+  Lane lane = make_lane(rig);
+  Heights heights;
+  std::ranges::copy(rig.lower_heights, heights.highest.begin());
+  heights.lowest.fill(Lane::kNone);
   for (const glm::vec3& p : rig.upper)
-    lower_ceiling(lane, glm::dvec3(into_jaw * glm::dvec4(glm::dvec3(p), 1)));
+    add_place(lane, glm::dvec3(into_jaw * glm::dvec4(glm::dvec3(p), 1)), false, heights);
   std::array<bool, Lane::kWide> has_upper{}, has_lower{};
   const auto mark = [&](std::array<bool, Lane::kWide>& has, const glm::dvec3& p) {
     if (const int x = lane.find_x(p.x); x >= 0 && x < Lane::kWide) has[static_cast<std::size_t>(x)] = true;
   };
   add_lip(face.upper_lip, points, into_jaw, [&](const glm::dvec3& p) {
-    lower_ceiling(lane, p);
+    add_place(lane, p, false, heights);
     mark(has_upper, p);
   });
   add_lip(face.lower_lip, points, into_jaw, [&](const glm::dvec3& p) {
-    raise_floor(lane, p);
+    add_place(lane, p, true, heights);
     mark(has_lower, p);
   });
+  take_heights(heights, lane);
   for (int x = 0; x < Lane::kWide; ++x) {
     lane.is_open[static_cast<std::size_t>(x)] =
         has_upper[static_cast<std::size_t>(x)] && has_lower[static_cast<std::size_t>(x)];
@@ -337,6 +372,11 @@ TongueRig build_tongue_rig(const NeutralHead& head, const Model& model) {
                                      {"teeth_lower", &rig.lower},
                                      {"gum_lower", &rig.lower}})
     if (const Mesh* mesh = find_rest(model, name)) append_places(*mesh, 0.8 * rig.scale, from_z, *places);
+  const Lane lane = make_lane(rig);
+  Heights heights;
+  heights.highest.fill(-Lane::kNone);
+  for (const glm::vec3& p : rig.lower) add_place(lane, glm::dvec3(p), true, heights);
+  rig.lower_heights.assign(heights.highest.begin(), heights.highest.end());
   double upper_edge = 1e9, lower_edge = -1e9;
   const double middle = 3 * rig.scale;
   for (const glm::vec3& p : rig.upper)
@@ -352,6 +392,7 @@ TongueRig build_tongue_rig(const NeutralHead& head, const Model& model) {
   for (const glm::vec3& p : rig.upper)
     if (std::abs(p.x) < middle && std::abs(p.y - ridge_y) < around) back = std::min<double>(back, p.z);
   rig.ridge = {0, ridge_y, std::min(back, rig.edge_z) - 1.2 * rig.scale};
+  drop_repeated(rig.upper);
   return rig;
 }
 

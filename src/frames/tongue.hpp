@@ -25,6 +25,7 @@ struct TongueRig {
   std::vector<TongueRing> rings;        // from the throat to the tip
   std::vector<glm::vec3> upper, lower;  // places all over the front of both rows of teeth and their gums
   double scale = 1;                     // of this mouth against the adult's
+  std::vector<float> lower_heights;     // of the grid that the tongue passes: the lower row alone
   glm::dvec3 tip{0}, ridge{0};          // ridge: where the raised tip comes to, behind the upper teeth
   double edge_z = 0;                    // of the lower front teeth's edge
 };
