@@ -65,14 +65,13 @@ const CommandInfo command_import{
     "FILE",
     "what other programs recorded of a face, as keys and cues",
     "Writes a YAML file that does what FILE says. Takes of a face become keys: of Live Link Face (.csv),\n"
-    "MediaPipe and recorders of ARKit (.json), OpenFace 2 (.csv), OpenFaceFX (.json) and VRM animation\n"
-    "(.vrma), heads that glTF animates (.glb, .gltf); what of a take our areas cannot do is told. An\n"
-    "expression of MPFB (.json) or MakeHuman\n"
-    "(.mhpose) becomes one of ours, and those of an avatar of VRM (.vrm) do by their names. What FILE says "
-    "of\n"
-    "a mouth becomes a script: the cues of Rhubarb Lip Sync (.tsv, .xml, .json, .dat), of Papagayo and Moho\n"
-    "(.dat, .pgo), of the Montreal Forced Aligner (.TextGrid), or a table of phonemes (.csv). `tracks:` and\n"
-    "`say:` follow the files themselves, without this.",
+    "MediaPipe and recorders of ARKit (.json), OpenFace 2 (.csv), OpenFaceFX (.json), VRM animation\n"
+    "(.vrma), and heads that glTF animates (.glb, .gltf); what of a take our areas cannot do is told. An\n"
+    "expression of MPFB (.json) or MakeHuman (.mhpose) becomes one of ours, and those of an avatar of VRM\n"
+    "(.vrm) do by their names. What FILE says of a mouth becomes a script: the cues of Rhubarb Lip Sync\n"
+    "(.tsv, .xml, .json, .dat), of Papagayo and Moho (.dat, .pgo), of the Montreal Forced Aligner\n"
+    "(.TextGrid), or a table of phonemes (.csv). `tracks:` and `say:` follow the files themselves, without\n"
+    "this.",
     "keys strict smooth fps",
     "mien import take.csv -o take.yaml\n"
     "mien import take.csv --keys 1mm --strict 20 -o take.yaml\n"
