@@ -57,7 +57,7 @@ void print_report(const Options& options, const Take& take, const TakeMoves& mov
     fmt::print("lost: {:.1f} % of the motion, {:.3g} of {:.3g} mm2", report.lost_percent(), report.lost_mm2,
                report.moved_mm2);
   else
-    fmt::print("lost: nothing; all that moves is our own");
+    fmt::print("lost: nothing of the skin's motion");
   if (report.worst_mm2 > 0)
     fmt::print("; most from {} on, {:.3g} mm2", format_time(report.worst_s), report.worst_mm2);
   fmt::print("\n");

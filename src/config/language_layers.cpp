@@ -139,7 +139,8 @@ void fill_sources(Sections& all) {
        "A head that glTF animates, by targets of mien's names, of ARKit's or of VRM's."},
       {"smooth",
        {as_number(0, kMostSmooth_hz, "Hz")},
-       "How quick a change of a take may be noise: lower is calmer, 0 leaves it as it is (of `gltf` usual).",
+       "How quick a change of a take may be noise: lower is calmer, 0 leaves it as it is, which `gltf` has "
+       "without it.",
        say(SmoothSpec{}.cutoff_hz)},
       {"fps",
        {as_number(1, kMostTakeRate)},

@@ -19,6 +19,7 @@ namespace {
 constexpr double kFilledRate = 60;        // rows a second where ways are not straight
 constexpr float kSlightTurn_deg = 0.01F;  // less is the rounding of numbers
 constexpr int kMostAncestors = 64;
+constexpr std::size_t kMostTargets = 1000;  // of heads of others, whose targets are not all of a face
 
 // A target as a channel of the take, and how much of it weight 1 is.
 struct TargetName {
@@ -83,7 +84,7 @@ std::vector<WeighedNode> read_weights(GltfFile& gltf, Take& take) {
       const TargetName target = read_target_name(names[t]);
       if (target.channel.empty() || known.contains(target.channel)) continue;
       if (here.insert(target.channel).second)
-        add_take_channel(take, {gltf.file, 0, {}, 0, 0}, target.channel);
+        add_take_channel(take, {gltf.file, 0, {}, 0, 0}, target.channel, kMostTargets);
       const auto channel = std::ranges::find(take.channels, target.channel, &TakeChannel::name);
       own.of.emplace_back(t, channel - take.channels.begin());
       own.shares.push_back(target.share);
@@ -121,8 +122,9 @@ glm::dquat read_still_turn(const GltfJson& node) {
 std::optional<glm::dquat> read_bound_turn(GltfFile& gltf, std::size_t node) {
   for (const GltfJson& skin : find_gltf_list(gltf, "skins")) {
     const GltfJson joints = skin.is_object() ? skin.value("joints", GltfJson()) : GltfJson();
+    if (!joints.is_array() || !skin.contains("inverseBindMatrices")) continue;
     const auto joint = std::find(joints.begin(), joints.end(), GltfJson(node));
-    if (joint == joints.end() || !skin.contains("inverseBindMatrices")) continue;
+    if (joint == joints.end()) continue;
     const std::vector<float> binds =
         read_gltf_floats(gltf, find_gltf_count(gltf, skin, "inverseBindMatrices", {}), "MAT4", 16);
     const auto first = 16 * static_cast<std::size_t>(joint - joints.begin());
@@ -194,23 +196,25 @@ glm::dquat sample_head(const HeadChain& chain, double at_s) {
   return world * glm::conjugate(chain.bound);
 }
 
-// The times of all keys, and where ways are not straight more between them; or rows at a rate.
-std::vector<double> list_times(const std::vector<const GltfWay*>& ways, double fps) {
-  std::set<double> times;
-  double end_s = 0;
+// 0, the times of all keys, and where ways are not straight more between them; or rows at a rate.
+std::vector<double> list_times(const std::string& file, const std::vector<const GltfWay*>& ways, double fps) {
+  std::vector<double> times{0};
   bool is_straight = true;
   for (const GltfWay* way : ways) {
-    times.insert(way->at_s.begin(), way->at_s.end());
+    times.insert(times.end(), way->at_s.begin(), way->at_s.end());
     is_straight = is_straight && way->between == GltfBetween::linear;
   }
-  if (!times.empty()) end_s = *times.rbegin();
-  if (fps > 0) times.clear();
+  const double end_s = *std::ranges::max_element(times);
+  if (end_s > kMaxTakeTime_s)
+    fail_file(file, fmt::format("lasts {:.7g} s; expected {:.7g} s at most", end_s, kMaxTakeTime_s));
+  if (fps > 0) times = {0};
   const double rate = fps > 0 ? fps : kFilledRate;
-  if (end_s <= kMaxTakeTime_s && (fps > 0 || !is_straight))
+  if (fps > 0 || !is_straight)
     for (std::size_t row = 0; static_cast<double>(row) / rate <= end_s + 1e-6; ++row)
-      times.insert(static_cast<double>(row) / rate);
-  if (times.empty()) times.insert(0);
-  return {times.begin(), times.end()};
+      times.push_back(static_cast<double>(row) / rate);
+  std::ranges::sort(times);
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
 }
 
 }  // namespace
@@ -231,7 +235,7 @@ Take read_gltf_take(const std::filesystem::path& path, double fps) {
     if (way) ways.push_back(&*way);
   std::vector<double> row(take.channels.size());
   float most_deg = 0;
-  for (const double at_s : list_times(ways, fps)) {
+  for (const double at_s : list_times(file, ways, fps)) {
     if (!begin_take_row(take, {gltf.file, 0, {}, 0, 0}, at_s)) continue;
     take.at_s.push_back(at_s);
     std::ranges::fill(row, 0.0);

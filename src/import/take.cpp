@@ -114,11 +114,11 @@ double parse_take_number(const TakeRows& rows, std::size_t cell, std::string_vie
                                                      show_found(name), show_found(word), low, high));
 }
 
-void add_take_channel(Take& take, const TakePlace& place, std::string name) {
+void add_take_channel(Take& take, const TakePlace& place, std::string name, std::size_t most) {
   if (std::ranges::find(take.channels, name, &TakeChannel::name) != take.channels.end())
     fail_take(place, fmt::format("'{}' is there twice; expected it once", show_found(name)));
-  if (take.channels.size() >= kMaxTakeChannels)
-    fail_take(place, fmt::format("more than {} units; expected those of a face", kMaxTakeChannels));
+  if (take.channels.size() >= most)
+    fail_take(place, fmt::format("more than {} units; expected those of a face", most));
   take.channels.push_back({std::move(name), place.line, find_take_column_number(place)});
 }
 
@@ -183,6 +183,9 @@ Take load_take(const fs::path& file, TakeKind kind, double fps) {
 }
 
 TakeGuess guess_take_kind(const fs::path& file) {
+  const std::string ending = find_ending(file);
+  if (ending == ".vrma") return TakeGuess::vrma;
+  if (ending == ".glb" || ending == ".gltf") return TakeGuess::gltf;
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return TakeGuess::none;
   std::ifstream stream(file, std::ios::binary);
@@ -190,9 +193,6 @@ TakeGuess guess_take_kind(const fs::path& file) {
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   const auto has = [&](std::string_view word) { return text.find(word) != text.npos; };
-  const std::string ending = find_ending(file);
-  if (ending == ".vrma") return TakeGuess::vrma;
-  if (ending == ".glb" || ending == ".gltf") return TakeGuess::gltf;
   if (ending == ".csv" && (has("Timecode,") || has("EyeBlinkLeft"))) return TakeGuess::live_link;
   if (ending == ".csv" && (has("AU01_r") || has("face_id"))) return TakeGuess::openface;
   if (ending != ".json") return TakeGuess::none;

@@ -12,8 +12,7 @@ namespace mien {
 
 // Rows times channels: three hours of Live Link Face. A number takes four bytes.
 inline constexpr std::size_t kMaxTakeValues = 40'000'000;
-inline constexpr std::size_t kMaxTakeChannels =
-    1000;  // vocabularies have 60 units, heads of others some hundreds
+inline constexpr std::size_t kMaxTakeChannels = 160;  // the vocabularies have 60 units at most
 inline constexpr double kMaxTakeTime_s = 24 * 3600;
 
 // A channel of this and the name of a move's way ("mien.lid.left.shut") is our own, 1 at the move's end.

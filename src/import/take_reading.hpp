@@ -53,8 +53,9 @@ std::optional<std::size_t> find_take_column(const TakeRows& rows, std::string_vi
 double parse_take_number(const TakeRows& rows, std::size_t cell, std::string_view name, double low,
                          double high);
 
-// Adds a channel; throws if the take has one of the name, or too many.
-void add_take_channel(Take& take, const TakePlace& place, std::string name);
+// Adds a channel; throws if the take has one of the name, or `most`.
+void add_take_channel(Take& take, const TakePlace& place, std::string name,
+                      std::size_t most = kMaxTakeChannels);
 
 // After a channel was added to a take that has rows of `channels_before`: the rows have 0 of it.
 void widen_take(Take& take, std::size_t channels_before);

@@ -27,7 +27,8 @@ bool is_of_units(const JsonStep& step) { return step.role == kPoseUnits || step.
 void take_posed_unit(UnitPose& pose, const std::string& key, bool is_own, double value, JsonSpot spot) {
   if (std::abs(value) > kMostPosed)
     fail_json(pose.file, spot,
-              fmt::format("'{}' is {:.7g}; expected a number from 0 to 1", show_found(key), value));
+              fmt::format("'{}' is {:.7g}; expected a number from {} to 1", show_found(key), value,
+                          is_own ? -1 : 0));
   if (pose.units.size() >= kMostPosedUnits)
     fail_json(pose.file, spot, fmt::format("more than {} units; expected those of a face", kMostPosedUnits));
   std::string name = is_own                    ? fmt::format("{}{}", kOwnUnit, key)

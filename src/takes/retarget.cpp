@@ -41,6 +41,8 @@ std::vector<ChannelUse> find_uses(const Take& take, const Mapping& mapping, cons
       report.passed.push_back(channel.name);
       continue;
     }
+    if (channel.name.starts_with(kOwnUnit))
+      for (const auto& [way, end] : table.ways) names.push_back(fmt::format("{}{}", kOwnUnit, way));
     const std::string nearest = find_nearest(channel.name, names);
     mistakes.push_back({{take.file, channel.line, channel.column},
                         fmt::format("unknown unit '{}' of {}; {}", channel.name, mapping.name,

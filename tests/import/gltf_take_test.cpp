@@ -78,5 +78,23 @@ TEST(gltf_take, what_is_wrong_is_told) {
             "head.glb: error: has no units of a face; expected some, such as jawOpen");
 }
 
+TEST(gltf_take, a_file_that_is_not_there_is_told) {
+  EXPECT_EQ(guess_take_kind("nowhere.glb"), TakeGuess::gltf);
+  try {
+    load_take("nowhere.glb", TakeKind::gltf);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "nowhere.glb: error: there is no such file; expected a take of a face");
+  }
+}
+
+TEST(gltf_take, joints_that_are_no_list_are_passed) {
+  const std::string text =
+      R"({"asset": {"version": "2.0"}, "nodes": [{"name": "head"}], "skins": [{"joints": {"a": 0}, )"
+      R"("inverseBindMatrices": 0}]})";
+  EXPECT_EQ(find_take_fault("a.gltf", text, TakeKind::gltf),
+            "a.gltf: error: has no units of a face; expected some, such as jawOpen");
+}
+
 }  // namespace
 }  // namespace mien
