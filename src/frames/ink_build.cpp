@@ -111,9 +111,10 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 }
 
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
-// theirs on their neighbours. Lips and nostrils cast none: it would be crumbs about them.
+// theirs on their neighbours. Lips, nostrils and what is below an eye cast none: it would be crumbs about
+// them.
 Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kLips_mm = 7, kNostril_mm = 10, kBridge_mm = 9, kEye_mm = 5;
+  constexpr float kLips_mm = 7, kNostril_mm = 10, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
   std::vector<std::pair<glm::vec3, float>> places;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},
@@ -123,6 +124,8 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) 
                                          {"E3_", kEye_mm},
                                          {"E4_", kEye_mm},
                                          {"E5_", kEye_mm},
+                                         {"q12_C1", kBelowEye_mm},
+                                         {"q13_C1", kBelowEye_mm},
                                          {"nr_", kNostril_mm},
                                          {"ni_", kNostril_mm}})
       if (has_prefix(figure.head.cage.names[i], ring)) places.emplace_back(positions[i], reach_mm);

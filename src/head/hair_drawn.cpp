@@ -366,6 +366,13 @@ void append_drawn_strays(HeadPart& part, const HairScene& scene) {
 
 }  // namespace
 
+std::array<std::uint32_t, 2> find_drawn_rim(std::size_t column, std::size_t columns) {
+  const std::size_t outer = (column + 1) * kDrawnRows,  // behind the top's
+      first_inner = columns * kDrawnRows + 1;
+  return {static_cast<std::uint32_t>(outer),
+          static_cast<std::uint32_t>(first_inner + (column + 1) * kDrawnInnerRows)};
+}
+
 void append_drawn_mass(HeadPart& part, const HairScene& scene) {
   append_drawn_shell(part, scene);
   if (scene.cut.bun_radius_mm > 0) append_drawn_bun(part, scene);

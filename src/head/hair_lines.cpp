@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "core/conventions.hpp"
 #include "head/binding.hpp"
 #include "head/hair.hpp"
 #include "head/hair_comb.hpp"
+#include "head/hair_drawn.hpp"
 #include "head/hair_edge.hpp"
 #include "head/hair_growth.hpp"
 #include "head/tubes.hpp"
@@ -22,6 +24,7 @@ constexpr double kLineStep_mm = 9;         // of the adult
 struct LinePath {
   std::vector<HairPlace> places;
   double begins = 0, width = 1, ends = 0;
+  std::optional<std::size_t> column = std::nullopt;  // of the edge, that it begins at
 };
 
 glm::dvec3 find_on_ground(const HairScene& scene, const HairPlace& place) {
@@ -53,7 +56,9 @@ std::vector<HairPlace> follow_comb(const HairScene& scene, HairPlace place, doub
 void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr double kLeast_mm = 7, kShort_mm = 14, kLong_mm = 58, kHanging_mm = 46, kGolden = 0.618034;
   std::size_t count = 0;
-  for (const DrawnEdge& edge : trace_drawn_edge(scene)) {
+  const std::vector<DrawnEdge> edges = trace_drawn_edge(scene);
+  for (std::size_t column = 0; column < edges.size(); ++column) {
+    const DrawnEdge& edge = edges[column];
     if (edge.across != -1 || edge.deep_mm < kLeast_mm) continue;
     const auto index = static_cast<std::uint32_t>(count++);
     const double azimuth = wrap_azimuth(edge.turn_deg);
@@ -61,7 +66,7 @@ void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
     const double hangs = std::clamp(2 * (edge.way - 1), 0.0, 1.0);
     paths.push_back({follow_comb(scene, {azimuth, edge.way},
                                  kShort_mm + share * kLong_mm + hangs * (0.3 + share) * kHanging_mm, -1),
-                     0.7, 0.6 + 0.25 * share});
+                     0.7, 0.6 + 0.25 * share, 0, column});
   }
 }
 
@@ -123,25 +128,6 @@ void add_free(const HairScene& scene, std::vector<LinePath>& paths) {
   }
 }
 
-// The edge itself where it lies on the skin: what is drawn behind hair does not show there.
-void add_edge_lines(const HairScene& scene, std::vector<LinePath>& paths) {
-  constexpr double kFront_deg = 52, kWidth = 0.55;
-  if (scene.cut.covers_ears) return;
-  const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
-  LinePath path{{}, kWidth, kWidth, kWidth};
-  for (std::size_t i = 0; i <= edge.size(); ++i) {
-    const DrawnEdge &here = edge[i % edge.size()], &before = edge[(i + edge.size() - 1) % edge.size()];
-    const HairPlace place{wrap_azimuth(here.turn_deg + here.bent_deg), here.way};
-    const bool is_corner = here.lock != before.lock || (before.across < 0 && here.across >= 0);
-    path.places.push_back(place);
-    if (!is_corner && i < edge.size()) continue;
-    if (path.places.size() > 1 && std::abs(path.places.front().azimuth_deg) > kFront_deg &&
-        std::abs(place.azimuth_deg) > kFront_deg)
-      paths.push_back(path);
-    path.places = {place};
-  }
-}
-
 // Curls: arcs within a few of them.
 void add_curls(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kArcs = 34, kPlaces = 9;
@@ -188,13 +174,31 @@ double measure_length(const std::vector<glm::dvec3>& way) {
   return length;
 }
 
-// No line crosses one before it: it ends where it would, and short ones are none.
+// Not past the edge of the mass, which `edge` is; anywhere without one.
+bool is_in_mass(const std::vector<DrawnEdge>& edge, const HairPlace& place) {
+  constexpr double kPast = 0.01;
+  if (edge.empty()) return true;
+  const auto away_deg = [&](const DrawnEdge& here) {
+    return std::abs(wrap_azimuth(here.turn_deg + here.bent_deg - place.azimuth_deg));
+  };
+  const auto nearest = std::min_element(
+      edge.begin(), edge.end(), [&](const auto& a, const auto& b) { return away_deg(a) < away_deg(b); });
+  return place.way <= nearest->way + kPast;
+}
+
+// No line leaves the hair or crosses one before it: it ends where it would, and short ones are none.
 void part_lines(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr double kApart_mm = 8, kLeast_mm = 16;
+  // Over a free ear hair ends high; what falls to both sides of a lock's tip is parted enough.
+  const std::vector<DrawnEdge> edge =
+      scene.cut.covers_ears ? std::vector<DrawnEdge>{} : trace_drawn_edge(scene);
   std::vector<std::vector<glm::dvec3>> ways;
   std::vector<LinePath> kept;
   for (LinePath& path : paths) {
     std::vector<glm::dvec3> way;
+    path.places.erase(path.places.begin(), std::ranges::find_if(path.places, [&](const HairPlace& place) {
+                        return is_in_mass(edge, place);
+                      }));
     for (const HairPlace& place : path.places) way.push_back(find_on_ground(scene, place));
     std::size_t count = 0;
     const auto is_free = [&](const glm::dvec3& at) {
@@ -203,7 +207,7 @@ void part_lines(const HairScene& scene, std::vector<LinePath>& paths) {
           if (glm::distance(at, p) < kApart_mm * scene.chart.size) return false;
       return true;
     };
-    while (count < way.size() && is_free(way[count])) ++count;
+    while (count < way.size() && is_in_mass(edge, path.places[count]) && is_free(way[count])) ++count;
     way.resize(count);
     path.places.resize(count);
     if (measure_length(way) < kLeast_mm * scene.chart.size) continue;
@@ -227,6 +231,48 @@ MeshPlace find_on_mass(const HairScene& scene, const Mesh& mass, const SkinPatch
   return {mass.triangles[nearest.triangle], nearest.barycentric};
 }
 
+// The line begins in the corner itself; what is next to it lies in a groove as narrow as a line.
+void begin_at_edge(std::uint32_t corner, std::vector<MeshPlace>& places) {
+  constexpr std::ptrdiff_t kGroove = 3;
+  places.front() = {{corner, corner, corner}, {1, 0, 0}};
+  if (std::ssize(places) > kGroove + 2) places.erase(places.begin() + 1, places.begin() + 1 + kGroove);
+}
+
+// Where the wall below the mass's edge goes into the skin.
+MeshPlace find_edge_place(const HairScene& scene, const Mesh& mass, const HairPlace& place,
+                          std::size_t column, std::size_t columns) {
+  const auto [outer, inner] = find_drawn_rim(column, columns);
+  const glm::dvec3 from = compute_hair_point(scene.chart, place, 0),
+                   out = compute_hair_direction(scene.chart, place);
+  const double outer_mm = glm::dot(glm::dvec3(mass.positions[outer]) - from, out),
+               inner_mm = glm::dot(glm::dvec3(mass.positions[inner]) - from, out),
+               skin_mm = sample_hair_chart(scene.chart, scene.chart.skin_mm, place);
+  const auto share =
+      static_cast<float>(std::clamp((outer_mm - skin_mm) / std::max(1e-6, outer_mm - inner_mm), 0.0, 1.0));
+  return {{outer, inner, inner}, {1 - share, share, 0}};
+}
+
+// The edge itself where it lies on the skin: what is drawn behind hair does not show there.
+void append_edge_lines(const HairScene& scene, const Mesh& mass, std::vector<HairLine>& lines) {
+  constexpr double kFront_deg = 52, kWidth = 0.55;
+  if (scene.cut.covers_ears) return;
+  const std::vector<DrawnEdge> edge = trace_drawn_edge(scene);
+  HairLine line{{}, kWidth, kWidth, kWidth};
+  double begins_deg = 0;
+  for (std::size_t i = 0; i <= edge.size(); ++i) {
+    const std::size_t column = i % edge.size();
+    const DrawnEdge &here = edge[column], &before = edge[(column + edge.size() - 1) % edge.size()];
+    const double azimuth_deg = wrap_azimuth(here.turn_deg + here.bent_deg);
+    const bool is_corner = here.lock != before.lock || (before.across < 0 && here.across >= 0);
+    line.places.push_back(find_edge_place(scene, mass, {azimuth_deg, here.way}, column, edge.size()));
+    if (!is_corner && i < edge.size()) continue;
+    if (line.places.size() > 1 && std::abs(begins_deg) > kFront_deg && std::abs(azimuth_deg) > kFront_deg)
+      lines.push_back(line);
+    line.places = {line.places.back()};
+    begins_deg = azimuth_deg;
+  }
+}
+
 }  // namespace
 
 std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string& cut, const Mesh& mass) {
@@ -244,13 +290,15 @@ std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string
   add_gathered(scene, paths);
   const SkinPatch patch = build_skin_patch(mass, compute_bounds(mass.positions));
   part_lines(scene, paths);
-  add_edge_lines(scene, paths);
+  const std::size_t columns = trace_drawn_edge(scene).size();
   for (LinePath& path : paths) {
     if (path.ends == 0) wave_line(scene, path);
     HairLine line{{}, path.begins, path.width, path.ends};
     for (const HairPlace& place : path.places) line.places.push_back(find_on_mass(scene, mass, patch, place));
+    if (path.column) begin_at_edge(find_drawn_rim(*path.column, columns)[0], line.places);
     lines.push_back(std::move(line));
   }
+  append_edge_lines(scene, mass, lines);
   return lines;
 }
 
