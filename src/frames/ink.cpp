@@ -136,7 +136,6 @@ void clear_shape(PartShape& shape) {
 
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
-  constexpr float kBelow_mm = 0.9f;
   constexpr double kOpening = 0.08, kOpen = 0.35;  // of the jaw
   static const std::size_t kJaw = find_move(Area::chin, Side::none, "down").value();
   drawing.parts.resize(ink.model.parts.size());
@@ -152,7 +151,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
   for (std::size_t v = 0; v < caster.positions.size(); ++v)
-    caster.positions[v] = skin.positions[v] - kBelow_mm * ink.eye_size * buffers.tones[v];
+    caster.positions[v] = skin.positions[v] - ink.below_mm[v] * buffers.tones[v];
 
   const float beside = measure_beside(ink, view, skin.positions);
   place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
@@ -162,7 +161,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     clear_shape(outline);
     buffers.turn.resize(skin.positions.size());
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float share = ink.hull[v] * (1 - beside * ink.hull_beside[v]);
+      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);

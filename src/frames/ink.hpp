@@ -25,11 +25,12 @@ struct Ink {
   std::vector<CutVertex> cuts;               // behind the skin's own vertices
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
-  std::vector<float> hull_beside;            // and what it lacks of that where the head is seen from the side
+  std::vector<float> hull_beside;            // and where the head is seen from the side
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
-  std::size_t caster = 0;  // in `model`: what the skin's shadow is cast by
+  std::size_t caster = 0;       // in `model`: what the skin's shadow is cast by
+  std::vector<float> below_mm;  // of each of its vertices: how deep it lies in the skin
   std::size_t first_outline =
       0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
   std::size_t sheet = 0;  // in `model`: what is dark between open lips in profile

@@ -75,6 +75,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (const char* point :
        {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14", "E5_15"})
     add(point, bags);
+  // But the middle of the face is its outline there, lips and the nose's bridge as well.
+  constexpr float kMiddle_mm = 3, kBesideMiddle_mm = 7, kSeamNone_mm = 0.5f, kSeamAll_mm = 2.5f;
+  std::vector<glm::vec3> seam;
+  for (const char* point : {"M0_0", "M0_12", "M1_0", "M1_12"}) add(point, seam);
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -86,10 +90,13 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
     const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
     const float bag = measure(bags, positions[v], 2 * kBagAll_mm) / ink.eye_size;
-    ink.hull_beside.push_back(1 - smooth_step(kBagNone_mm, kBagAll_mm, bag));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
                        smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                        smooth_step(kEarNone_mm, kEarAll_mm, ear));
+    const float middle =
+        (1 - smooth_step(kMiddle_mm, kBesideMiddle_mm, std::abs(positions[v].x) / ink.eye_size)) *
+        smooth_step(kSeamNone_mm, kSeamAll_mm, measure(seam, positions[v], 2 * kSeamAll_mm) / ink.eye_size);
+    ink.hull_beside.push_back(std::max(middle, ink.hull.back() * smooth_step(kBagNone_mm, kBagAll_mm, bag)));
   }
   for (const Triangle& t : fine.triangles)
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
@@ -111,12 +118,16 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 }
 
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
-// theirs on their neighbours. Lips, nostrils and what is below an eye cast none: it would be crumbs about
-// them.
-Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kLips_mm = 7, kNostril_mm = 10, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
+// theirs on their neighbours. Lips and what is about the eyes cast none: it would be crumbs about them. At
+// the nostrils, whose rims would be crumbs as well, it lies deeper: with a hole there, the nose's shadow
+// would end as raggedly as its triangles do.
+Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions, Ink& ink) {
+  constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
+  constexpr float kBelow_mm = 0.9f, kDeep_mm = 3, kNostril_mm = 6, kNose_mm = 14;
   std::vector<std::pair<glm::vec3, float>> places;
-  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+  std::vector<glm::vec3> nostrils;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
+    const std::string_view name = figure.head.cage.names[i];
     for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},
                                          {"M1_", kLips_mm},
                                          {"M2_", kLips_mm},
@@ -125,19 +136,21 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions) 
                                          {"E4_", kEye_mm},
                                          {"E5_", kEye_mm},
                                          {"q12_C1", kBelowEye_mm},
-                                         {"q13_C1", kBelowEye_mm},
-                                         {"nr_", kNostril_mm},
-                                         {"ni_", kNostril_mm}})
-      if (has_prefix(figure.head.cage.names[i], ring)) places.emplace_back(positions[i], reach_mm);
-  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
-    const std::string_view name = figure.head.cage.names[i];
+                                         {"q13_C1", kBelowEye_mm}})
+      if (has_prefix(name, ring)) places.emplace_back(positions[i], reach_mm);
     if (is_bridge(name.starts_with("R:") ? name.substr(2) : name))
       places.emplace_back(positions[i], kBridge_mm);
+    if (has_prefix(name, "nr_") || has_prefix(name, "ni_")) nostrils.push_back(positions[i]);
   }
   std::vector<bool> is_none;
-  for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v)
+  for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v) {
     is_none.push_back(std::ranges::any_of(
         places, [&](const auto& place) { return glm::distance(place.first, positions[v]) < place.second; }));
+    float away_mm = kNose_mm;
+    for (const glm::vec3& place : nostrils) away_mm = std::min(away_mm, glm::distance(place, positions[v]));
+    ink.below_mm.push_back(ink.eye_size *
+                           std::lerp(kDeep_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm)));
+  }
   Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
   part.rest.positions.resize(figure.head.skin.positions.size());
   for (const Triangle& t : figure.head.skin.triangles)
@@ -210,7 +223,7 @@ void hide_ears(const Figure& figure, Ink& ink) {
   for (const HairGround ground : list_hair_grounds(figure.head)) is_ear.push_back(ground == HairGround::ear);
   for (const auto& [a, b] : figure.folds.skin.parents) is_ear.push_back(is_ear[a] && is_ear[b]);
   for (const auto& [from, to, share] : ink.cuts) is_ear.push_back(is_ear[from] && is_ear[to]);
-  const auto is_hidden = [&](const Triangle& t) { return is_ear[t[0]] && is_ear[t[1]] && is_ear[t[2]]; };
+  const auto is_hidden = [&](const Triangle& t) { return is_ear[t[0]] || is_ear[t[1]] || is_ear[t[2]]; };
   Part& skin = ink.model.parts.front();
   std::size_t kept = 0;
   for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
@@ -304,7 +317,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.data = figure.head.data;
   ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
-  ink.model.parts.push_back(make_caster(figure, positions));
+  ink.model.parts.push_back(make_caster(figure, positions, ink));
   ink.sheet = ink.model.parts.size();
   ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
   ink.first_outline = ink.model.parts.size();

@@ -72,6 +72,8 @@ void append_hair_line(const InkStroke& stroke, const StrokeGround& ground, const
   constexpr float kLift_mm = 2.4f;                // toward the camera: facets bulge between its places
   constexpr float kAside = 0.12f, kFaced = 0.4f;  // cosines of its normal to the view
   constexpr float kDived_mm = 4;
+  constexpr float kThin = 0.16f,
+                  kDrawn = 0.26f;  // half a line's width, in lines: thinner, and it is a row of dots
   std::vector<glm::vec3> way;
   for (const StrokePoint& place : stroke.points) {
     glm::vec3 at(0);
@@ -90,8 +92,9 @@ void append_hair_line(const InkStroke& stroke, const StrokeGround& ground, const
     const glm::vec3 across = glm::cross(along, toward);
     const float length = glm::length(across), shown = smooth_step(kAside, kFaced, glm::dot(up, toward));
     const glm::vec3 aside = length > 1e-6f ? across / length : glm::vec3(1, 0, 0);
-    const auto half = static_cast<float>(ground.line_mm * find_stroke_width(stroke.rule.widths, at)) * shown;
-    centre += (kLift_mm - kDived_mm * (1 - shown)) * toward;
+    const float wide = static_cast<float>(find_stroke_width(stroke.rule.widths, at)) * shown;
+    const float half = static_cast<float>(ground.line_mm) * wide;
+    centre += (kLift_mm - kDived_mm * (1 - smooth_step(kThin, kDrawn, wide))) * toward;
     vertices.push_back(centre - half * aside);
     vertices.push_back(centre + half * aside);
   }

@@ -24,11 +24,13 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .wing = {3.2f, 1.8f, -1.5f}},
       {.name = "lower_lashes",
        .points = {"E1_15", "E1_14", "E1_13", "E1_12", "E1_11", "E1_10", "E1_9", "E1_8"},
+       .is_ridge = true,
        .widths = {{0, 0.05}, {0.3, 0.3}, {0.6, 0.45}, {0.85, 0.7}, {1, 0.5}},
        .lift_mm = 0.3,
        .flat = 0.4},
       {.name = "crease",
        .points = {"E3_1", "E3_2", "E3_3", "E3_4", "E3_5", "E3_6", "E3_7"},
+       .is_ridge = true,
        .lies_in_profile = true,
        .widths = {{0, 0.02}, {0.3, 0.55}, {0.7, 0.6}, {1, 0.02}},
        .lift_mm = 1.3,
@@ -44,7 +46,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "M1_4", "M1_5", "M1_6"},
        .is_sided = false,
        .lies_in_profile = true,
-       .widths = {{0, 0.1}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.1}},
+       .widths = {{0, 0.4}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.4}},
        .lift_mm = 1.2,
        .facing = {"M4_0", "M4_12"}},
       {.name = "lower_lip",
@@ -52,7 +54,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "M1_9", "M1_8", "M1_7", "M1_6"},
        .is_sided = false,
        .lies_in_profile = true,
-       .widths = {{0, 0.1}, {0.06, 0.7}, {0.5, 0.5}, {0.94, 0.7}, {1, 0.1}},
+       .widths = {{0, 0.4}, {0.06, 0.7}, {0.5, 0.5}, {0.94, 0.7}, {1, 0.4}},
        .lift_mm = 1,
        .facing = {"M4_0", "M4_12"}},
       {.name = "under_lip",
@@ -192,8 +194,8 @@ std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
 
 void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& ground,
                    std::vector<glm::vec3>& vertices) {
-  // A fold's stroke dives into the skin where it gets thinner than that, in lines: it grows from its middle,
-  // and never is a row of dots.
+  // A stroke dives into the skin where it gets thinner than that, in lines: a fold's grows from its middle,
+  // and none is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
   constexpr float kAside = 0.04f, kFaced = 0.22f;  // of a ridge: cosines of its normal's angle to the view
   constexpr float kShown = 0.3f;
@@ -205,7 +207,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     amount *= smooth_step(kLeast, kWhole, amount * most);
   }
   const auto find_lift_mm = [&](double at) {
-    if (!stroke.fold) return rule.lift_mm;
+    if (rule.is_brow) return rule.lift_mm;
     return std::lerp(kDived_mm, rule.lift_mm,
                      smooth_step(kThin, kDrawn, amount * find_stroke_width(rule.widths, at)));
   };

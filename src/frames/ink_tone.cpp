@@ -55,15 +55,15 @@ InkTonePointer build_ink_tone(const Figure& figure) {
       shares[{std::min(from, to), std::max(from, to)}] += 0.5 * area / std::max(1e-6, glm::dot(way, way));
     }
   }
-  // What folds at a mouth's corner says nothing: its tone is that of the cheek about it, or light specks
-  // stand in the shade there.
+  // What folds at a mouth's corner and below its lower lip says nothing: its tone is that of the cheek and
+  // the chin about it, or light specks stand in the shade there.
   constexpr double kCorner = 0.02;
   const auto hush = [&](const std::string& name) {
     const std::uint32_t left = find_point(cage, name);
     for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
   };
   for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_"})
-    for (const char* place : {"5", "6", "7"}) hush(std::string(ring) + place);
+    for (int place = 5; place <= 12; ++place) hush(ring + std::to_string(place));
   // Nor does a nostril's rim, nor do the lids' margins.
   for (const char* ring : {"nr_", "ni_", "nd_"})
     for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));

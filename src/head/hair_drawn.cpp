@@ -32,8 +32,8 @@ struct DrawnShell {
   std::vector<glm::dvec3> puffs = {};  // curls: points of the ground
 };
 
-constexpr int kLightRow = 9;  // the ring of light lies between this row and the next
-constexpr int kLevelRows = 17, kEndRows = 13, kDrawnRows = kLevelRows + kEndRows;
+constexpr int kLightRow = 11;  // the ring of light lies between this row and the next
+constexpr int kLevelRows = 26, kEndRows = 13, kDrawnRows = kLevelRows + kEndRows;
 constexpr int kDrawnInnerRows = 8;  // of the inside, which nobody sees
 
 // A lock is bent from where it is free, and most at its tip.
@@ -371,6 +371,13 @@ std::array<std::uint32_t, 2> find_drawn_rim(std::size_t column, std::size_t colu
       first_inner = columns * kDrawnRows + 1;
   return {static_cast<std::uint32_t>(outer),
           static_cast<std::uint32_t>(first_inner + (column + 1) * kDrawnInnerRows)};
+}
+
+std::vector<std::uint32_t> list_drawn_column(std::size_t column) {
+  std::vector<std::uint32_t> vertices;
+  for (int row = kDrawnRows; row > kLevelRows; --row)
+    vertices.push_back(static_cast<std::uint32_t>(column) * kDrawnRows + static_cast<std::uint32_t>(row));
+  return vertices;
 }
 
 void append_drawn_mass(HeadPart& part, const HairScene& scene) {

@@ -231,11 +231,30 @@ MeshPlace find_on_mass(const HairScene& scene, const Mesh& mass, const SkinPatch
   return {mass.triangles[nearest.triangle], nearest.barycentric};
 }
 
-// The line begins in the corner itself; what is next to it lies in a groove as narrow as a line.
-void begin_at_edge(std::uint32_t corner, std::vector<MeshPlace>& places) {
-  constexpr std::ptrdiff_t kGroove = 3;
-  places.front() = {{corner, corner, corner}, {1, 0, 0}};
-  if (std::ssize(places) > kGroove + 2) places.erase(places.begin() + 1, places.begin() + 1 + kGroove);
+// The line begins in the corner itself and goes along the groove above it, which is as narrow as a line: near
+// it, what is nearest lies on one side.
+void begin_at_edge(const HairScene& scene, const Mesh& mass, std::size_t column,
+                   std::vector<MeshPlace>& places) {
+  constexpr double kGroove_mm = 12, kGap_mm = 6;
+  const auto find = [&](const MeshPlace& place) {
+    glm::dvec3 at(0);
+    for (int i = 0; i < 3; ++i)
+      at += static_cast<double>(place.shares[i]) * glm::dvec3(mass.positions[place.vertices[i]]);
+    return at;
+  };
+  std::vector<MeshPlace> groove;
+  for (const std::uint32_t v : list_drawn_column(column)) {
+    const MeshPlace place{{v, v, v}, {1, 0, 0}};
+    if (!groove.empty() && glm::distance(find(place), find(groove.front())) > kGroove_mm * scene.chart.size)
+      break;
+    groove.push_back(place);
+  }
+  const glm::dvec3 corner = find(groove.front());
+  const double gone_mm = glm::distance(find(groove.back()), corner) + kGap_mm * scene.chart.size;
+  const auto rest = std::ranges::find_if(
+      places, [&](const MeshPlace& place) { return glm::distance(find(place), corner) > gone_mm; });
+  groove.insert(groove.end(), rest, places.end());
+  places = std::move(groove);
 }
 
 // Where the wall below the mass's edge goes into the skin.
@@ -290,12 +309,11 @@ std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string
   add_gathered(scene, paths);
   const SkinPatch patch = build_skin_patch(mass, compute_bounds(mass.positions));
   part_lines(scene, paths);
-  const std::size_t columns = trace_drawn_edge(scene).size();
   for (LinePath& path : paths) {
     if (path.ends == 0) wave_line(scene, path);
     HairLine line{{}, path.begins, path.width, path.ends};
     for (const HairPlace& place : path.places) line.places.push_back(find_on_mass(scene, mass, patch, place));
-    if (path.column) begin_at_edge(find_drawn_rim(*path.column, columns)[0], line.places);
+    if (path.column && scene.cut.covers_ears) begin_at_edge(scene, mass, *path.column, line.places);
     lines.push_back(std::move(line));
   }
   append_edge_lines(scene, mass, lines);
