@@ -118,6 +118,20 @@ float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm:
   return smooth_step(kQuarter, kProfile, std::abs(glm::dot(to_camera, glm::normalize(left - right))));
 }
 
+// In profile the shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner
+// would have a blotch of it there.
+void lift_tones(float beside, std::vector<glm::vec3>& tones) {
+  constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
+  if (beside == 0) return;
+  for (glm::vec3& tone : tones) {
+    if (tone.y >= 0 || tone.y <= kDown) continue;
+    const float lifted = tone.y > kMiddle ? tone.y * kLifted / kMiddle
+                                          : glm::mix(kLifted, kDown, (tone.y - kMiddle) / (kDown - kMiddle));
+    tone.y = glm::mix(tone.y, lifted, beside);
+    tone = glm::normalize(tone);
+  }
+}
+
 // From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
 void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet) {
   const glm::vec3 throat = 0.5f * (skin[ink.sheet_points[ink.sheet_points.size() - 1]] +
@@ -154,6 +168,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     caster.positions[v] = skin.positions[v] - ink.below_mm[v] * buffers.tones[v];
 
   const float beside = measure_beside(ink, view, skin.positions);
+  lift_tones(beside, buffers.tones);
   place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders

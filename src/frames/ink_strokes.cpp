@@ -248,11 +248,10 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
     const double unit = rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm;
-    const float shown =
-        rule.is_ridge ? static_cast<float>(amount) *
-                            smooth_step(kAside, kFaced,
-                                        glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])))
-                      : 1.0f;
+    // Of ridges and of folds no more is drawn where they are seen along.
+    const float faced =
+        smooth_step(kAside, kFaced, glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
+    const float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =

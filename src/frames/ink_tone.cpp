@@ -62,7 +62,7 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     const std::uint32_t left = find_point(cage, name);
     for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
   };
-  for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_"})
+  for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_", "M5_"})
     for (int place = 5; place <= 12; ++place) hush(ring + std::to_string(place));
   // Nor does a nostril's rim, nor do the lids' margins.
   for (const char* ring : {"nr_", "ni_", "nd_"})
