@@ -17,15 +17,22 @@ void shift(const glm::vec3& way, PartShape& shape) {
   if (shape.positions.empty()) shape.world_from_rest[3] += glm::vec4(way, 0);
 }
 
+// Between the lips' middles, on an adult's head.
+float measure_gap_mm(const Ink& ink, const std::vector<glm::vec3>& skin) {
+  return glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
+}
+
 // The lower teeth and their gum, which are as dark as the mouth, would leave their scallops on the tongue:
 // all three lie lower, or it would fill the mouth. One that comes out lies where it did.
-void sink_lower_teeth(const Ink& ink, const Pose& pose, Drawing& drawing) {
-  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;  // of the upper ones' height
+void sink_lower_teeth(const Ink& ink, const Pose& pose, float gap_mm, Drawing& drawing) {
+  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;    // of the upper ones' height
+  constexpr float kLower = 0.8f, kNarrow_mm = 7, kWide_mm = 15;  // a mouth that is not wide open has none
   const auto out = static_cast<float>(pose.values[*find_move(Area::tongue, Side::none, "out")]);
   PartShape& tongue = drawing.parts[ink.tongue];
-  shift(
-      -(1 - std::clamp(out, 0.0f, 1.0f)) * ink.teeth_high_mm * kTongue * glm::vec3(tongue.world_from_rest[1]),
-      tongue);
+  shift(-(1 - std::clamp(out, 0.0f, 1.0f)) * ink.teeth_high_mm *
+            (kTongue + kLower * (1 - smooth_step(kNarrow_mm, kWide_mm, gap_mm))) *
+            glm::vec3(tongue.world_from_rest[1]),
+        tongue);
   for (const std::size_t part : ink.lower) {
     PartShape& shape = drawing.parts[part];
     const glm::vec3 up(shape.world_from_rest[1]), forward(shape.world_from_rest[2]);
@@ -54,7 +61,7 @@ void draw_in(const Ink& ink, float share, PartShape& teeth) {
 void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
   constexpr float kHidden_mm = 4.0f, kShown_mm = 6.0f;  // between an adult's lips
   constexpr float kUp = 0.35f, kBack = 0.35f;  // of the teeth's height: more, and the tongue comes out below
-  const float gap_mm = glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
+  const float gap_mm = measure_gap_mm(ink, skin);
   const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
   if (hidden == 0) return;
   PartShape& teeth = drawing.parts[ink.teeth];
@@ -81,13 +88,16 @@ void make_unit(std::vector<glm::vec3>& normals) {
   for (glm::vec3& n : normals) n = glm::normalize(n + glm::vec3(0, 0, 1e-9f));
 }
 
-// The triangles of a hull that face away from the camera, with the vertices they use.
+// The triangles of a hull that face away from the camera, with the vertices they use. A thread of a line
+// would be a row of dots.
 void append_away(const InkView& view, const std::vector<Triangle>& triangles, InkBuffers& buffers,
                  const std::vector<glm::vec3>& hull, PartShape& shape) {
   constexpr auto kUnused = static_cast<std::uint32_t>(-1);
+  constexpr float kThread = 0.2f;
   const glm::vec3 camera(view.camera_mm);
   buffers.used.assign(hull.size(), kUnused);
   for (const Triangle& t : triangles) {
+    if (std::max({buffers.thick[t[0]], buffers.thick[t[1]], buffers.thick[t[2]]}) < kThread) continue;
     const glm::vec3 &a = hull[t[0]], &b = hull[t[1]], &c = hull[t[2]];
     if (glm::dot(a - camera, glm::cross(b - a, c - a)) <= 0) continue;
     Triangle own;
@@ -119,10 +129,13 @@ float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm:
 }
 
 // In profile the shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner
-// would have a blotch of it there.
-void lift_tones(float beside, std::vector<glm::vec3>& tones) {
+// would have a blotch of it there, lids and lips, where nothing has an outline, chips.
+void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
+  constexpr float kLit = 0.7f;
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
   if (beside == 0) return;
+  for (std::size_t v = 0; v < tones.size(); ++v)
+    tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.hull[v])));
   for (glm::vec3& tone : tones) {
     if (tone.y >= 0 || tone.y <= kDown) continue;
     const float lifted = tone.y > kMiddle ? tone.y * kLifted / kMiddle
@@ -151,6 +164,7 @@ void clear_shape(PartShape& shape) {
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
   constexpr double kOpening = 0.08, kOpen = 0.35;  // of the jaw
+  constexpr float kMet_mm = 1.2f, kParted_mm = 3;  // between an adult's lips
   static const std::size_t kJaw = find_move(Area::chin, Side::none, "down").value();
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
@@ -160,7 +174,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
   hide_teeth(ink, skin.positions, drawing);
-  sink_lower_teeth(ink, asked, drawing);
+  sink_lower_teeth(ink, asked, measure_gap_mm(ink, skin.positions), drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
@@ -168,15 +182,17 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     caster.positions[v] = skin.positions[v] - ink.below_mm[v] * buffers.tones[v];
 
   const float beside = measure_beside(ink, view, skin.positions);
-  lift_tones(beside, buffers.tones);
+  lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
   place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
     buffers.turn.resize(skin.positions.size());
+    buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
       const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside);
+      buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }
     append_away(view, ink.hull_triangles, buffers, buffers.turn, outline);
@@ -225,10 +241,13 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const DoctrineData& doctrines = ink.data->doctrines;
   const Pose pose = resolve_folds(
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
+  const float gap_mm = measure_gap_mm(ink, skin.positions);
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);
-    return stroke.rule.is_of_shut_jaw ? 1 - beside * smooth_step(kOpening, kOpen, pose.values[kJaw]) : 1.0;
+    if (stroke.rule.is_of_shut_jaw) return 1 - beside * smooth_step(kOpening, kOpen, pose.values[kJaw]);
+    if (stroke.rule.is_seam) return static_cast<double>(smooth_step(kMet_mm, kParted_mm, gap_mm));
+    return stroke.rule.is_of_front ? 1.0 - beside : 1.0;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm), view.line_mm,
                             ink.eye_size};

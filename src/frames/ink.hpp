@@ -64,6 +64,7 @@ struct InkBuffers {
   std::vector<glm::vec3> soft, tones, turn;
   InkToneBuffers tone;
   std::vector<std::uint32_t> used;
+  std::vector<float> thick;  // of the skin's hull, of each vertex, 0..1
 };
 
 // Makes the drawing of the figure in a pose into one of ink.model, where it stands in the world.

@@ -142,6 +142,13 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions, 
       places.emplace_back(positions[i], kBridge_mm);
     if (has_prefix(name, "nr_") || has_prefix(name, "ni_")) nostrils.push_back(positions[i]);
   }
+  // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
+  constexpr float kButton_mm = 7.4f;  // how far its tip stands out over the lip
+  const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
+  if (find("p_tip").z - find("M5_0").z < kButton_mm * ink.eye_size) {
+    places.emplace_back(find("p_tip"), kNose_mm);
+    for (const glm::vec3& place : nostrils) places.emplace_back(place, kNose_mm);
+  }
   std::vector<bool> is_none;
   for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v) {
     is_none.push_back(std::ranges::any_of(

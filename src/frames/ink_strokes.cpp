@@ -25,13 +25,15 @@ const std::vector<StrokeRule>& list_stroke_rules() {
       {.name = "lower_lashes",
        .points = {"E1_15", "E1_14", "E1_13", "E1_12", "E1_11", "E1_10", "E1_9", "E1_8"},
        .is_ridge = true,
+       .faced = 0.08f,
        .widths = {{0, 0.05}, {0.3, 0.3}, {0.6, 0.45}, {0.85, 0.7}, {1, 0.5}},
        .lift_mm = 0.3,
-       .flat = 0.4},
+       .flat = 0.4,
+       .from = 0.2},
       {.name = "crease",
        .points = {"E3_1", "E3_2", "E3_3", "E3_4", "E3_5", "E3_6", "E3_7"},
        .is_ridge = true,
-       .lies_in_profile = true,
+       .is_of_front = true,
        .widths = {{0, 0.02}, {0.3, 0.55}, {0.7, 0.6}, {1, 0.02}},
        .lift_mm = 1.3,
        .flat = 0.7},
@@ -53,6 +55,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .points = {"R:M1_6", "R:M1_7", "R:M1_8", "R:M1_9", "R:M1_10", "R:M1_11", "M1_12", "M1_11", "M1_10",
                   "M1_9", "M1_8", "M1_7", "M1_6"},
        .is_sided = false,
+       .is_seam = true,
        .lies_in_profile = true,
        .widths = {{0, 0.4}, {0.06, 0.7}, {0.5, 0.5}, {0.94, 0.7}, {1, 0.4}},
        .lift_mm = 1,
@@ -197,7 +200,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // A stroke dives into the skin where it gets thinner than that, in lines: a fold's grows from its middle,
   // and none is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
-  constexpr float kAside = 0.04f, kFaced = 0.22f;  // of a ridge: cosines of its normal's angle to the view
+  constexpr float kAside =
+      0.2f;  // of a ridge that is seen whole, the cosine of its normal's angle to the view
   constexpr float kShown = 0.3f;
   constexpr float kProfile = 0.1f, kEdge = 0.1f, kFace = 0.5f;  // of its lift; cosines as well
   const StrokeRule& rule = stroke.rule;
@@ -249,8 +253,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
     const double unit = rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm;
     // Of ridges and of folds no more is drawn where they are seen along.
-    const float faced =
-        smooth_step(kAside, kFaced, glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
+    const float faced = smooth_step(kAside * rule.faced, rule.faced,
+                                    glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
     const float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];

@@ -158,4 +158,10 @@ void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
   at.x = 0;  // the sine of 180 degrees is not quite 0
 }
 
+bool has_part(const HairScene& scene) {
+  constexpr double kOrderly_deg = 9.5, kWide_deg = 20;  // of disorder; of its length
+  const HairComb& comb = scene.cut.comb;
+  return !comb.is_gathered && comb.jitter_deg <= kOrderly_deg && comb.to_deg - comb.from_deg >= kWide_deg;
+}
+
 }  // namespace mien

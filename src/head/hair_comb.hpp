@@ -51,4 +51,7 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
 // Where gathered hair meets: on the skin, and the way out from it.
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);
 
+// Whether hair is combed in order to both sides of a line that one can see.
+bool has_part(const HairScene& scene);
+
 }  // namespace mien

@@ -358,6 +358,7 @@ void append_drawn_strays(HeadPart& part, const HairScene& scene) {
   constexpr std::array<DrawnStray, 2> kCrown{{{-170, 0.1, 30, 15, 1.25, 60}, {160, 0.16, 22, 11, 1.2, 150}}};
   constexpr std::array<DrawnStray, 2> kTemples{{{57, 0.93, 58, 9, 0.5}, {-61, 0.95, 44, 7, 0.6}}};
   if (scene.cut.locks.curl_mm > 0) return;
+  if (has_part(scene) && !scene.cut.covers_ears) return;  // hair that is combed
   if (scene.cut.comb.is_gathered)
     for (const DrawnStray& stray : kTemples) append_temple_stray(part, scene, stray);
   else

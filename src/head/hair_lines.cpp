@@ -70,12 +70,6 @@ void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
   }
 }
 
-bool has_part(const HairScene& scene) {
-  constexpr double kOrderly_deg = 9.5, kWide_deg = 20;  // of disorder; of its length
-  const HairComb& comb = scene.cut.comb;
-  return !comb.is_gathered && comb.jitter_deg <= kOrderly_deg && comb.to_deg - comb.from_deg >= kWide_deg;
-}
-
 void add_part_line(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kPlaces = 14;
   if (!has_part(scene)) return;
@@ -245,7 +239,7 @@ void begin_at_edge(const HairScene& scene, const Mesh& mass, std::size_t column,
   std::vector<MeshPlace> groove;
   for (const std::uint32_t v : list_drawn_column(column)) {
     const MeshPlace place{{v, v, v}, {1, 0, 0}};
-    if (!groove.empty() && glm::distance(find(place), find(groove.front())) > kGroove_mm * scene.chart.size)
+    if (groove.size() > 1 && glm::distance(find(place), find(groove.front())) > kGroove_mm * scene.chart.size)
       break;
     groove.push_back(place);
   }
