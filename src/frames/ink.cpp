@@ -93,7 +93,7 @@ void make_unit(std::vector<glm::vec3>& normals) {
 void append_away(const InkView& view, const std::vector<Triangle>& triangles, InkBuffers& buffers,
                  const std::vector<glm::vec3>& hull, PartShape& shape) {
   constexpr auto kUnused = static_cast<std::uint32_t>(-1);
-  constexpr float kThread = 0.2f;
+  constexpr float kThread = 0.3f;
   const glm::vec3 camera(view.camera_mm);
   buffers.used.assign(hull.size(), kUnused);
   for (const Triangle& t : triangles) {

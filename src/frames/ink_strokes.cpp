@@ -47,6 +47,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .points = {"R:M1_6", "R:M1_5", "R:M1_4", "R:M1_3", "R:M1_2", "R:M1_1", "M1_0", "M1_1", "M1_2", "M1_3",
                   "M1_4", "M1_5", "M1_6"},
        .is_sided = false,
+       .is_smooth = true,
        .lies_in_profile = true,
        .widths = {{0, 0.4}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.4}},
        .lift_mm = 1.2,
@@ -203,6 +204,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   constexpr float kAside =
       0.2f;  // of a ridge that is seen whole, the cosine of its normal's angle to the view
   constexpr float kShown = 0.3f;
+  constexpr int kRounds = 3;
   constexpr float kProfile = 0.1f, kEdge = 0.1f, kFace = 0.5f;  // of its lift; cosines as well
   const StrokeRule& rule = stroke.rule;
   if (stroke.fold) {  // one that is nowhere thicker would be a speck
@@ -231,6 +233,12 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     for (const std::uint32_t point : stroke.facing) facing += ground.normals[point];
     for (glm::vec3& up : ups) up = glm::normalize(0.3f * up + 0.8f * glm::normalize(facing));
   }
+  if (rule.is_smooth)
+    for (int round = 0; round < kRounds; ++round) {
+      const std::vector<glm::vec3> before = line;
+      for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        line[i] = 0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1];
+    }
   if (rule.wing != glm::vec3(0)) {
     // Beyond the outer corner, told in the frame of the skin there.
     const glm::vec3 along = glm::normalize(line.back() - line[line.size() - 3]);

@@ -22,6 +22,7 @@ struct StrokeRule {
   float faced = 0.22f;          // there it is drawn whole: the cosine of its normal's angle to the view
   bool is_of_shut_jaw = false;  // seen from the side, an open jaw goes over into the throat without it
   bool is_of_front = false;     // seen from the side it would fork off another
+  bool is_smooth = false;       // no waves: drawn along the mean of its points
   bool is_seam = false;         // where lips all but meet one line is enough: this one fades
   bool is_brow = false;         // in the brow's colour, its widths mm on an adult's eye of 16 mm
   bool is_on_hair = false;      // its points are those of the mass of hair
