@@ -249,8 +249,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     if (stroke.rule.is_seam) return static_cast<double>(smooth_step(kMet_mm, kParted_mm, gap_mm));
     return stroke.rule.is_of_front ? 1.0 - beside : 1.0;
   };
-  const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm), view.line_mm,
-                            ink.eye_size};
+  const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),
+                            view.line_mm,   ink.eye_size, beside};
   for (const InkStroke& stroke : ink.strokes)
     if (!stroke.rule.is_on_hair)
       append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);

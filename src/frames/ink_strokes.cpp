@@ -25,6 +25,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
       {.name = "lower_lashes",
        .points = {"E1_15", "E1_14", "E1_13", "E1_12", "E1_11", "E1_10", "E1_9", "E1_8"},
        .is_ridge = true,
+       .in_profile = 2,
        .faced = 0.08f,
        .widths = {{0, 0.05}, {0.3, 0.3}, {0.6, 0.45}, {0.85, 0.7}, {1, 0.5}},
        .lift_mm = 0.3,
@@ -237,7 +238,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     for (int round = 0; round < kRounds; ++round) {
       const std::vector<glm::vec3> before = line;
       for (std::size_t i = 1; i + 1 < line.size(); ++i)
-        line[i] = 0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1];
+        line[i] = glm::mix(0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1], before[i],
+                           ground.beside);
     }
   if (rule.wing != glm::vec3(0)) {
     // Beyond the outer corner, told in the frame of the skin there.
@@ -259,7 +261,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   }
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
-    const double unit = rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm;
+    const double unit = std::lerp(1.0f, rule.in_profile, ground.beside) *
+                        (rule.is_brow ? ground.eye_size * 13 / kBrowEye_mm : ground.line_mm);
     // Of ridges and of folds no more is drawn where they are seen along.
     const float faced = smooth_step(kAside * rule.faced, rule.faced,
                                     glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));

@@ -19,6 +19,7 @@ struct StrokeRule {
   std::vector<const char*> points;  // of the left half, or "R:..." of the right one; inner to outer
   bool is_sided = true;             // drawn on both sides
   bool is_ridge = false;        // drawn where the skin faces the camera: beside an outline it would double it
+  float in_profile = 1;         // how much thicker it is where the head is seen from the side
   float faced = 0.22f;          // there it is drawn whole: the cosine of its normal's angle to the view
   bool is_of_shut_jaw = false;  // seen from the side, an open jaw goes over into the throat without it
   bool is_of_front = false;     // seen from the side it would fork off another
@@ -69,6 +70,7 @@ struct StrokeGround {
   const std::vector<glm::vec3>&positions, &normals;
   glm::vec3 camera_mm{0, 0, 900};
   double line_mm = 1, eye_size = 1;
+  float beside = 0;  // 1: the head is seen from the side
 };
 
 // Appends the vertices of a stroke; `amount` is how much there is of it, 0..1.
