@@ -25,14 +25,14 @@ float measure_gap_mm(const Ink& ink, const std::vector<glm::vec3>& skin) {
 // The lower teeth and their gum, which are as dark as the mouth, would leave their scallops on the tongue:
 // all three lie lower, or it would fill the mouth. One that comes out lies where it did.
 void sink_lower_teeth(const Ink& ink, const Pose& pose, float gap_mm, Drawing& drawing) {
-  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;    // of the upper ones' height
-  constexpr float kLower = 0.8f, kNarrow_mm = 7, kWide_mm = 15;  // a mouth that is not wide open has none
+  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;  // of the upper ones' height
+  // Between lips that are parted and no more it is not seen: it would be a wedge of red at their corner.
+  constexpr float kLower = 0.35f, kShut_mm = 1, kParted_mm = 7, kWide_mm = 15;
+  const float parted = smooth_step(kShut_mm, kParted_mm, gap_mm) - smooth_step(kParted_mm, kWide_mm, gap_mm);
   const auto out = static_cast<float>(pose.values[*find_move(Area::tongue, Side::none, "out")]);
+  const float sunk = (1 - std::clamp(out, 0.0f, 1.0f)) * (kTongue + kLower * parted);
   PartShape& tongue = drawing.parts[ink.tongue];
-  shift(-(1 - std::clamp(out, 0.0f, 1.0f)) * ink.teeth_high_mm *
-            (kTongue + kLower * (1 - smooth_step(kNarrow_mm, kWide_mm, gap_mm))) *
-            glm::vec3(tongue.world_from_rest[1]),
-        tongue);
+  shift(-sunk * ink.teeth_high_mm * glm::vec3(tongue.world_from_rest[1]), tongue);
   for (const std::size_t part : ink.lower) {
     PartShape& shape = drawing.parts[part];
     const glm::vec3 up(shape.world_from_rest[1]), forward(shape.world_from_rest[2]);

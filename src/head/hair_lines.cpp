@@ -243,11 +243,18 @@ void begin_at_edge(const HairScene& scene, const Mesh& mass, std::size_t column,
       break;
     groove.push_back(place);
   }
+  // Hair that is combed across the groove goes another way: the line ends with it.
+  constexpr double kStraight = 0.8;  // cosine
   const glm::dvec3 corner = find(groove.front());
   const double gone_mm = glm::distance(find(groove.back()), corner) + kGap_mm * scene.chart.size;
-  const auto rest = std::ranges::find_if(
-      places, [&](const MeshPlace& place) { return glm::distance(find(place), corner) > gone_mm; });
-  groove.insert(groove.end(), rest, places.end());
+  glm::dvec3 way = glm::normalize(find(groove.back()) - corner);
+  for (const MeshPlace& place : places) {
+    if (glm::distance(find(place), corner) < gone_mm) continue;
+    const glm::dvec3 on = glm::normalize(find(place) - find(groove.back()));
+    if (glm::dot(on, way) < kStraight) break;
+    way = on;
+    groove.push_back(place);
+  }
   places = std::move(groove);
 }
 
