@@ -3,11 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "frames/ink.hpp"
+#include "frames/ink_strokes.hpp"
+#include "head/cage.hpp"
 #include "shipped.hpp"
 #include "timeline/head_turn.hpp"
 
@@ -62,6 +67,36 @@ inline std::size_t find_part(const Model& model, std::string_view name) {
     if (model.parts[i].name == name) return i;
   ADD_FAILURE() << "no part " << name;
   return 0;
+}
+
+// The vertices of a stroke among the lines: the first one of that name.
+inline std::vector<glm::vec3> find_stroke(const Subject& subject, const Drawing& drawing,
+                                          std::string_view name) {
+  std::size_t first = 0;
+  for (const InkStroke& stroke : subject.ink.strokes) {
+    if (stroke.rule.name == name) break;
+    if (!stroke.rule.is_brow) first += kStrokeVertices;
+  }
+  const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+  EXPECT_LE(first + kStrokeVertices, p.size()) << name;
+  const auto begin = p.begin() + static_cast<std::ptrdiff_t>(first);
+  return {begin, begin + kStrokeVertices};
+}
+
+// How far the skin's outline stands off the skin, at most, so near to a point of the cage.
+inline double measure_outline_mm(const Subject& subject, const char* name, float reach_mm,
+                                 const InkView& view) {
+  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, view);
+  const glm::vec3 at = drawing.parts.front().positions[find_point(subject.figure.head.cage, name)];
+  double off_mm = 0;
+  for (const glm::vec3& p : drawing.parts[subject.ink.first_outline].positions) {
+    if (glm::distance(p, at) > reach_mm) continue;
+    float nearest = 1e9f;
+    for (const glm::vec3& v : drawing.parts.front().positions)
+      nearest = std::min(nearest, glm::distance(v, p));
+    off_mm = std::max(off_mm, static_cast<double>(nearest));
+  }
+  return off_mm;
 }
 
 }  // namespace mien

@@ -58,10 +58,9 @@ void draw_in(const Ink& ink, float share, PartShape& teeth) {
 }
 
 // Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
-void hide_teeth(const Ink& ink, const std::vector<glm::vec3>& skin, Drawing& drawing) {
+void hide_teeth(const Ink& ink, float gap_mm, Drawing& drawing) {
   constexpr float kHidden_mm = 4.0f, kShown_mm = 6.0f;  // between an adult's lips
   constexpr float kUp = 0.35f, kBack = 0.35f;  // of the teeth's height: more, and the tongue comes out below
-  const float gap_mm = measure_gap_mm(ink, skin);
   const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
   if (hidden == 0) return;
   PartShape& teeth = drawing.parts[ink.teeth];
@@ -129,7 +128,8 @@ float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm:
 }
 
 // In profile the shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner
-// would have a blotch of it there, lids and lips, where nothing has an outline, chips.
+// would have a blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of
+// shade.
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
   constexpr float kLit = 0.7f;
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
@@ -173,8 +173,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
-  hide_teeth(ink, skin.positions, drawing);
-  sink_lower_teeth(ink, asked, measure_gap_mm(ink, skin.positions), drawing);
+  const float gap_mm = measure_gap_mm(ink, skin.positions);
+  hide_teeth(ink, gap_mm, drawing);
+  sink_lower_teeth(ink, asked, gap_mm, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
@@ -241,7 +242,6 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const DoctrineData& doctrines = ink.data->doctrines;
   const Pose pose = resolve_folds(
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
-  const float gap_mm = measure_gap_mm(ink, skin.positions);
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);

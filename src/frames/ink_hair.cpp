@@ -72,8 +72,7 @@ void append_hair_line(const InkStroke& stroke, const StrokeGround& ground, const
   constexpr float kLift_mm = 2.4f;                // toward the camera: facets bulge between its places
   constexpr float kAside = 0.12f, kFaced = 0.4f;  // cosines of its normal to the view
   constexpr float kDived_mm = 4;
-  constexpr float kThin = 0.16f,
-                  kDrawn = 0.26f;  // half a line's width, in lines: thinner, and it is a row of dots
+  constexpr float kThin = 0.16f, kDrawn = 0.26f;  // half its width, in lines: thinner, it would be dots
   std::vector<glm::vec3> way;
   for (const StrokePoint& place : stroke.points) {
     glm::vec3 at(0);

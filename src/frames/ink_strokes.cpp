@@ -202,10 +202,9 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // A stroke dives into the skin where it gets thinner than that, in lines: a fold's grows from its middle,
   // and none is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
-  constexpr float kAside =
-      0.2f;  // of a ridge that is seen whole, the cosine of its normal's angle to the view
+  constexpr float kAside = 0.2f;  // of a rule's `faced`: there nothing is drawn
   constexpr float kShown = 0.3f;
-  constexpr int kRounds = 3;
+  constexpr int kRounds = 3;                                    // of smoothing
   constexpr float kProfile = 0.1f, kEdge = 0.1f, kFace = 0.5f;  // of its lift; cosines as well
   const StrokeRule& rule = stroke.rule;
   if (stroke.fold) {  // one that is nowhere thicker would be a speck

@@ -168,7 +168,7 @@ double measure_length(const std::vector<glm::dvec3>& way) {
   return length;
 }
 
-// Not past the edge of the mass, which `edge` is; anywhere without one.
+// Not past `edge`, that of the mass; anywhere where it is empty.
 bool is_in_mass(const std::vector<DrawnEdge>& edge, const HairPlace& place) {
   constexpr double kPast = 0.01;
   if (edge.empty()) return true;
@@ -183,7 +183,7 @@ bool is_in_mass(const std::vector<DrawnEdge>& edge, const HairPlace& place) {
 // No line leaves the hair or crosses one before it: it ends where it would, and short ones are none.
 void part_lines(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr double kApart_mm = 8, kLeast_mm = 16;
-  // Over a free ear hair ends high; what falls to both sides of a lock's tip is parted enough.
+  // A line would go on over a free ear; hair that covers ears has none where it could leave it.
   const std::vector<DrawnEdge> edge =
       scene.cut.covers_ears ? std::vector<DrawnEdge>{} : trace_drawn_edge(scene);
   std::vector<std::vector<glm::dvec3>> ways;

@@ -5,7 +5,6 @@
 
 #include "drawn_subject.hpp"
 #include "head/cage.hpp"
-#include "head/hair_lines.hpp"
 
 namespace mien {
 namespace {
@@ -21,18 +20,6 @@ const Subject& child() {
   return subject;
 }
 
-// The vertices of a stroke among the lines.
-std::vector<glm::vec3> find_stroke(const Subject& subject, const Drawing& drawing, std::string_view name) {
-  std::size_t first = 0;
-  for (const InkStroke& stroke : subject.ink.strokes) {
-    if (stroke.rule.name == name) break;
-    if (!stroke.rule.is_brow) first += kStrokeVertices;
-  }
-  const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
-  const auto begin = p.begin() + static_cast<std::ptrdiff_t>(first);
-  return {begin, begin + kStrokeVertices};
-}
-
 double measure_width(const std::vector<glm::vec3>& stroke) {
   double most = 0;
   for (std::size_t ring = 0; ring < stroke.size(); ring += kStrokeSpokes)
@@ -40,27 +27,15 @@ double measure_width(const std::vector<glm::vec3>& stroke) {
   return most;
 }
 
-// How far the outline stands off the skin at a point: what it moved along the normal there.
-double measure_outline_mm(const Subject& subject, const char* name, const glm::dvec3& camera_mm) {
-  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {camera_mm, {0, 0.6, 0.8}, 1});
-  const glm::vec3 at = drawing.parts.front().positions[find_point(subject.figure.head.cage, name)];
-  double off = 0;
-  for (const glm::vec3& p : drawing.parts[subject.ink.first_outline].positions) {
-    if (glm::distance(p, at) > 3) continue;
-    float nearest = 1e9f;
-    for (const glm::vec3& v : drawing.parts.front().positions)
-      nearest = std::min(nearest, glm::distance(v, p));
-    off = std::max(off, static_cast<double>(nearest));
-  }
-  return off;
-}
-
 TEST(ink_profile, lips_and_the_bridge_of_the_nose_have_an_outline) {
+  const auto measure = [](const Subject& subject, const char* name, const glm::dvec3& camera_mm) {
+    return measure_outline_mm(subject, name, 3, {camera_mm, {0, 0.6, 0.8}, 1});
+  };
   for (const char* name : {"M3_0", "M3_12", "p_b1"}) {
-    EXPECT_GT(measure_outline_mm(child(), name, kBeside_mm), 0.4) << name;
-    EXPECT_GT(measure_outline_mm(comic(), name, kBeside_mm), 0.4) << name;
+    EXPECT_GT(measure(child(), name, kBeside_mm), 0.4) << name;
+    EXPECT_GT(measure(comic(), name, kBeside_mm), 0.4) << name;
   }
-  for (const char* name : {"M3_0", "M3_12"}) EXPECT_LT(measure_outline_mm(comic(), name, kBefore_mm), 0.2);
+  for (const char* name : {"M3_0", "M3_12"}) EXPECT_LT(measure(comic(), name, kBefore_mm), 0.2) << name;
 }
 
 TEST(ink_profile, the_crease_of_the_lid_is_of_the_front) {
@@ -145,102 +120,6 @@ TEST(ink_profile, a_button_of_a_nose_casts_no_shadow) {
   };
   EXPECT_TRUE(casts(comic()));
   EXPECT_FALSE(casts(child()));
-}
-
-// Places of a line on the hair's mass.
-std::vector<glm::vec3> find_places(const HairLine& line, const Mesh& mass) {
-  std::vector<glm::vec3> places;
-  for (const MeshPlace& place : line.places) {
-    glm::vec3& at = places.emplace_back(0);
-    for (int i = 0; i < 3; ++i) at += place.shares[i] * mass.positions[place.vertices[i]];
-  }
-  return places;
-}
-
-struct HairSubject {
-  Subject subject;
-  const Mesh* mass;
-  std::vector<HairLine> lines;
-};
-
-HairSubject build_hair(const char* cut) {
-  HeadSpec spec = make_spec("comic");
-  spec.hair = cut;
-  HairSubject hair{build_subject(spec), nullptr, {}};
-  const Model& model = hair.subject.figure.model;
-  hair.mass = &model.parts[find_part(model, "hair_mass")].rest;
-  hair.lines = list_hair_lines(hair.subject.figure.head, cut, *hair.mass);
-  return hair;
-}
-
-// Over a free ear hair ends: a line from before it to behind it would lie across the ear.
-TEST(hair_lines, lie_on_the_hair_all_their_way) {
-  for (const char* cut : {"side_part", "crop"}) {
-    const HairSubject hair = build_hair(cut);
-    ASSERT_FALSE(hair.lines.empty());
-    for (const HairLine& line : hair.lines) {
-      const std::vector<glm::vec3> places = find_places(line, *hair.mass);
-      for (std::size_t i = 1; i < places.size(); ++i) {
-        const glm::vec3 middle = 0.5f * (places[i - 1] + places[i]);
-        float nearest = 1e9f;
-        for (const glm::vec3& v : hair.mass->positions) nearest = std::min(nearest, glm::distance(v, middle));
-        EXPECT_LT(nearest, 10) << cut;
-      }
-    }
-  }
-}
-
-// Where locks part the line begins in the corner between them.
-TEST(hair_lines, begin_where_locks_part) {
-  const HairSubject hair = build_hair("bob");
-  std::size_t partings = 0;
-  for (const HairLine& line : hair.lines) {
-    if (line.begins != 0.7) continue;
-    const MeshPlace& first = line.places.front();
-    EXPECT_EQ(first.vertices[0], first.vertices[1]);
-    EXPECT_EQ(first.shares.x, 1);
-    EXPECT_EQ(line.places[1].vertices[0] + 1, first.vertices[0]) << "up the column of the corner";
-    ++partings;
-  }
-  EXPECT_GT(partings, 5U);
-}
-
-TEST(hair_lines, mark_the_edge_where_it_meets_the_skin) {
-  const HairSubject hair = build_hair("side_part");
-  const std::vector<glm::vec3>& skin = hair.subject.figure.model.parts.front().rest.positions;
-  std::size_t edges = 0, places = 0, on_skin = 0;
-  for (const HairLine& line : hair.lines) {
-    if (line.begins != line.width || line.width != line.ends) continue;
-    for (const glm::vec3& place : find_places(line, *hair.mass)) {
-      float nearest = 1e9f;
-      for (const glm::vec3& v : skin) nearest = std::min(nearest, glm::distance(v, place));
-      ++places;
-      on_skin += nearest < 3.5f ? 1 : 0;  // over an ear there is none below it
-    }
-    ++edges;
-  }
-  EXPECT_GT(edges, 6U);
-  EXPECT_GT(static_cast<double>(on_skin), 0.9 * static_cast<double>(places));
-}
-
-// A tuft would stand off it as two stubs.
-TEST(hair_lines, hair_that_is_combed_has_no_tuft) {
-  const auto count_bodies = [](const char* cut) {
-    const HairSubject hair = build_hair(cut);
-    std::vector<std::uint32_t> body(hair.mass->positions.size());
-    for (std::uint32_t v = 0; v < body.size(); ++v) body[v] = v;
-    const auto find = [&](std::uint32_t v) {
-      while (body[v] != v) v = body[v] = body[body[v]];
-      return v;
-    };
-    for (const Triangle& t : hair.mass->triangles)
-      for (int i = 0; i < 3; ++i) body[find(t[i])] = find(t[(i + 1) % 3]);
-    std::size_t count = 0;
-    for (std::uint32_t v = 0; v < body.size(); ++v) count += find(v) == v ? 1 : 0;
-    return count;
-  };
-  EXPECT_EQ(count_bodies("side_part"), 1U);
-  EXPECT_EQ(count_bodies("crop"), 3U);
 }
 
 }  // namespace

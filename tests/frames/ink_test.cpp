@@ -354,14 +354,9 @@ TEST(ink, lines_are_as_wide_as_the_view_says) {
 
 // How broad a stroke of the lines is in its middle.
 double measure_middle(const Subject& subject, const Drawing& drawing, std::string_view name) {
-  std::size_t first = 0;
-  for (const InkStroke& stroke : subject.ink.strokes) {
-    if (stroke.rule.name == name) break;
-    if (!stroke.rule.is_brow) first += kStrokeVertices;
-  }
-  const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
-  const std::size_t ring = first + kStrokeSteps / 2 * kStrokeSpokes;
-  return glm::distance(p.at(ring), p.at(ring + kStrokeSpokes / 2));
+  const std::vector<glm::vec3> stroke = find_stroke(subject, drawing, name);
+  constexpr std::size_t kRing = kStrokeSteps / 2 * kStrokeSpokes;
+  return glm::distance(stroke[kRing], stroke[kRing + kStrokeSpokes / 2]);
 }
 
 TEST(ink, the_line_of_the_jaw_gives_way_to_the_outline) {
@@ -374,22 +369,15 @@ TEST(ink, the_line_of_the_jaw_gives_way_to_the_outline) {
 // In profile a line that stands before the lips would leave a strip of the ground between.
 TEST(ink, lines_of_the_lips_lie_on_them_in_profile) {
   const Subject& subject = comic();
-  std::size_t first = 0;
-  for (const InkStroke& stroke : subject.ink.strokes) {
-    if (std::string_view(stroke.rule.name) == "upper_lip") break;
-    if (!stroke.rule.is_brow) first += kStrokeVertices;
-  }
   const std::uint32_t lip = subject.ink.lips.front();
   const auto measure_mm =
       [&](const glm::dvec3& camera_mm) {  // of the line's middle off the middle of the lip
         const Drawing drawing =
             draw(subject, make_pose({{"chin.down", 0.6}}), TurnKey{}, {camera_mm, {0, 0, 1}, 1});
-        const std::vector<glm::vec3>& p = drawing.parts[find_part(subject.ink.model, "lines")].positions;
+        const std::vector<glm::vec3> stroke = find_stroke(subject, drawing, "upper_lip");
         glm::vec3 middle(0);
-        for (int ring = kStrokeSteps / 2 - 1; ring <= kStrokeSteps / 2; ++ring)
-          for (int k = 0; k < kStrokeSpokes; ++k)
-            middle +=
-                p.at(first + static_cast<std::size_t>(ring * kStrokeSpokes + k)) / (2.0f * kStrokeSpokes);
+        for (std::size_t v = 0; v < std::size_t{2} * kStrokeSpokes; ++v)
+          middle += stroke[(kStrokeSteps / 2 - 1) * kStrokeSpokes + v] / (2.0f * kStrokeSpokes);
         return glm::distance(middle, drawing.parts.front().positions[lip]);
       };
   EXPECT_LT(measure_mm({900, -60, 80}), 0.5 * measure_mm({0, 0, 900}));
@@ -397,24 +385,11 @@ TEST(ink, lines_of_the_lips_lie_on_them_in_profile) {
 
 // From the side the bag below the eye has no outline, which would look like a tear; from elsewhere it has.
 TEST(ink, no_line_runs_down_from_the_eye_in_profile) {
-  const Subject& subject = comic();
-  const std::uint32_t bag = find_point(subject.figure.head.cage, "E4_15");
-  const auto measure_off = [&](const glm::dvec3& camera_mm) {  // of the outline, from the skin it stands off
-    const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
-    const glm::vec3 at = drawing.parts.front().positions[bag];
-    const std::vector<glm::vec3>& hull = drawing.parts[subject.ink.first_outline].positions;
-    double off = 0;
-    for (const glm::vec3& p : hull) {
-      if (glm::distance(p, at) > 6) continue;
-      float nearest = 1e9f;
-      for (const glm::vec3& v : drawing.parts.front().positions)
-        nearest = std::min(nearest, glm::distance(v, p));
-      off = std::max(off, static_cast<double>(nearest));
-    }
-    return off;
+  const auto measure = [](const glm::dvec3& camera_mm) {
+    return measure_outline_mm(comic(), "E4_15", 6, {camera_mm, {0, 0, 1}, 1});
   };
-  EXPECT_LT(measure_off({900, -40, 80}), 0.15);
-  EXPECT_GT(measure_off({-600, -40, 650}), 0.3);
+  EXPECT_LT(measure({900, -40, 80}), 0.15);
+  EXPECT_GT(measure({-600, -40, 650}), 0.3);
 }
 
 TEST(ink, an_open_mouth_is_dark_in_profile) {
@@ -498,6 +473,23 @@ TEST(ink, lips_cast_no_shadow_and_a_nose_does_unless_it_is_a_button) {
   for (const char* name : {"M1_0", "M1_6", "M1_12", "M2_5", "q12_C1"}) EXPECT_FALSE(is_in(name)) << name;
   for (const char* name : {"p_b1", "c2_s"}) EXPECT_FALSE(is_in(name)) << name;
   for (const char* name : {"p_tip", "q12_C4", "m12_D1"}) EXPECT_TRUE(is_in(name)) << name;
+}
+
+// The rims of nostrils would cast crumbs; without any skin there a nose's shadow would end as its triangles
+// do.
+TEST(ink, what_casts_lies_deep_in_the_skin_at_the_nostrils) {
+  const Subject& subject = comic();
+  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {});
+  const std::vector<glm::vec3>& caster = drawing.parts[subject.ink.caster].positions;
+  const auto measure_mm = [&](const char* name) {  // on an adult's head
+    const std::uint32_t point = find_point(subject.figure.head.cage, name);
+    return glm::distance(caster[point], drawing.parts.front().positions[point]) / subject.ink.eye_size;
+  };
+  for (const char* name : {"nr_0", "nr_4", "ni_2"}) EXPECT_NEAR(measure_mm(name), 3, 0.01) << name;
+  for (const char* name : {"q12_C4", "m12_D1", "p_F2"}) EXPECT_NEAR(measure_mm(name), 0.9, 0.01) << name;
+  EXPECT_EQ(subject.ink.below_mm.size(), caster.size());
+  EXPECT_EQ(subject.ink.hull.size(), subject.figure.folds.skin.vertex_count());
+  EXPECT_EQ(subject.ink.hull_beside.size(), subject.ink.hull.size());
 }
 
 // Where the skin between the eyes is dark: nowhere, whatever a face does. The nose has one shade below it.
