@@ -6,6 +6,7 @@
 
 #include "core/smooth.hpp"
 #include "frames/ink_hair.hpp"
+#include "frames/ink_profile.hpp"
 #include "frames/ink_strokes.hpp"
 
 namespace mien {
@@ -119,40 +120,6 @@ float find_thickness(const InkView& view, const glm::vec3& normal) {
   return static_cast<float>(view.line_mm) * (kLit + kShaded * smooth_step(-0.2f, 0.9f, away));
 }
 
-// Whether the head is seen from the side: 0 up to three-quarter view, 1 in profile.
-float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
-  constexpr float kQuarter = 0.88f, kProfile = 0.98f;  // sines of the camera's way round the head
-  const glm::vec3 &left = skin[ink.sides[0]], &right = skin[ink.sides[1]];
-  const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
-  return smooth_step(kQuarter, kProfile, std::abs(glm::dot(to_camera, glm::normalize(left - right))));
-}
-
-// In profile the shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner
-// would have a blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of
-// shade.
-void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
-  constexpr float kLit = 0.7f;
-  constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
-  if (beside == 0) return;
-  for (std::size_t v = 0; v < tones.size(); ++v)
-    tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.hull[v])));
-  for (glm::vec3& tone : tones) {
-    if (tone.y >= 0 || tone.y <= kDown) continue;
-    const float lifted = tone.y > kMiddle ? tone.y * kLifted / kMiddle
-                                          : glm::mix(kLifted, kDown, (tone.y - kMiddle) / (kDown - kMiddle));
-    tone.y = glm::mix(tone.y, lifted, beside);
-    tone = glm::normalize(tone);
-  }
-}
-
-// From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
-void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet) {
-  const glm::vec3 throat = 0.5f * (skin[ink.sheet_points[ink.sheet_points.size() - 1]] +
-                                   skin[ink.sheet_points[ink.sheet_points.size() - 2]]);
-  sheet.positions.clear();
-  for (const std::uint32_t v : ink.sheet_points) sheet.positions.push_back(glm::mix(throat, skin[v], beside));
-}
-
 void clear_shape(PartShape& shape) {
   shape.positions.clear();
   shape.normals.clear();
@@ -163,11 +130,11 @@ void clear_shape(PartShape& shape) {
 
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
-  constexpr double kOpening = 0.08, kOpen = 0.35;  // of the jaw
   constexpr float kMet_mm = 1.2f, kParted_mm = 3;  // between an adult's lips
-  static const std::size_t kJaw = find_move(Area::chin, Side::none, "down").value();
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
+  const float beside = measure_beside(ink, view, skin.positions);
+  widen_eyes(ink, beside, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
@@ -180,9 +147,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
   for (std::size_t v = 0; v < caster.positions.size(); ++v)
-    caster.positions[v] = skin.positions[v] - ink.below_mm[v] * buffers.tones[v];
+    caster.positions[v] =
+        skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
 
-  const float beside = measure_beside(ink, view, skin.positions);
   lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
   place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
@@ -245,7 +212,6 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);
-    if (stroke.rule.is_of_shut_jaw) return 1 - beside * smooth_step(kOpening, kOpen, pose.values[kJaw]);
     if (stroke.rule.is_seam) return static_cast<double>(smooth_step(kMet_mm, kParted_mm, gap_mm));
     return stroke.rule.is_of_front ? 1.0 - beside : 1.0;
   };

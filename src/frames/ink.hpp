@@ -29,11 +29,14 @@ struct Ink {
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
-  std::size_t caster = 0;       // in `model`: what the skin's shadow is cast by
-  std::vector<float> below_mm;  // of each of its vertices: how deep it lies in the skin
+  std::size_t caster = 0;              // in `model`: what the skin's shadow is cast by
+  std::vector<float> below_mm;         // of each of its vertices: how deep it lies in the skin
+  std::vector<float> below_beside_mm;  // and where the head is seen from the side
   std::size_t first_outline =
       0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
-  std::size_t sheet = 0;  // in `model`: what is dark between open lips in profile
+  std::array<std::size_t, 2> whites{};  // in `model`: of the left and the right eye
+  std::vector<std::size_t> balls;       // in `model`: they and what is drawn on them
+  std::size_t sheet = 0;                // in `model`: what is dark between open lips in profile
   std::vector<std::uint32_t>
       sheet_points;                    // vertices of the skin that it lies through, upper and lower in turn
   std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth

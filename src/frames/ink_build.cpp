@@ -69,11 +69,13 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (const char* point :
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
-  // In profile the bag below the eye ends before the nose: a line there looks like a tear.
+  // In profile the bag below the eye ends before the nose: a line there looks like a tear. Neither is there a
+  // thread where the lid goes over into the brow.
   constexpr float kBagNone_mm = 12, kBagAll_mm = 20;
   std::vector<glm::vec3> bags;
   for (const char* point :
-       {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14", "E5_15"})
+       {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14",
+        "E5_15", "E4_1",  "E4_2",  "E4_3",  "E4_4",  "E4_5",  "E5_2",  "E5_3",  "E5_4",  "E5_5"})
     add(point, bags);
   // But the middle of the face is its outline there, lips and the nose's bridge as well.
   constexpr float kMiddle_mm = 3, kBesideMiddle_mm = 7, kSeamNone_mm = 0.5f, kSeamAll_mm = 2.5f;
@@ -118,14 +120,16 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 }
 
 // The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
-// theirs on their neighbours. Lips and what is about the eyes cast none: it would be crumbs about them. At
-// the nostrils, whose rims would be crumbs as well, it lies deeper: with a hole there, the nose's shadow
-// would end as raggedly as its triangles do.
-Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions, Ink& ink) {
+// theirs on their neighbours. Lips, the mouth and what is about the eyes cast none: it would be crumbs about
+// them. At the nostrils, whose rims would be crumbs as well, it lies deeper: with a hole there, the nose's
+// shadow would end as raggedly as its triangles do.
+Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
+                 const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
   constexpr float kBelow_mm = 0.9f, kDeep_mm = 3, kNostril_mm = 6, kNose_mm = 14;
+  constexpr float kBeside_mm = 4, kEar_mm = 6;
   std::vector<std::pair<glm::vec3, float>> places;
-  std::vector<glm::vec3> nostrils;
+  std::vector<glm::vec3> nostrils, ears;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
     const std::string_view name = figure.head.cage.names[i];
     for (const auto& [ring, reach_mm] : {std::pair{"M0_", kLips_mm},
@@ -140,6 +144,7 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions, 
       if (has_prefix(name, ring)) places.emplace_back(positions[i], reach_mm);
     if (is_bridge(name.starts_with("R:") ? name.substr(2) : name))
       places.emplace_back(positions[i], kBridge_mm);
+    if (has_prefix(name, "er")) ears.push_back(positions[i]);
     if (has_prefix(name, "nr_") || has_prefix(name, "ni_")) nostrils.push_back(positions[i]);
   }
   // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
@@ -151,12 +156,17 @@ Part make_caster(const Figure& figure, const std::vector<glm::vec3>& positions, 
   }
   std::vector<bool> is_none;
   for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v) {
-    is_none.push_back(std::ranges::any_of(
-        places, [&](const auto& place) { return glm::distance(place.first, positions[v]) < place.second; }));
     float away_mm = kNose_mm;
     for (const glm::vec3& place : nostrils) away_mm = std::min(away_mm, glm::distance(place, positions[v]));
-    ink.below_mm.push_back(ink.eye_size *
-                           std::lerp(kDeep_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm)));
+    is_none.push_back((is_opening[v] && away_mm > kNostril_mm) ||
+                      std::ranges::any_of(places, [&](const auto& place) {
+                        return glm::distance(place.first, positions[v]) < place.second;
+                      }));
+    const float below_mm = std::lerp(kDeep_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm));
+    const bool is_ear = std::ranges::any_of(
+        ears, [&](const glm::vec3& place) { return glm::distance(place, positions[v]) < kEar_mm; });
+    ink.below_mm.push_back(ink.eye_size * below_mm);
+    ink.below_beside_mm.push_back(ink.eye_size * (is_ear ? below_mm : std::max(below_mm, kBeside_mm)));
   }
   Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
   part.rest.positions.resize(figure.head.skin.positions.size());
@@ -259,6 +269,13 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
 }
 
+void find_eyes(Ink& ink) {
+  ink.whites = {find_part(ink.model, "eye_left"), find_part(ink.model, "eye_right")};
+  for (std::size_t i = 0; i < ink.model.parts.size(); ++i)
+    for (const char* name : {"eye_", "iris_", "pupil_"})
+      if (ink.model.parts[i].name.starts_with(name)) ink.balls.push_back(i);
+}
+
 void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& colours, Ink& ink) {
   Part lines = make_flat_part("lines", "ink_line", colours.line);
   Part brows = make_flat_part("brow_strokes", "ink_line", 0.8f * spec.look.brow);
@@ -316,6 +333,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
+  find_eyes(ink);
   find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   hide_ears(figure, ink);
@@ -324,7 +342,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.data = figure.head.data;
   ink.redraw = figure.redraw;
   ink.caster = ink.model.parts.size();
-  ink.model.parts.push_back(make_caster(figure, positions, ink));
+  ink.model.parts.push_back(make_caster(figure, regions.is_opening, positions, ink));
   ink.sheet = ink.model.parts.size();
   ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
   ink.first_outline = ink.model.parts.size();

@@ -86,7 +86,6 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",  "R:s2_D1",  "R:s3_C9"},
        .is_sided = false,
        .is_ridge = true,
-       .is_of_shut_jaw = true,
        .widths = {{0, 0.02}, {0.12, 0.6}, {0.5, 0.75}, {0.88, 0.6}, {1, 0.02}},
        .lift_mm = 0.35,
        .flat = 0.4,

@@ -18,15 +18,14 @@ struct StrokeRule {
   const char* name;
   std::vector<const char*> points;  // of the left half, or "R:..." of the right one; inner to outer
   bool is_sided = true;             // drawn on both sides
-  bool is_ridge = false;        // drawn where the skin faces the camera: beside an outline it would double it
-  float in_profile = 1;         // how much thicker it is where the head is seen from the side
-  float faced = 0.22f;          // there it is drawn whole: the cosine of its normal's angle to the view
-  bool is_of_shut_jaw = false;  // seen from the side, an open jaw goes over into the throat without it
-  bool is_of_front = false;     // seen from the side it would fork off another
-  bool is_smooth = false;       // no waves: drawn along the mean of its points
-  bool is_seam = false;         // where lips all but meet one line is enough: this one fades
-  bool is_brow = false;         // in the brow's colour, its widths mm on an adult's eye of 16 mm
-  bool is_on_hair = false;      // its points are those of the mass of hair
+  bool is_ridge = false;     // drawn where the skin faces the camera: beside an outline it would double it
+  float in_profile = 1;      // how much thicker it is where the head is seen from the side
+  float faced = 0.22f;       // there it is drawn whole: the cosine of its normal's angle to the view
+  bool is_of_front = false;  // seen from the side it would fork off another
+  bool is_smooth = false;    // no waves: drawn along the mean of its points
+  bool is_seam = false;      // where lips all but meet one line is enough: this one fades
+  bool is_brow = false;      // in the brow's colour, its widths mm on an adult's eye of 16 mm
+  bool is_on_hair = false;   // its points are those of the mass of hair
   bool lies_in_profile = false;  // comes down to the skin where that is seen along
   std::vector<StrokeWidth> widths;
   double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across

@@ -1,0 +1,22 @@
+// What who draws a profile does to a head that a camera from the side would not show.
+#pragma once
+
+#include "frames/ink.hpp"
+
+namespace mien {
+
+// Whether the head is seen from the side: 0 up to three-quarter view, 1 in profile.
+float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin);
+
+// Eyes that are tall ovals would be slits: skin and balls about them are drawn out in depth, behind what
+// stands forth of the balls, as far as the head is seen from the side.
+void widen_eyes(const Ink& ink, float beside, Drawing& drawing);
+
+// The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
+// blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade.
+void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);
+
+// From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
+void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet);
+
+}  // namespace mien
