@@ -209,14 +209,16 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const DoctrineData& doctrines = ink.data->doctrines;
   const Pose pose = resolve_folds(
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
+  const float parted = smooth_step(kMet_mm, kParted_mm, gap_mm);
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);
-    if (stroke.rule.is_seam) return static_cast<double>(smooth_step(kMet_mm, kParted_mm, gap_mm));
+    if (stroke.rule.is_seam) return static_cast<double>(parted);
     return stroke.rule.is_of_front ? 1.0 - beside : 1.0;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),
-                            view.line_mm,   ink.eye_size, beside};
+                            view.line_mm,   ink.eye_size, beside,
+                            1 - parted};
   for (const InkStroke& stroke : ink.strokes)
     if (!stroke.rule.is_on_hair)
       append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);

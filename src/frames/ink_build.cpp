@@ -61,9 +61,15 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   // strokes draw it.
   constexpr float kEarNone_mm = 2.5f, kEarAll_mm = 4.5f;
   std::vector<glm::vec3> ears;
+  const auto is_lobe = [](std::string_view name) {
+    for (const char* end : {"r7_6", "r7_7", "r7_8", "r7_9", "r8_6", "r8_7", "r8_8", "r8_9"})
+      if (name.ends_with(end)) return true;
+    return false;
+  };
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     for (const char* ring : {"er7_", "er8_", "er9_", "er10_", "er11_"})
-      if (has_prefix(figure.head.cage.names[i], ring)) ears.push_back(positions[i]);
+      if (has_prefix(figure.head.cage.names[i], ring) && !is_lobe(figure.head.cage.names[i]))
+        ears.push_back(positions[i]);
   for (const char* ring : {"er1", "er2", "er3", "er4", "er5", "er6"})
     for (const char* place : {"12", "13", "14", "15"}) add(fmt::format("{}_{}", ring, place).c_str(), ears);
   for (const char* point :
@@ -126,7 +132,7 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                  const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
-  constexpr float kBelow_mm = 0.9f, kDeep_mm = 3, kNostril_mm = 6, kNose_mm = 14;
+  constexpr float kBelow_mm = 0.9f, kDeep = 0.7f, kNostril_mm = 8, kNose_mm = 20;
   constexpr float kBeside_mm = 4, kEar_mm = 6;
   std::vector<std::pair<glm::vec3, float>> places;
   std::vector<glm::vec3> nostrils, ears;
@@ -150,7 +156,8 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
   constexpr float kButton_mm = 7.4f;  // how far its tip stands out over the lip
   const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
-  if (find("p_tip").z - find("M5_0").z < kButton_mm * ink.eye_size) {
+  const float stands_mm = (find("p_tip").z - find("M5_0").z) / ink.eye_size;
+  if (stands_mm < kButton_mm) {
     places.emplace_back(find("p_tip"), kNose_mm);
     for (const glm::vec3& place : nostrils) places.emplace_back(place, kNose_mm);
   }
@@ -162,7 +169,8 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                       std::ranges::any_of(places, [&](const auto& place) {
                         return glm::distance(place.first, positions[v]) < place.second;
                       }));
-    const float below_mm = std::lerp(kDeep_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm));
+    const float below_mm =
+        std::lerp(kDeep * stands_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm));
     const bool is_ear = std::ranges::any_of(
         ears, [&](const glm::vec3& place) { return glm::distance(place, positions[v]) < kEar_mm; });
     ink.below_mm.push_back(ink.eye_size * below_mm);

@@ -26,7 +26,7 @@ std::vector<float> measure_before(const std::vector<glm::vec3>& hair) {
 
 void round_hair(const Box& ball, const glm::vec3& camera, const std::vector<glm::vec3>& positions,
                 std::vector<glm::vec3>& normals) {
-  constexpr float kOwn = 0.06f;
+  constexpr float kOwn = 0;
   const glm::vec3 middle = 0.5f * (ball.low + ball.high);
   const float radius = 0.5f * (ball.high.x - ball.low.x);
   for (std::size_t v = 0; v < positions.size(); ++v) {

@@ -52,7 +52,20 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .lies_in_profile = true,
        .widths = {{0, 0.4}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.4}},
        .lift_mm = 1.2,
-       .facing = {"M4_0", "M4_12"}},
+       .facing = {"M4_0", "M4_12"},
+       .before = {{"R:M2_6", "R:M2_6"},
+                  {"R:M2_5", "R:M2_7"},
+                  {"R:M2_4", "R:M2_8"},
+                  {"R:M2_3", "R:M2_9"},
+                  {"R:M2_2", "R:M2_10"},
+                  {"R:M2_1", "R:M2_11"},
+                  {"M2_0", "M2_12"},
+                  {"M2_1", "M2_11"},
+                  {"M2_2", "M2_10"},
+                  {"M2_3", "M2_9"},
+                  {"M2_4", "M2_8"},
+                  {"M2_5", "M2_7"},
+                  {"M2_6", "M2_6"}}},
       {.name = "lower_lip",
        .points = {"R:M1_6", "R:M1_7", "R:M1_8", "R:M1_9", "R:M1_10", "R:M1_11", "M1_12", "M1_11", "M1_10",
                   "M1_9", "M1_8", "M1_7", "M1_6"},
@@ -157,12 +170,14 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
   for (const StrokeRule& rule : list_stroke_rules())
     for (const float side : {1.0f, -1.0f}) {
       if (side < 0 && !rule.is_sided) continue;
-      InkStroke stroke{rule, {}, {}, side, {}};
+      InkStroke stroke{rule, {}, {}, {}, side, {}};
       for (const char* name : rule.points) {
         const std::uint32_t point = find_sided(cage, name, side);
         stroke.points.push_back({{point, point, point}, {1, 0, 0}});
       }
       for (const char* name : rule.facing) stroke.facing.push_back(find_sided(cage, name, side));
+      for (const auto& [one, other] : rule.before)
+        stroke.before.push_back({find_sided(cage, one, side), find_sided(cage, other, side)});
       strokes.push_back(std::move(stroke));
     }
   const FoldData& data = figure.head.data->folds;
@@ -174,7 +189,7 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
     field.rest = std::min(1.0, kRest * field.rest);
     for (const FoldLine& line : data.sets[f].lines)
       for (const float side : {1.0f, -1.0f}) {
-        InkStroke stroke{make_crease(data.sets[f], line, strength), {}, {}, side, folds.size()};
+        InkStroke stroke{make_crease(data.sets[f], line, strength), {}, {}, {}, side, folds.size()};
         stroke.points = trace_line(figure.model.parts.front().rest, cage, line, side);
         strokes.push_back(std::move(stroke));
       }
@@ -238,6 +253,11 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
       for (std::size_t i = 1; i + 1 < line.size(); ++i)
         line[i] = glm::mix(0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1], before[i],
                            ground.beside);
+    }
+  for (std::size_t i = 0; i < stroke.before.size(); ++i)
+    for (const std::uint32_t point : stroke.before[i]) {
+      const float ahead = glm::dot(ground.positions[point] - line[i], ups[i]);
+      line[i] += std::max(0.0f, ahead) * ground.met * (1 - ground.beside) * ups[i];
     }
   if (rule.wing != glm::vec3(0)) {
     // Beyond the outer corner, told in the frame of the skin there.

@@ -32,6 +32,8 @@ struct StrokeRule {
   glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
   double from = 0, to = 1;               // the part of the way that is drawn
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
+  std::vector<std::array<const char*, 2>> before =
+      {};  // of each of its points two of the lips, which would hide it where they meet
 };
 
 // Half the width of a stroke so far along it.
@@ -48,6 +50,7 @@ struct InkStroke {
   StrokeRule rule;
   std::vector<StrokePoint> points;
   std::vector<std::uint32_t> facing;
+  std::vector<std::array<std::uint32_t, 2>> before;
   float side = 1;                   // -1: of the right half
   std::optional<std::size_t> fold;  // whose amount its thickness is multiplied by, in Ink::folds
 };
@@ -70,6 +73,7 @@ struct StrokeGround {
   glm::vec3 camera_mm{0, 0, 900};
   double line_mm = 1, eye_size = 1;
   float beside = 0;  // 1: the head is seen from the side
+  float met = 0;     // 1: the lips meet
 };
 
 // Appends the vertices of a stroke; `amount` is how much there is of it, 0..1.

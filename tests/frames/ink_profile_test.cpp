@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "drawn_subject.hpp"
@@ -120,6 +121,84 @@ TEST(ink_profile, a_button_of_a_nose_casts_no_shadow) {
   };
   EXPECT_TRUE(casts(comic()));
   EXPECT_FALSE(casts(child()));
+}
+
+// The eye's depth: from the front of its ball to the outer corner of the lids.
+TEST(ink_profile, eyes_are_drawn_out_and_lids_stay_on_them) {
+  struct Eye {
+    float deep_mm = 0, off_mm = 1e9f;
+  };
+  const auto measure = [](const glm::dvec3& camera_mm) {
+    const Drawing drawing = draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const glm::vec3 corner = drawing.parts.front().positions[find_point(comic().figure.head.cage, "E1_8")];
+    Eye eye;
+    for (const glm::vec3& p : drawing.parts[find_part(comic().ink.model, "eye_left")].positions) {
+      eye.deep_mm = std::max(eye.deep_mm, p.z - corner.z);
+      eye.off_mm = std::min(eye.off_mm, glm::distance(p, corner));
+    }
+    return eye;
+  };
+  const Eye before = measure(kBefore_mm), beside = measure(kBeside_mm);
+  EXPECT_GT(beside.deep_mm, 1.4f * before.deep_mm);
+  EXPECT_LT(beside.off_mm, before.off_mm + 0.5f);
+}
+
+TEST(ink_profile, from_before_eyes_are_as_they_are) {
+  DeformBuffers buffers;
+  Drawing plain;
+  deform_figure(comic().figure, Pose{}, TurnKey{}, buffers, plain);
+  const Drawing drawing = draw(comic(), Pose{}, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1});
+  const std::size_t white = find_part(comic().ink.model, "eye_left");
+  EXPECT_EQ(drawing.parts[white].positions, plain.parts[white].positions);
+}
+
+TEST(ink_profile, an_open_jaw_has_its_line) {
+  const Pose open = make_pose({{"chin.down", 1}});
+  EXPECT_GT(
+      measure_width(find_stroke(comic(), draw(comic(), open, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1}), "jaw")),
+      0.5);
+}
+
+// Nearer to the skin, what casts its shadow would leave chips of it at lids and cheek; in thin ears it
+// would come out on the other side.
+TEST(ink_profile, what_casts_lies_deeper_but_in_ears) {
+  const auto measure_mm = [](const char* name, const glm::dvec3& camera_mm) {
+    const std::uint32_t point = find_point(comic().figure.head.cage, name);
+    const Drawing drawing = draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    return glm::distance(drawing.parts[comic().ink.caster].positions[point],
+                         drawing.parts.front().positions[point]) /
+           comic().ink.eye_size;
+  };
+  EXPECT_NEAR(measure_mm("s1_C1", kBefore_mm), 0.9f, 0.05f);
+  EXPECT_NEAR(measure_mm("s1_C1", kBeside_mm), 4.0f, 0.05f);
+  EXPECT_NEAR(measure_mm("er6_4", kBeside_mm), 0.9f, 0.05f);
+}
+
+// From the mouth's walls it would come through the cheeks.
+TEST(ink_profile, the_inside_of_the_mouth_casts_no_shadow) {
+  const Part& caster = comic().ink.model.parts[comic().ink.caster];
+  const std::uint32_t wall = find_point(comic().figure.head.cage, "MB2_6");
+  for (const Triangle& t : caster.rest.triangles) EXPECT_TRUE(t[0] != wall && t[1] != wall && t[2] != wall);
+}
+
+TEST(ink_profile, the_line_of_full_lips_that_meet_lies_before_them) {
+  HeadSpec spec = make_spec("comic");
+  spec.age = {{"infant", 1.0}};
+  const Subject infant = build_subject(spec);
+  const Drawing drawing = draw(infant, make_pose({{"corner.up", -0.8}, {"lips.press", 0.4}}), TurnKey{},
+                               {kBefore_mm, {0, 0, 1}, 1});
+  float line_mm = -1e9f;
+  for (const glm::vec3& p : find_stroke(infant, drawing, "upper_lip"))
+    if (std::abs(p.x) < 1) line_mm = std::max(line_mm, p.z);
+  for (const char* name : {"M2_0", "M2_12"})
+    EXPECT_GT(line_mm, drawing.parts.front().positions[find_point(infant.figure.head.cage, name)].z) << name;
+}
+
+TEST(ink_profile, lobes_have_an_outline) {
+  HeadSpec spec = make_spec("comic");
+  spec.hair = "crop";
+  const Subject subject = build_subject(spec);
+  EXPECT_GT(measure_outline_mm(subject, "er6_8", 3, {kBefore_mm, {0, 0.6, 0.8}, 1}), 0.4);
 }
 
 }  // namespace
