@@ -133,7 +133,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   constexpr float kMet_mm = 1.2f, kParted_mm = 3;  // between an adult's lips
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
-  const float beside = measure_beside(ink, view, skin.positions);
+  const auto [beside, fronted] = measure_sight(ink, view, skin.positions);
   widen_eyes(ink, beside, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
@@ -159,7 +159,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.turn.resize(skin.positions.size());
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside);
+      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside) * (1 - fronted * ink.throat[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }

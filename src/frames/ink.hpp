@@ -26,6 +26,7 @@ struct Ink {
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<float> hull_beside;            // and where the head is seen from the side
+  std::vector<float> throat;                 // 1: there it has none where the head is seen from before
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;

@@ -87,6 +87,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   constexpr float kMiddle_mm = 3, kBesideMiddle_mm = 7, kSeamNone_mm = 0.5f, kSeamAll_mm = 2.5f;
   std::vector<glm::vec3> seam;
   for (const char* point : {"M0_0", "M0_12", "M1_0", "M1_12"}) add(point, seam);
+  // A short neck's crease would be a row of dashes.
+  constexpr float kThroat_mm = 12, kBelowThroat_mm = 20;
+  std::vector<glm::vec3> throat;
+  for (const char* point : {"m12_N0", "m10_N0", "m12_N1", "m10_N1"}) add(point, throat);
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -98,6 +102,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
     const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
     const float bag = measure(bags, positions[v], 2 * kBagAll_mm) / ink.eye_size;
+    ink.throat.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm,
+                                         measure(throat, positions[v], 2 * kBelowThroat_mm) / ink.eye_size));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
                        smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                        smooth_step(kEarNone_mm, kEarAll_mm, ear));
@@ -132,7 +138,8 @@ Part make_outline(const std::string& name, const InkColours& colours) {
 Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                  const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
-  constexpr float kBelow_mm = 0.9f, kDeep = 0.7f, kNostril_mm = 8, kNose_mm = 20;
+  constexpr float kBelow_mm = 0.9f, kNostril_mm = 8;
+  constexpr float kDeep = 0.7f, kNose = 2;  // of how far the nose's tip stands out over the lip
   constexpr float kBeside_mm = 4, kEar_mm = 6;
   std::vector<std::pair<glm::vec3, float>> places;
   std::vector<glm::vec3> nostrils, ears;
@@ -153,24 +160,26 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
     if (has_prefix(name, "er")) ears.push_back(positions[i]);
     if (has_prefix(name, "nr_") || has_prefix(name, "ni_")) nostrils.push_back(positions[i]);
   }
-  // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
-  constexpr float kButton_mm = 7.4f;  // how far its tip stands out over the lip
+  // The longer a nose is, the deeper and the farther around, or its shadow would run into the lips.
   const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
   const float stands_mm = (find("p_tip").z - find("M5_0").z) / ink.eye_size;
+  const float nose_mm = kNose * stands_mm;
+  // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
+  constexpr float kButton_mm = 7.4f;
   if (stands_mm < kButton_mm) {
-    places.emplace_back(find("p_tip"), kNose_mm);
-    for (const glm::vec3& place : nostrils) places.emplace_back(place, kNose_mm);
+    places.emplace_back(find("p_tip"), nose_mm);
+    for (const glm::vec3& place : nostrils) places.emplace_back(place, nose_mm);
   }
   std::vector<bool> is_none;
   for (std::size_t v = 0; v < figure.head.skin.positions.size(); ++v) {
-    float away_mm = kNose_mm;
+    float away_mm = nose_mm;
     for (const glm::vec3& place : nostrils) away_mm = std::min(away_mm, glm::distance(place, positions[v]));
     is_none.push_back((is_opening[v] && away_mm > kNostril_mm) ||
                       std::ranges::any_of(places, [&](const auto& place) {
                         return glm::distance(place.first, positions[v]) < place.second;
                       }));
     const float below_mm =
-        std::lerp(kDeep * stands_mm, kBelow_mm, smooth_step(kNostril_mm, kNose_mm, away_mm));
+        std::lerp(kDeep * stands_mm, kBelow_mm, smooth_step(kNostril_mm, nose_mm, away_mm));
     const bool is_ear = std::ranges::any_of(
         ears, [&](const glm::vec3& place) { return glm::distance(place, positions[v]) < kEar_mm; });
     ink.below_mm.push_back(ink.eye_size * below_mm);

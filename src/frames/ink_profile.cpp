@@ -8,11 +8,13 @@
 
 namespace mien {
 
-float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
+InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
   constexpr float kQuarter = 0.88f, kProfile = 0.98f;  // sines of the camera's way round the head
+  constexpr float kFront = 0.25f, kTurned = 0.5f;
   const glm::vec3 &left = skin[ink.sides[0]], &right = skin[ink.sides[1]];
   const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
-  return smooth_step(kQuarter, kProfile, std::abs(glm::dot(to_camera, glm::normalize(left - right))));
+  const float sine = std::abs(glm::dot(to_camera, glm::normalize(left - right)));
+  return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine)};
 }
 
 void widen_eyes(const Ink& ink, float beside, Drawing& drawing) {

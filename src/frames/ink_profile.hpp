@@ -5,8 +5,11 @@
 
 namespace mien {
 
-// Whether the head is seen from the side: 0 up to three-quarter view, 1 in profile.
-float measure_beside(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin);
+// How the head is seen, as shares: from the side (0 up to three-quarter view, 1 in profile), and from before.
+struct InkSight {
+  float beside = 0, faced = 0;
+};
+InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin);
 
 // Eyes that are tall ovals would be slits: skin and balls about them are drawn out in depth, behind what
 // stands forth of the balls, as far as the head is seen from the side.

@@ -64,6 +64,9 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   };
   for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_", "M5_"})
     for (int place = 5; place <= 12; ++place) hush(ring + std::to_string(place));
+  // Nor does the inside of the mouth, whose walls look anywhere.
+  for (const char* ring : {"M0_", "MB1_", "MB2_"})
+    for (int place = 0; place <= 12; ++place) hush(ring + std::to_string(place));
   // Nor does a nostril's rim, nor do the lids' margins.
   for (const char* ring : {"nr_", "ni_", "nd_"})
     for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));

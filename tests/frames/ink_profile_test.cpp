@@ -21,6 +21,15 @@ const Subject& child() {
   return subject;
 }
 
+const Subject& infant() {
+  static const Subject subject = [] {
+    HeadSpec spec = make_spec("comic");
+    spec.age = {{"infant", 1.0}};
+    return build_subject(spec);
+  }();
+  return subject;
+}
+
 double measure_width(const std::vector<glm::vec3>& stroke) {
   double most = 0;
   for (std::size_t ring = 0; ring < stroke.size(); ring += kStrokeSpokes)
@@ -182,16 +191,14 @@ TEST(ink_profile, the_inside_of_the_mouth_casts_no_shadow) {
 }
 
 TEST(ink_profile, the_line_of_full_lips_that_meet_lies_before_them) {
-  HeadSpec spec = make_spec("comic");
-  spec.age = {{"infant", 1.0}};
-  const Subject infant = build_subject(spec);
-  const Drawing drawing = draw(infant, make_pose({{"corner.up", -0.8}, {"lips.press", 0.4}}), TurnKey{},
+  const Drawing drawing = draw(infant(), make_pose({{"corner.up", -0.8}, {"lips.press", 0.4}}), TurnKey{},
                                {kBefore_mm, {0, 0, 1}, 1});
   float line_mm = -1e9f;
-  for (const glm::vec3& p : find_stroke(infant, drawing, "upper_lip"))
+  for (const glm::vec3& p : find_stroke(infant(), drawing, "upper_lip"))
     if (std::abs(p.x) < 1) line_mm = std::max(line_mm, p.z);
   for (const char* name : {"M2_0", "M2_12"})
-    EXPECT_GT(line_mm, drawing.parts.front().positions[find_point(infant.figure.head.cage, name)].z) << name;
+    EXPECT_GT(line_mm, drawing.parts.front().positions[find_point(infant().figure.head.cage, name)].z)
+        << name;
 }
 
 TEST(ink_profile, lobes_have_an_outline) {
@@ -199,6 +206,27 @@ TEST(ink_profile, lobes_have_an_outline) {
   spec.hair = "crop";
   const Subject subject = build_subject(spec);
   EXPECT_GT(measure_outline_mm(subject, "er6_8", 3, {kBefore_mm, {0, 0.6, 0.8}, 1}), 0.4);
+}
+
+// Else a blotch lies there: the walls of the mouth, which look anywhere, say nothing of the lips' tones.
+TEST(ink_profile, the_lit_corner_of_a_smile_has_no_shade) {
+  constexpr double kTerminator = 0.12;
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.46, 0.6, 0.66));
+  const Drawing drawing = draw(infant(), make_pose({{"corner.up", 0.7}, {"corner.out", 0.5}}), TurnKey{},
+                               {kBefore_mm, to_light, 1});
+  const Cage& cage = infant().figure.head.cage;
+  for (const char* name : {"M2_6", "M2_7", "M3_6", "M3_7"})
+    EXPECT_GT(
+        glm::dot(glm::dvec3(drawing.parts.front().normals[cage.mirror[find_point(cage, name)]]), to_light),
+        kTerminator)
+        << name;
+}
+
+TEST(ink_profile, the_crease_of_a_short_neck_has_no_line_from_before) {
+  for (const char* name : {"m12_N0", "m12_N1"}) {
+    EXPECT_LT(measure_outline_mm(infant(), name, 3, {kBefore_mm, {0, 0.6, 0.8}, 1}), 0.05) << name;
+    EXPECT_GT(measure_outline_mm(infant(), name, 3, {kBeside_mm, {0, 0.6, 0.8}, 1}), 0.4) << name;
+  }
 }
 
 }  // namespace
