@@ -134,7 +134,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   const auto [beside, fronted] = measure_sight(ink, view, skin.positions);
-  widen_eyes(ink, beside, drawing);
+  widen_features(ink, beside, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
@@ -159,7 +159,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.turn.resize(skin.positions.size());
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside) * (1 - fronted * ink.throat[v]);
+      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside) * (1 - fronted * ink.folded[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }

@@ -26,7 +26,7 @@ struct Ink {
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<float> hull_beside;            // and where the head is seen from the side
-  std::vector<float> throat;                 // 1: there it has none where the head is seen from before
+  std::vector<float> folded;                 // 1: there it has none where the head is seen from before
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
@@ -42,9 +42,11 @@ struct Ink {
       sheet_points;                    // vertices of the skin that it lies through, upper and lower in turn
   std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth
   std::array<std::size_t, 2> lower{};  // in `model`: the lower teeth and their gum
+  std::vector<std::size_t> bones;      // in `model`: all teeth and gums
   float teeth_high_mm = 0, teeth_top_mm = 0;  // how high they are, and where at rest their gum is
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
-  std::vector<std::size_t> outlined;    // parts of the figure besides the skin that have outlines
+  std::array<std::uint32_t, 2> corners{};  // and where they meet
+  std::vector<std::size_t> outlined;       // parts of the figure besides the skin that have outlines
   std::vector<std::vector<float>> before;  // of each of them, of its vertices: how far it is drawn over skin
   std::vector<InkStroke> strokes;          // those on hair last
   std::vector<FoldField> folds;            // that strokes are drawn of, without their vertices

@@ -76,21 +76,22 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
        {"E5_12", "E5_13", "E5_14", "q13_C1", "q13_C2", "q13_C3", "q13_C4", "q12_C4", "M6_5"})
     add(point, cheeks);
   // In profile the bag below the eye ends before the nose: a line there looks like a tear. Neither is there a
-  // thread where the lid goes over into the brow.
+  // thread where the lid goes over into the brow, nor behind the corner of an open mouth.
   constexpr float kBagNone_mm = 12, kBagAll_mm = 20;
   std::vector<glm::vec3> bags;
-  for (const char* point :
-       {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14",
-        "E5_15", "E4_1",  "E4_2",  "E4_3",  "E4_4",  "E4_5",  "E5_2",  "E5_3",  "E5_4",  "E5_5"})
+  for (const char* point : {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13",
+                            "E5_14", "E5_15", "E4_1",  "E4_2",  "E4_3",  "E4_4",  "E4_5",  "E5_2",  "E5_3",
+                            "E5_4",  "E5_5",  "M3_6",  "M3_7",  "M3_8",  "M4_6",  "M4_7",  "M4_8"})
     add(point, bags);
   // But the middle of the face is its outline there, lips and the nose's bridge as well.
   constexpr float kMiddle_mm = 3, kBesideMiddle_mm = 7, kSeamNone_mm = 0.5f, kSeamAll_mm = 2.5f;
   std::vector<glm::vec3> seam;
   for (const char* point : {"M0_0", "M0_12", "M1_0", "M1_12"}) add(point, seam);
-  // A short neck's crease would be a row of dashes.
-  constexpr float kThroat_mm = 12, kBelowThroat_mm = 20;
-  std::vector<glm::vec3> throat;
+  // A short neck's crease would be a row of dashes, and so would a cheekbone that is seen from below.
+  constexpr float kThroat_mm = 12, kBelowThroat_mm = 20, kBone_mm = 7, kBesideBone_mm = 11;
+  std::vector<glm::vec3> throat, bones;
   for (const char* point : {"m12_N0", "m10_N0", "m12_N1", "m10_N1"}) add(point, throat);
+  for (const char* point : {"E5_9", "E5_10", "q10_C1", "s1_L9", "s1_L10", "s1_C1"}) add(point, bones);
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -102,8 +103,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
     const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
     const float bag = measure(bags, positions[v], 2 * kBagAll_mm) / ink.eye_size;
-    ink.throat.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm,
-                                         measure(throat, positions[v], 2 * kBelowThroat_mm) / ink.eye_size));
+    const float neck = measure(throat, positions[v], 2 * kBelowThroat_mm) / ink.eye_size;
+    const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
+    ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
+                                 smooth_step(kBone_mm, kBesideBone_mm, bone));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
                        smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                        smooth_step(kEarNone_mm, kEarAll_mm, ear));
@@ -140,7 +143,7 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
   constexpr float kBelow_mm = 0.9f, kNostril_mm = 8;
   constexpr float kDeep = 0.7f, kNose = 2;  // of how far the nose's tip stands out over the lip
-  constexpr float kBeside_mm = 4, kEar_mm = 6;
+  constexpr float kBeside_mm = 5, kEar_mm = 6;
   std::vector<std::pair<glm::vec3, float>> places;
   std::vector<glm::vec3> nostrils, ears;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
@@ -210,7 +213,7 @@ Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink)
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
 // the arch.
 void darken_backs(const InkColours& colours, Part& teeth) {
-  constexpr float kLeast = 0.45f;  // cosine; lower, and cusps are specks in the dark
+  constexpr float kLeast = 0.6f;  // cosine; lower, and cusps are specks in the dark
   const float back_mm = compute_bounds(teeth.rest.positions).low.z;
   teeth.palette.push_back({colours.cavity, 0});
   for (const Triangle& t : teeth.rest.triangles) {
@@ -280,10 +283,13 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth = find_part(ink.model, "teeth_upper");
   ink.tongue = find_part(ink.model, "tongue");
   ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
+  ink.bones = {ink.teeth, find_part(ink.model, "gum_upper"), ink.lower[0], ink.lower[1]};
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
   ink.teeth_top_mm = box.high.y;
-  ink.lips = {find_point(figure.head.cage, "M1_0"), find_point(figure.head.cage, "M1_12")};
+  const Cage& cage = figure.head.cage;
+  ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
+  ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};
 }
 
 void find_eyes(Ink& ink) {

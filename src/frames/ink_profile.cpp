@@ -3,10 +3,83 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/smooth.hpp"
 
 namespace mien {
+
+namespace {
+
+// Space that is drawn out backward, on both sides of the middle of the face and not in it, about what is in
+// `middle`.
+struct DrawnOut {
+  glm::vec3 middle{0}, aside{1, 0, 0}, up{0, 1, 0}, forward{0, 0, 1};
+  float front_mm = 0, deep_mm = 1;  // over the middle along `forward`: where it begins, and how deep
+                                    // what is drawn out is
+  float aside_mm = 1, high_mm = 1;  // half of how wide and how high that is
+  float deeper = 0;                 // by this share of its depth
+  float none_aside = 0.2f, whole_aside = 0.7f;  // of aside_mm
+  float whole_high = 1.5f, none_high = 2.6f;    // of high_mm
+  float none_deep = 3.5f;                       // of deep_mm: the head's back stays
+};
+
+void draw_out(const DrawnOut& out, glm::vec3& p) {
+  const glm::vec3 way = p - out.middle;
+  const float behind = (out.front_mm - glm::dot(way, out.forward)) / out.deep_mm;
+  const float high = std::abs(glm::dot(way, out.up)) / out.high_mm;
+  if (behind <= 0 || behind >= out.none_deep || high >= out.none_high) return;
+  const float share =
+      smooth_step(out.none_aside, out.whole_aside, std::abs(glm::dot(way, out.aside)) / out.aside_mm) *
+      (1 - smooth_step(out.whole_high, out.none_high, high)) * (1 - smooth_step(1.0f, out.none_deep, behind));
+  p -= out.deeper * out.deep_mm * std::min(behind, 1.0f) * share * out.forward;
+}
+
+DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
+  constexpr float kLids = 0.9f;  // behind the balls' front, in their radii: so deep are the lids
+  constexpr float kDeeper = 0.7f;
+  const auto find_middle = [&](std::size_t part) {
+    const Box box = compute_bounds(drawing.parts[part].positions);
+    return 0.5f * (box.low + box.high);
+  };
+  const std::array middles{find_middle(ink.whites[0]), find_middle(ink.whites[1])};
+  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
+  DrawnOut eyes{.middle = 0.5f * (middles[0] + middles[1]),
+                .aside = glm::normalize(middles[0] - middles[1]),
+                .up = glm::normalize(glm::vec3(skull[1])),
+                .forward = glm::normalize(glm::vec3(skull[2])),
+                .front_mm = -INFINITY,
+                .deep_mm = kLids * static_cast<float>(ink.redraw.lens.radius_mm),
+                .aside_mm = 0.5f * glm::distance(middles[0], middles[1]),
+                .high_mm = 0,
+                .deeper = kDeeper};
+  for (const std::size_t part : ink.balls)
+    for (const glm::vec3& p : drawing.parts[part].positions) {
+      eyes.front_mm = std::max(eyes.front_mm, glm::dot(p - eyes.middle, eyes.forward));
+      eyes.high_mm = std::max(eyes.high_mm, std::abs(glm::dot(p - eyes.middle, eyes.up)));
+    }
+  return eyes;
+}
+
+// Of the lips, from their front to their corners.
+DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
+  constexpr float kDeeper = 0.6f, kLips_mm = 6, kBeyond_mm = 15;
+  const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
+  const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
+  DrawnOut mouth{
+      .middle = 0.5f * (upper + lower), .aside = eyes.aside, .up = eyes.up, .forward = eyes.forward};
+  mouth.front_mm = glm::dot(upper - mouth.middle, mouth.forward);
+  mouth.deep_mm = std::max(1.0f, glm::dot(upper - 0.5f * (left + right), mouth.forward));
+  mouth.aside_mm = 0.5f * glm::distance(left, right);
+  mouth.high_mm = 0.5f * glm::distance(upper, lower) + kLips_mm * ink.eye_size;
+  mouth.deeper = kDeeper;
+  mouth.whole_aside = 0.9f;
+  mouth.whole_high = 1;
+  mouth.none_high = 1 + kBeyond_mm * ink.eye_size / mouth.high_mm;
+  return mouth;
+}
+
+}  // namespace
 
 InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
   constexpr float kQuarter = 0.88f, kProfile = 0.98f;  // sines of the camera's way round the head
@@ -17,42 +90,27 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
   return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine)};
 }
 
-void widen_eyes(const Ink& ink, float beside, Drawing& drawing) {
-  constexpr float kDeeper = 0.7f;             // of what lies in the lids
-  constexpr float kLids = 0.9f, kFar = 3.2f;  // behind the balls' front, in their radii: all of it, and none
-  constexpr float kNear_high = 1.5f, kFar_high = 2.6f;  // over the balls' middle, in their half heights
-  constexpr float kNose = 0.2f, kInside = 0.7f;         // from the middle of the face to that of an eye
+void widen_features(const Ink& ink, float beside, Drawing& drawing) {
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
-  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
-  const glm::vec3 up = glm::normalize(glm::vec3(skull[1])), forward = glm::normalize(glm::vec3(skull[2]));
-  const auto find_middle = [&](std::size_t part) {
-    const Box box = compute_bounds(drawing.parts[part].positions);
-    return 0.5f * (box.low + box.high);
-  };
-  const std::array middles{find_middle(ink.whites[0]), find_middle(ink.whites[1])};
-  const glm::vec3 middle = 0.5f * (middles[0] + middles[1]);
-  const float aside_mm = 0.5f * glm::distance(middles[0], middles[1]);
-  const glm::vec3 aside = (middles[0] - middles[1]) / (2 * aside_mm);
-  float front_mm = -INFINITY, high_mm = 0;
+  std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  DrawnOut eyes = measure_eyes(ink, drawing), mouth = measure_mouth(ink, eyes, skin);
+  eyes.deeper *= beside;
+  mouth.deeper *= beside;
+  for (glm::vec3& p : skin) {
+    draw_out(eyes, p);
+    draw_out(mouth, p);
+  }
   for (const std::size_t part : ink.balls)
-    for (const glm::vec3& p : drawing.parts[part].positions) {
-      front_mm = std::max(front_mm, glm::dot(p - middle, forward));
-      high_mm = std::max(high_mm, std::abs(glm::dot(p - middle, up)));
-    }
-  const float radius_mm = static_cast<float>(ink.redraw.lens.radius_mm);
-  const auto widen = [&](glm::vec3& p) {
-    const glm::vec3 way = p - middle;
-    const float behind = (front_mm - glm::dot(way, forward)) / radius_mm;
-    const float high = std::abs(glm::dot(way, up)) / high_mm;
-    if (behind <= 0 || behind >= kFar || high >= kFar_high) return;
-    const float share = smooth_step(kNose, kInside, std::abs(glm::dot(way, aside)) / aside_mm) *
-                        (1 - smooth_step(kNear_high, kFar_high, high)) *
-                        (1 - smooth_step(kLids, kFar, behind));
-    p -= beside * kDeeper * radius_mm * std::min(behind, kLids) * share * forward;
-  };
-  for (glm::vec3& p : drawing.parts.front().positions) widen(p);
-  for (const std::size_t part : ink.balls)
-    for (glm::vec3& p : drawing.parts[part].positions) widen(p);
+    for (glm::vec3& p : drawing.parts[part].positions) draw_out(eyes, p);
+  // Or cheeks that are drawn out would have teeth through them.
+  constexpr float kNarrower = 0.6f;
+  for (const std::size_t part : ink.bones) {
+    PartShape& bone = drawing.parts[part];
+    if (bone.positions.empty())
+      bone.world_from_rest = glm::scale(bone.world_from_rest, glm::vec3(1 - kNarrower * beside, 1, 1));
+    for (glm::vec3& p : bone.positions)
+      p -= kNarrower * beside * glm::dot(p - eyes.middle, eyes.aside) * eyes.aside;
+  }
 }
 
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
