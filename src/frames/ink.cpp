@@ -134,13 +134,13 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   const auto [beside, fronted] = measure_sight(ink, view, skin.positions);
-  widen_features(ink, beside, drawing);
+  const float gap_mm = measure_gap_mm(ink, skin.positions), parted = smooth_step(kMet_mm, kParted_mm, gap_mm);
+  widen_features(ink, beside, parted, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
-  const float gap_mm = measure_gap_mm(ink, skin.positions);
   hide_teeth(ink, gap_mm, drawing);
   sink_lower_teeth(ink, asked, gap_mm, drawing);
 
@@ -151,7 +151,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
         skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
 
   lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
-  place_mouth_sheet(ink, beside, skin.positions, drawing.parts[ink.sheet]);
+  place_mouth_sheet(ink, beside * parted, skin.positions, drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
@@ -209,7 +209,6 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const DoctrineData& doctrines = ink.data->doctrines;
   const Pose pose = resolve_folds(
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
-  const float parted = smooth_step(kMet_mm, kParted_mm, gap_mm);
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);

@@ -61,20 +61,20 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
   return eyes;
 }
 
-// Of the lips, from their front to their corners.
+// Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
-  constexpr float kDeeper = 0.6f, kLips_mm = 6, kBeyond_mm = 15;
+  constexpr float kDeeper = 0.7f, kLips_mm = 6, kBeyond_mm = 15;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{
-      .middle = 0.5f * (upper + lower), .aside = eyes.aside, .up = eyes.up, .forward = eyes.forward};
+      .middle = 0.5f * (left + right), .aside = eyes.aside, .up = eyes.up, .forward = eyes.forward};
   mouth.front_mm = glm::dot(upper - mouth.middle, mouth.forward);
-  mouth.deep_mm = std::max(1.0f, glm::dot(upper - 0.5f * (left + right), mouth.forward));
+  mouth.deep_mm = std::max(1.0f, mouth.front_mm);
   mouth.aside_mm = 0.5f * glm::distance(left, right);
   mouth.high_mm = 0.5f * glm::distance(upper, lower) + kLips_mm * ink.eye_size;
   mouth.deeper = kDeeper;
   mouth.whole_aside = 0.9f;
-  mouth.whole_high = 1;
+  mouth.whole_high = 0;
   mouth.none_high = 1 + kBeyond_mm * ink.eye_size / mouth.high_mm;
   return mouth;
 }
@@ -90,12 +90,12 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
   return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine)};
 }
 
-void widen_features(const Ink& ink, float beside, Drawing& drawing) {
+void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing) {
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   DrawnOut eyes = measure_eyes(ink, drawing), mouth = measure_mouth(ink, eyes, skin);
   eyes.deeper *= beside;
-  mouth.deeper *= beside;
+  mouth.deeper *= beside * parted;
   for (glm::vec3& p : skin) {
     draw_out(eyes, p);
     draw_out(mouth, p);
@@ -103,7 +103,7 @@ void widen_features(const Ink& ink, float beside, Drawing& drawing) {
   for (const std::size_t part : ink.balls)
     for (glm::vec3& p : drawing.parts[part].positions) draw_out(eyes, p);
   // Or cheeks that are drawn out would have teeth through them.
-  constexpr float kNarrower = 0.6f;
+  constexpr float kNarrower = 0.35f;
   for (const std::size_t part : ink.bones) {
     PartShape& bone = drawing.parts[part];
     if (bone.positions.empty())
