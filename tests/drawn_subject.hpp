@@ -85,8 +85,8 @@ inline std::vector<glm::vec3> find_stroke(const Subject& subject, const Drawing&
 
 // How far the skin's outline stands off the skin, at most, so near to a point of the cage.
 inline double measure_outline_mm(const Subject& subject, const char* name, float reach_mm,
-                                 const InkView& view) {
-  const Drawing drawing = draw(subject, Pose{}, TurnKey{}, view);
+                                 const InkView& view, const Pose& pose = {}) {
+  const Drawing drawing = draw(subject, pose, TurnKey{}, view);
   const glm::vec3 at = drawing.parts.front().positions[find_point(subject.figure.head.cage, name)];
   double off_mm = 0;
   for (const glm::vec3& p : drawing.parts[subject.ink.first_outline].positions) {

@@ -135,7 +135,7 @@ TEST(ink_profile, a_button_of_a_nose_casts_no_shadow) {
 // The eye's depth: from the front of its ball to the outer corner of the lids.
 TEST(ink_profile, eyes_are_drawn_out_and_lids_stay_on_them) {
   struct Eye {
-    float deep_mm = 0, off_mm = 1e9f;
+    float deep_mm = 0, off_mm = 1e9f, iris_mm = 0;
   };
   const auto measure = [](const glm::dvec3& camera_mm) {
     const Drawing drawing = draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
@@ -145,10 +145,13 @@ TEST(ink_profile, eyes_are_drawn_out_and_lids_stay_on_them) {
       eye.deep_mm = std::max(eye.deep_mm, p.z - corner.z);
       eye.off_mm = std::min(eye.off_mm, glm::distance(p, corner));
     }
+    const Box iris = compute_bounds(drawing.parts[find_part(comic().ink.model, "iris_left")].positions);
+    eye.iris_mm = iris.high.z - iris.low.z;
     return eye;
   };
   const Eye before = measure(kBefore_mm), beside = measure(kBeside_mm);
   EXPECT_GT(beside.deep_mm, 1.4f * before.deep_mm);
+  EXPECT_GT(beside.iris_mm, 1.3f * before.iris_mm);
   EXPECT_LT(beside.off_mm, before.off_mm + 0.5f);
 }
 
@@ -248,11 +251,16 @@ TEST(ink_profile, the_lit_corner_of_a_smile_has_no_shade) {
         << name;
 }
 
-TEST(ink_profile, the_crease_of_a_short_neck_has_no_line_from_before) {
-  for (const char* name : {"m12_N0", "m12_N1"}) {
-    EXPECT_LT(measure_outline_mm(infant(), name, 3, {kBefore_mm, {0, 0.6, 0.8}, 1}), 0.05) << name;
-    EXPECT_GT(measure_outline_mm(infant(), name, 3, {kBeside_mm, {0, 0.6, 0.8}, 1}), 0.4) << name;
-  }
+TEST(ink_profile, cheekbones_have_no_dashes_from_below) {
+  const Pose laugh =
+      make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"lid.lower", 0.9}, {"chin.down", 0.5}});
+  const InkView below{{0, -450, 780}, {0, 0.6, 0.8}, 1};
+  for (const char* name : {"E5_10", "s1_L10", "s1_C1"})
+    EXPECT_LT(measure_outline_mm(infant(), name, 4, below, laugh), 0.1) << name;
+}
+
+TEST(ink_profile, throats_have_an_outline) {
+  EXPECT_GT(measure_outline_mm(infant(), "m12_N1", 3, {kBeside_mm, {0, 0.6, 0.8}, 1}), 0.4);
 }
 
 }  // namespace
