@@ -133,7 +133,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   constexpr float kMet_mm = 1.2f, kParted_mm = 3;  // between an adult's lips
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
-  const auto [beside, fronted] = measure_sight(ink, view, skin.positions);
+  const InkSight sight = measure_sight(ink, view, skin.positions);
+  const float beside = sight.beside;
   const float gap_mm = measure_gap_mm(ink, skin.positions), parted = smooth_step(kMet_mm, kParted_mm, gap_mm);
   widen_features(ink, beside, parted, drawing);
   buffers.soft = skin.normals;
@@ -159,7 +160,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.turn.resize(skin.positions.size());
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside) * (1 - fronted * ink.folded[v]);
+      const float share =
+          std::lerp(ink.hull[v], ink.hull_beside[v], beside) * (1 - sight.faced * ink.folded[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }
