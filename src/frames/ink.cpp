@@ -213,9 +213,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
       doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
-    if (stroke.fold) return compute_fold_amount(ink.folds[*stroke.fold], pose, side);
-    if (stroke.rule.is_seam) return static_cast<double>(parted);
-    return stroke.rule.is_of_front ? 1.0 - beside : 1.0;
+    const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
+    if (stroke.fold) return shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
+    return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),
                             view.line_mm,   ink.eye_size, beside,

@@ -116,7 +116,13 @@ std::uint32_t find_sided(const Cage& cage, std::string_view name, float side) {
 // Depths at even steps along a line of a fold, as the widths of its stroke.
 StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength) {
   constexpr double kEnd = 0.02;
-  StrokeRule rule{.name = set.name.c_str(), .points = {}, .widths = {}, .lift_mm = 0.35, .flat = 0.4};
+  constexpr double kThread = 0.3;  // thinner ones would be a tick beside the eye in profile
+  StrokeRule rule{.name = set.name.c_str(),
+                  .points = {},
+                  .is_of_front = set.ink < kThread,
+                  .widths = {},
+                  .lift_mm = 0.35,
+                  .flat = 0.4};
   const std::vector<double>& depths = line.ink.empty() ? line.depths : line.ink;
   for (std::size_t i = 0; i < depths.size(); ++i)
     rule.widths.push_back(

@@ -263,5 +263,17 @@ TEST(ink_profile, throats_have_an_outline) {
   EXPECT_GT(measure_outline_mm(infant(), "m12_N1", 3, {kBeside_mm, {0, 0.6, 0.8}, 1}), 0.4);
 }
 
+TEST(ink_profile, the_thin_line_below_an_old_eye_is_of_the_front) {
+  HeadSpec spec = make_spec("comic");
+  spec.age = {{"old", 1.0}};
+  const Subject old = build_subject(spec);
+  const auto measure = [&](const glm::dvec3& camera_mm) {
+    return measure_width(
+        find_stroke(old, draw(old, Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "lower_lid"));
+  };
+  EXPECT_GT(measure(kBefore_mm), 0.2);
+  EXPECT_LT(measure(kBeside_mm), 0.05);
+}
+
 }  // namespace
 }  // namespace mien
