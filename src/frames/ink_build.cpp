@@ -143,6 +143,7 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
   constexpr float kBelow_mm = 0.9f, kNostril_mm = 8;
   constexpr float kDeep = 0.7f, kNose = 2;  // of how far the nose's tip stands out over the lip
+  constexpr float kLeastNose_mm = 14;
   constexpr float kBeside_mm = 5, kEar_mm = 6;
   std::vector<std::pair<glm::vec3, float>> places;
   std::vector<glm::vec3> nostrils, ears;
@@ -166,7 +167,7 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   // The longer a nose is, the deeper and the farther around, or its shadow would run into the lips.
   const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
   const float stands_mm = (find("p_tip").z - find("M5_0").z) / ink.eye_size;
-  const float nose_mm = kNose * stands_mm;
+  const float nose_mm = std::max(kLeastNose_mm, kNose * stands_mm);
   // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
   constexpr float kButton_mm = 7.4f;
   if (stands_mm < kButton_mm) {
@@ -181,8 +182,8 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                       std::ranges::any_of(places, [&](const auto& place) {
                         return glm::distance(place.first, positions[v]) < place.second;
                       }));
-    const float below_mm =
-        std::lerp(kDeep * stands_mm, kBelow_mm, smooth_step(kNostril_mm, nose_mm, away_mm));
+    const float below_mm = std::lerp(std::max(kBelow_mm, kDeep * stands_mm), kBelow_mm,
+                                     smooth_step(kNostril_mm, nose_mm, away_mm));
     const bool is_ear = std::ranges::any_of(
         ears, [&](const glm::vec3& place) { return glm::distance(place, positions[v]) < kEar_mm; });
     ink.below_mm.push_back(ink.eye_size * below_mm);

@@ -13,7 +13,7 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
 
 // Eyes that are tall ovals would be slits, and open mouths notches: skin and balls about them are drawn out
 // in depth, behind what stands forth of balls and lips, as far as the head is seen from the side, the mouth
-// as far as its lips are `parted`, 0..1.
+// as far as its lips are `parted`, 0..1. A head without a lens stays as it is: its eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a

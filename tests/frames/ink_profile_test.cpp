@@ -12,21 +12,19 @@ namespace {
 
 constexpr glm::dvec3 kBeside_mm{900, -40, 80}, kBefore_mm{0, 0, 900};
 
+Subject build_of_age(const char* age) {
+  HeadSpec spec = make_spec("comic");
+  spec.age = {{age, 1.0}};
+  return build_subject(spec);
+}
+
 const Subject& child() {
-  static const Subject subject = [] {
-    HeadSpec spec = make_spec("comic");
-    spec.age = {{"child", 1.0}};
-    return build_subject(spec);
-  }();
+  static const Subject subject = build_of_age("child");
   return subject;
 }
 
 const Subject& infant() {
-  static const Subject subject = [] {
-    HeadSpec spec = make_spec("comic");
-    spec.age = {{"infant", 1.0}};
-    return build_subject(spec);
-  }();
+  static const Subject subject = build_of_age("infant");
   return subject;
 }
 
@@ -71,9 +69,7 @@ TEST(ink_profile, a_cheek_is_light_beside_the_mouth_that_laughs) {
 }
 
 TEST(ink_profile, folds_that_are_seen_along_are_not_drawn) {
-  HeadSpec spec = make_spec("comic");
-  spec.age = {{"old", 1.0}};
-  const Subject old = build_subject(spec);
+  const Subject old = build_of_age("old");
   const auto count = [&](const glm::dvec3& camera_mm) {  // rings of folds on the far side that can be seen
     const Drawing drawing = draw(old, Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
     const std::vector<glm::vec3>& p = drawing.parts[find_part(old.ink.model, "lines")].positions;
@@ -121,15 +117,16 @@ TEST(ink_profile, a_mouth_that_opens_a_little_shows_no_tongue) {
 }
 
 TEST(ink_profile, a_button_of_a_nose_casts_no_shadow) {
-  const auto casts = [](const Subject& subject) {
+  const auto casts = [](const Subject& subject, float reach_mm) {
     const Part& caster = subject.ink.model.parts[find_part(subject.ink.model, "shadow")];
     const std::vector<glm::vec3>& skin = subject.figure.model.parts.front().rest.positions;
     const glm::vec3 tip = skin[find_point(subject.figure.head.cage, "p_tip")];
     return std::ranges::any_of(caster.rest.triangles,
-                               [&](const Triangle& t) { return glm::distance(skin[t[0]], tip) < 4; });
+                               [&](const Triangle& t) { return glm::distance(skin[t[0]], tip) < reach_mm; });
   };
-  EXPECT_TRUE(casts(comic()));
-  EXPECT_FALSE(casts(child()));
+  EXPECT_TRUE(casts(comic(), 4));
+  EXPECT_FALSE(casts(child(), 4));
+  EXPECT_FALSE(casts(build_subject(make_spec("manga")), 9));  // next to no nose
 }
 
 // The eye's depth: from the front of its ball to the outer corner of the lids.
@@ -264,9 +261,7 @@ TEST(ink_profile, throats_have_an_outline) {
 }
 
 TEST(ink_profile, the_thin_line_below_an_old_eye_is_of_the_front) {
-  HeadSpec spec = make_spec("comic");
-  spec.age = {{"old", 1.0}};
-  const Subject old = build_subject(spec);
+  const Subject old = build_of_age("old");
   const auto measure = [&](const glm::dvec3& camera_mm) {
     return measure_width(
         find_stroke(old, draw(old, Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "lower_lid"));
