@@ -70,6 +70,13 @@ void hide_teeth(const Ink& ink, float gap_mm, Drawing& drawing) {
   shift(hidden * ink.teeth_high_mm * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
 }
 
+// What closes the slit of shut lips would be a dark strip below those that part, and before them in profile.
+void lift_veil(float parted, std::vector<glm::vec3>& veil) {
+  const Box box = compute_bounds(veil);
+  const glm::vec3 middle = 0.5f * (box.low + box.high);
+  for (glm::vec3& p : veil) p = glm::mix(p, middle, parted);
+}
+
 // Rounds of going half the way to the neighbours' mean.
 void soften(const Ink& ink, int rounds, std::vector<glm::vec3>& normals, std::vector<glm::vec3>& buffer) {
   buffer.resize(normals.size());
@@ -143,6 +150,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
 
   hide_teeth(ink, gap_mm, drawing);
+  hang_teeth(ink, beside, drawing);
+  lift_veil(parted, drawing.parts[ink.veil].positions);
   sink_lower_teeth(ink, asked, gap_mm, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];

@@ -39,10 +39,14 @@ struct Ink {
   std::vector<std::size_t> balls;       // in `model`: they and what is drawn on them
   std::size_t sheet = 0;                // in `model`: what is dark between open lips in profile
   std::vector<std::uint32_t>
-      sheet_points;                    // vertices of the skin that it lies through, upper and lower in turn
-  std::size_t teeth = 0, tongue = 0;   // in `model`; the upper teeth
-  std::array<std::size_t, 2> lower{};  // in `model`: the lower teeth and their gum
-  std::vector<std::size_t> bones;      // in `model`: all teeth and gums
+      sheet_points;             // vertices of the skin that it lies through, upper and lower in turn
+  std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile
+  std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
+  std::vector<float> cheek;           // of the skin's vertices: how far it lies farther back in profile, 0..1
+  std::size_t teeth = 0, tongue = 0;  // in `model`; the upper teeth
+  std::array<std::size_t, 2> lower{};         // in `model`: the lower teeth and their gum
+  std::vector<std::size_t> bones;             // in `model`: all teeth and gums
+  std::size_t veil = 0;                       // in `model`: what hangs behind the slit of shut lips
   float teeth_high_mm = 0, teeth_top_mm = 0;  // how high they are, and where at rest their gum is
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::array<std::uint32_t, 2> corners{};  // and where they meet

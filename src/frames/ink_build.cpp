@@ -211,35 +211,81 @@ Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink)
   return part;
 }
 
+Part make_tooth_strip(const Figure& figure, const glm::vec3& srgb, Ink& ink) {
+  const Cage& cage = figure.head.cage;
+  constexpr int kCorner = 6;
+  for (int column = -kCorner; column <= kCorner; ++column) {
+    const std::uint32_t left = find_point(cage, fmt::format("M0_{}", std::abs(column)));
+    ink.strip_points.push_back(column < 0 ? cage.mirror[left] : left);
+  }
+  Part part = make_flat_part("tooth_strip", "ink_flat", srgb);
+  part.rest.positions.resize(2 * ink.strip_points.size());
+  for (std::uint32_t v = 0; v + 3 < part.rest.positions.size(); v += 2) {
+    part.rest.triangles.push_back({v, v + 1, v + 3});
+    part.rest.triangles.push_back({v, v + 3, v + 2});
+  }
+  return part;
+}
+
+std::size_t find_part(const Model& model, std::string_view name) {
+  const auto found = std::ranges::find(model.parts, name, &Part::name);
+  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
+  return static_cast<std::size_t>(found - model.parts.begin());
+}
+
 // Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
-// the arch.
-void darken_backs(const InkColours& colours, Part& teeth) {
+// the arch, and of the gum what lies at the teeth's outside.
+void darken_backs(const InkColours& colours, const Ink& ink, Part& part) {
   constexpr float kLeast = 0.6f;  // cosine; lower, and cusps are specks in the dark
-  const float back_mm = compute_bounds(teeth.rest.positions).low.z;
-  teeth.palette.push_back({colours.cavity, 0});
-  for (const Triangle& t : teeth.rest.triangles) {
-    const glm::vec3 &a = teeth.rest.positions[t[0]], &b = teeth.rest.positions[t[1]],
-                    &c = teeth.rest.positions[t[2]];
-    const glm::vec3 outward((a.x + b.x + c.x) / 3, 0, (a.z + b.z + c.z) / 3 - back_mm);
+  constexpr float kBeside = 0.99f, kInside_mm = 3.5f;
+  const Mesh& teeth = ink.model.parts[find_part(ink.model, "teeth_upper")].rest;
+  const float back_mm = compute_bounds(teeth.positions).low.z;
+  const auto find_way = [&](const glm::vec3& p) { return glm::vec2(p.x, p.z - back_mm); };
+  const auto is_outside = [&](const glm::vec3& p) {
+    const glm::vec2 way = find_way(p);
+    float outside_mm = 0;
+    for (const glm::vec3& tooth : teeth.positions) {
+      const glm::vec2 other = find_way(tooth);
+      if (glm::dot(way, other) > kBeside * glm::length(way) * glm::length(other))
+        outside_mm = std::max(outside_mm, glm::length(other));
+    }
+    return glm::length(way) > outside_mm - kInside_mm * ink.eye_size;
+  };
+  part.palette.push_back({colours.cavity, 0});
+  for (const Triangle& t : part.rest.triangles) {
+    const glm::vec3 &a = part.rest.positions[t[0]], &b = part.rest.positions[t[1]],
+                    &c = part.rest.positions[t[2]];
+    const glm::vec2 way = find_way((a + b + c) / 3.0f);
     const glm::vec3 normal = glm::cross(b - a, c - a);
-    const float least = kLeast * glm::length(normal) * glm::length(outward);
-    teeth.triangle_shade.push_back(glm::dot(normal, outward) >= least ? 0 : 1);
+    const bool looks_out =
+        glm::dot(glm::vec2(normal.x, normal.z), way) >= kLeast * glm::length(normal) * glm::length(way);
+    const bool is_outer = part.name == "gum_upper" && is_outside(a) && is_outside(b) && is_outside(c);
+    part.triangle_shade.push_back(looks_out || is_outer ? 0 : 1);
   }
 }
 
-// What the parts of a real head become; their own tones where nothing is said.
-void set_material(const Look& look, const InkColours& colours, Part& part) {
+// Teeth that have come through as far as their row: the edges of an infant's first ones would be dots.
+bool has_teeth(const Ink& ink) {
+  constexpr float kThrough_mm = 1;
+  const auto find_edge = [&](const char* name) {
+    return compute_bounds(ink.model.parts[find_part(ink.model, name)].rest.positions).low.y;
+  };
+  return find_edge("gum_upper") - find_edge("teeth_upper") > kThrough_mm * ink.eye_size;
+}
+
+// What the parts of a real head become; their own tones where nothing is said. Teeth and their gum are one
+// white band: the gum's scallops would leave it in pieces.
+void set_material(const Look& look, const InkColours& colours, const Ink& ink, bool has_row, Part& part) {
   const auto flat = [&](const glm::vec3& srgb) {
     part.material = "ink_flat";
     part.palette = {{srgb, 0}};
     part.shade.clear();
   };
-  if (part.name == "teeth_upper") {
-    flat(colours.bone);
-    darken_backs(colours, part);
+  if (part.name == "teeth_upper" || part.name == "gum_upper") {
+    flat(has_row ? colours.bone : colours.cavity);
+    darken_backs(colours, ink, part);
   }
-  if (part.name == "gum_upper" || part.name == "teeth_lower" || part.name == "gum_lower" ||
-      part.name == "lip_veil")
+  if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
     flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
   if (part.name == "tongue") flat(colours.flesh);
   const bool is_beard = part.name.starts_with("beard");
@@ -274,17 +320,12 @@ void hide_ears(const Figure& figure, Ink& ink) {
   std::erase_if(ink.hull_triangles, is_hidden);
 }
 
-std::size_t find_part(const Model& model, std::string_view name) {
-  const auto found = std::ranges::find(model.parts, name, &Part::name);
-  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
-  return static_cast<std::size_t>(found - model.parts.begin());
-}
-
 void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth = find_part(ink.model, "teeth_upper");
   ink.tongue = find_part(ink.model, "tongue");
   ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
   ink.bones = {ink.teeth, find_part(ink.model, "gum_upper"), ink.lower[0], ink.lower[1]};
+  ink.veil = find_part(ink.model, "lip_veil");
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
   ink.teeth_top_mm = box.high.y;
@@ -343,7 +384,8 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   Ink ink;
   ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
   ink.model = figure.model;
-  for (Part& part : ink.model.parts) set_material(spec.look, colours, part);
+  const bool has_row = has_teeth(ink);
+  for (Part& part : ink.model.parts) set_material(spec.look, colours, ink, has_row, part);
   Part& skin = ink.model.parts.front();
   const std::vector<glm::vec3> positions = skin.rest.positions;
   InkRegions regions = cut_regions(figure, spec, colours, positions);
@@ -360,6 +402,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   find_eyes(ink);
   find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
+  ink.cheek = std::move(regions.cheek);
   hide_ears(figure, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
@@ -369,6 +412,8 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.model.parts.push_back(make_caster(figure, regions.is_opening, positions, ink));
   ink.sheet = ink.model.parts.size();
   ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
+  ink.tooth_strip = ink.model.parts.size();
+  ink.model.parts.push_back(make_tooth_strip(figure, has_row ? colours.bone : colours.cavity, ink));
   ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)

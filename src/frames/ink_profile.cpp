@@ -19,9 +19,11 @@ struct DrawnOut {
                                     // what is drawn out is
   float aside_mm = 1, high_mm = 1;  // half of how wide and how high that is
   float deeper = 0;                 // by this share of its depth
+  float lower = 0;  // what is whole aside: by this share of its height, for it ends in a wedge
   float none_aside = 0.2f, whole_aside = 0.7f;  // of aside_mm
   float whole_high = 1.5f, none_high = 2.6f;    // of high_mm
-  float none_deep = 3.5f;                       // of deep_mm: the head's back stays
+  float none_lower = 1;
+  float none_deep = 3.5f;  // of deep_mm: the head's back stays
 };
 
 void draw_out(const DrawnOut& out, glm::vec3& p) {
@@ -30,9 +32,12 @@ void draw_out(const DrawnOut& out, glm::vec3& p) {
   const float high = std::abs(glm::dot(way, out.up)) / out.high_mm;
   if (behind <= 0 || behind >= out.none_deep || high >= out.none_high) return;
   const float share =
+      std::min(behind, 1.0f) *
       smooth_step(out.none_aside, out.whole_aside, std::abs(glm::dot(way, out.aside)) / out.aside_mm) *
-      (1 - smooth_step(out.whole_high, out.none_high, high)) * (1 - smooth_step(1.0f, out.none_deep, behind));
-  p -= out.deeper * out.deep_mm * std::min(behind, 1.0f) * share * out.forward;
+      (1 - smooth_step(1.0f, out.none_deep, behind));
+  p -= out.deeper * out.deep_mm * share * (1 - smooth_step(out.whole_high, out.none_high, high)) *
+           out.forward +
+       out.lower * share * (1 - smooth_step(0.0f, out.none_lower, high)) * glm::dot(way, out.up) * out.up;
 }
 
 DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
@@ -63,7 +68,7 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
 
 // Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
-  constexpr float kDeeper = 0.7f, kLips_mm = 6, kBeyond_mm = 15;
+  constexpr float kDeeper = 0.7f, kLower = 0.6f, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 4;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{
@@ -73,8 +78,10 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   mouth.aside_mm = 0.5f * glm::distance(left, right);
   mouth.high_mm = 0.5f * glm::distance(upper, lower) + kLips_mm * ink.eye_size;
   mouth.deeper = kDeeper;
+  mouth.lower = kLower;
   mouth.whole_aside = 0.9f;
   mouth.whole_high = 0;
+  mouth.none_lower = 1 + kBeyondWedge_mm * ink.eye_size / mouth.high_mm;
   mouth.none_high = 1 + kBeyond_mm * ink.eye_size / mouth.high_mm;
   return mouth;
 }
@@ -94,11 +101,14 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   DrawnOut eyes = measure_eyes(ink, drawing), mouth = measure_mouth(ink, eyes, skin);
+  constexpr float kCheek_mm = 9;
   eyes.deeper *= beside;
   mouth.deeper *= beside * parted;
-  for (glm::vec3& p : skin) {
-    draw_out(eyes, p);
-    draw_out(mouth, p);
+  mouth.lower *= beside * parted;
+  for (std::size_t v = 0; v < skin.size(); ++v) {
+    draw_out(eyes, skin[v]);
+    draw_out(mouth, skin[v]);
+    skin[v] -= beside * kCheek_mm * ink.eye_size * ink.cheek[v] * eyes.forward;
   }
   for (const std::size_t part : ink.balls)
     for (glm::vec3& p : drawing.parts[part].positions) draw_out(eyes, p);
@@ -110,6 +120,44 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
       bone.world_from_rest = glm::scale(bone.world_from_rest, glm::vec3(1 - kNarrower * beside, 1, 1));
     for (glm::vec3& p : bone.positions)
       p -= kNarrower * beside * glm::dot(p - eyes.middle, eyes.aside) * eyes.aside;
+  }
+}
+
+void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
+  constexpr float kBegins = 0.5f, kLeast = 0.02f, kBehind_mm = 1.5f, kThroat_mm = 25;
+  const float share = smooth_step(kBegins, 1.0f, beside);
+  const PartShape& teeth = drawing.parts[ink.teeth];
+  const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1])),
+                  forward = glm::normalize(glm::vec3(teeth.world_from_rest[2]));
+  float end = INFINITY;
+  for (const glm::vec3& p : teeth.positions) end = std::min(end, glm::dot(p, up));
+  if (teeth.positions.empty()) {
+    const glm::vec4 rest_end(0, ink.teeth_top_mm - ink.teeth_high_mm, 0, 1);
+    end = glm::dot(glm::vec3(teeth.world_from_rest * rest_end), up);
+  }
+  const std::size_t last = ink.strip_points.size() - 1;
+  const glm::vec3& middle = skin[ink.strip_points[last / 2]];
+  const float high = std::max(0.0f, glm::dot(middle, up) - end);
+  PartShape& strip = drawing.parts[ink.tooth_strip];
+  strip.positions.clear();
+  for (std::size_t i = 0; i <= last; ++i) {
+    const float aside = std::abs(2 * static_cast<float>(i) / static_cast<float>(last) - 1);
+    const glm::vec3 top = skin[ink.strip_points[i]] - kBehind_mm * ink.eye_size * (1 - aside) * forward;
+    strip.positions.push_back(top);
+    strip.positions.push_back(top - share * high * (1 - aside * aside) * up);
+  }
+  if (share == 0) return;
+  const float size = std::max(kLeast, 1 - share);
+  for (const std::size_t part : ink.bones) {
+    PartShape& bone = drawing.parts[part];
+    const glm::vec3 at = middle - kThroat_mm * ink.eye_size * forward;
+    if (bone.positions.empty()) {
+      glm::mat4 about = glm::translate(glm::mat4(1), at);
+      about = glm::scale(about, glm::vec3(size));
+      bone.world_from_rest = glm::translate(about, -at) * bone.world_from_rest;
+    }
+    for (glm::vec3& p : bone.positions) p = at + size * (p - at);
   }
 }
 

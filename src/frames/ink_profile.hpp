@@ -16,6 +16,10 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
 // as far as its lips are `parted`, 0..1. A head without a lens stays as it is: its eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
+// Instead of the teeth, which would be pieces of their row between lips that are drawn out, a strip hangs
+// from the upper lip as low as they do. To be called while they are whole.
+void hang_teeth(const Ink& ink, float beside, Drawing& drawing);
+
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade.
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);

@@ -83,7 +83,13 @@ std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> value
   return values;
 }
 
-std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
+// In profile a cheek's pad would stand before the half of the blush that is nearer to the nose: what is there
+// stays, and from the middle on it lies farther back.
+std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions,
+                               std::vector<float>& cheek) {
+  constexpr float kInner = -1.3f, kMiddle = 0.2f, kOuter = 1.2f, kBeyond = 4;
+  constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;         // above it is the eye
+  constexpr float kDeepNone = -3, kDeepWhole = -0.5f;                // behind it is the ear
   constexpr float kWide_mm = 13.5f, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
   constexpr glm::vec3 kAside_mm(15, 4.7f, 0);
   constexpr float kRise_deg = 17, kBow = 0.3f;  // its outer end lies higher, as the cheekbone does; it hangs
@@ -103,6 +109,9 @@ std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3
     const glm::vec3 share(along, glm::dot(arm, up) / kHigh_mm - kBow * along * along,
                           glm::dot(arm, out) / kDeep_mm);
     field.push_back(1 - glm::length(share));
+    cheek.push_back(smooth_step(kInner, kMiddle, share.x) * (1 - smooth_step(kOuter, kBeyond, share.x)) *
+                    smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *
+                    (1 - smooth_step(kWhole, kHigh, share.y)));
   }
   return field;
 }
@@ -162,16 +171,16 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   constexpr float kFlushWhole = 0.75f;  // of the way from its edge to its middle it is as red as it gets
   // A cheek of the skin's own colour is not cut.
   const bool is_flushed = figure.head.design.blush > 0 || colours.blush;
-  const std::vector<float> flush =
-      is_flushed ? paint_flush(figure, positions) : std::vector<float>(positions.size(), -1.0f);
+  InkRegions regions;
+  const std::vector<float> flush = paint_flush(figure, positions, regions.cheek);
+  if (!is_flushed) regions.cheek.assign(positions.size(), 0);
   for (int step = 0; step < kFlushSteps; ++step) {
     std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
-    field = flush;
+    field = is_flushed ? flush : std::vector<float>(flush.size(), -1.0f);
     for (float& value : field)
       value -= kFlushWhole * static_cast<float>(kFlushSteps - 1 - step) / static_cast<float>(kFlushSteps - 1);
   }
 
-  InkRegions regions;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] >= -kRim || cutting.fields[kHole][v] >= -kRim);
   for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);

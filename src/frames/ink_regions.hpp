@@ -21,6 +21,7 @@ struct InkRegions {
   std::vector<std::uint16_t> shade;  // of each of them, an index into `palette`
   std::vector<Shade> palette;
   std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
+  std::vector<float> cheek;      // of them: how far it is drawn out with the blush, 0..1
 };
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at
