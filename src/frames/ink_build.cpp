@@ -9,6 +9,7 @@
 #include "core/smooth.hpp"
 #include "frames/ink.hpp"
 #include "frames/ink_hair.hpp"
+#include "frames/ink_parts.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
 #include "head/beard.hpp"
@@ -119,15 +120,6 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);
 }
 
-Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb) {
-  Part part;
-  part.name = std::move(name);
-  part.material = material;
-  part.palette = {{srgb, 0}};
-  part.is_printed = false;
-  return part;
-}
-
 Part make_outline(const std::string& name, const InkColours& colours) {
   Part part = make_flat_part(name + "_outline", "ink_line", colours.line);
   part.is_outline = true;
@@ -166,11 +158,10 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   }
   // The longer a nose is, the deeper and the farther around, or its shadow would run into the lips.
   const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
-  const float stands_mm = (find("p_tip").z - find("M5_0").z) / ink.eye_size;
+  const float stands_mm = measure_nose_mm(figure);
   const float nose_mm = std::max(kLeastNose_mm, kNose * stands_mm);
   // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
-  constexpr float kButton_mm = 7.4f;
-  if (stands_mm < kButton_mm) {
+  if (stands_mm < kButtonNose_mm) {
     places.emplace_back(find("p_tip"), nose_mm);
     for (const glm::vec3& place : nostrils) places.emplace_back(place, nose_mm);
   }
@@ -196,136 +187,12 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   return part;
 }
 
-// Seen from the side, one looks through an open mouth from corner to corner: a sheet in the middle of it,
-// from the lips to the throat.
-Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink) {
-  for (const char* ring : {"M0", "MB1", "MB2"})
-    for (const int column : {0, 12})
-      ink.sheet_points.push_back(find_point(figure.head.cage, fmt::format("{}_{}", ring, column)));
-  Part part = make_flat_part("mouth_sheet", "ink_flat", colours.cavity);
-  part.rest.positions.resize(ink.sheet_points.size());
-  for (std::uint32_t v = 0; v + 3 < ink.sheet_points.size(); v += 2) {
-    part.rest.triangles.push_back({v, v + 1, v + 3});
-    part.rest.triangles.push_back({v, v + 3, v + 2});
-  }
-  return part;
-}
-
-Part make_tooth_strip(const Figure& figure, const glm::vec3& srgb, Ink& ink) {
-  const Cage& cage = figure.head.cage;
-  constexpr int kCorner = 6;
-  for (int column = -kCorner; column <= kCorner; ++column) {
-    const std::uint32_t left = find_point(cage, fmt::format("M0_{}", std::abs(column)));
-    ink.strip_points.push_back(column < 0 ? cage.mirror[left] : left);
-  }
-  Part part = make_flat_part("tooth_strip", "ink_flat", srgb);
-  part.rest.positions.resize(2 * ink.strip_points.size());
-  for (std::uint32_t v = 0; v + 3 < part.rest.positions.size(); v += 2) {
-    part.rest.triangles.push_back({v, v + 1, v + 3});
-    part.rest.triangles.push_back({v, v + 3, v + 2});
-  }
-  return part;
-}
-
-std::size_t find_part(const Model& model, std::string_view name) {
-  const auto found = std::ranges::find(model.parts, name, &Part::name);
-  if (found == model.parts.end()) throw RunError(fmt::format("internal: a drawn head without {}", name));
-  return static_cast<std::size_t>(found - model.parts.begin());
-}
-
-// Seen from below, the backs of the upper teeth and the palate are mouth: white is what looks outward from
-// the arch, and of the gum what lies at the teeth's outside.
-void darken_backs(const InkColours& colours, const Ink& ink, Part& part) {
-  constexpr float kLeast = 0.6f;  // cosine; lower, and cusps are specks in the dark
-  constexpr float kBeside = 0.99f, kInside_mm = 3.5f;
-  const Mesh& teeth = ink.model.parts[find_part(ink.model, "teeth_upper")].rest;
-  const float back_mm = compute_bounds(teeth.positions).low.z;
-  const auto find_way = [&](const glm::vec3& p) { return glm::vec2(p.x, p.z - back_mm); };
-  const auto is_outside = [&](const glm::vec3& p) {
-    const glm::vec2 way = find_way(p);
-    float outside_mm = 0;
-    for (const glm::vec3& tooth : teeth.positions) {
-      const glm::vec2 other = find_way(tooth);
-      if (glm::dot(way, other) > kBeside * glm::length(way) * glm::length(other))
-        outside_mm = std::max(outside_mm, glm::length(other));
-    }
-    return glm::length(way) > outside_mm - kInside_mm * ink.eye_size;
-  };
-  part.palette.push_back({colours.cavity, 0});
-  for (const Triangle& t : part.rest.triangles) {
-    const glm::vec3 &a = part.rest.positions[t[0]], &b = part.rest.positions[t[1]],
-                    &c = part.rest.positions[t[2]];
-    const glm::vec2 way = find_way((a + b + c) / 3.0f);
-    const glm::vec3 normal = glm::cross(b - a, c - a);
-    const bool looks_out =
-        glm::dot(glm::vec2(normal.x, normal.z), way) >= kLeast * glm::length(normal) * glm::length(way);
-    const bool is_outer = part.name == "gum_upper" && is_outside(a) && is_outside(b) && is_outside(c);
-    part.triangle_shade.push_back(looks_out || is_outer ? 0 : 1);
-  }
-}
-
-// Teeth that have come through as far as their row: the edges of an infant's first ones would be dots.
-bool has_teeth(const Ink& ink) {
-  constexpr float kThrough_mm = 1;
-  const auto find_edge = [&](const char* name) {
-    return compute_bounds(ink.model.parts[find_part(ink.model, name)].rest.positions).low.y;
-  };
-  return find_edge("gum_upper") - find_edge("teeth_upper") > kThrough_mm * ink.eye_size;
-}
-
-// What the parts of a real head become; their own tones where nothing is said. Teeth and their gum are one
-// white band: the gum's scallops would leave it in pieces.
-void set_material(const Look& look, const InkColours& colours, const Ink& ink, bool has_row, Part& part) {
-  const auto flat = [&](const glm::vec3& srgb) {
-    part.material = "ink_flat";
-    part.palette = {{srgb, 0}};
-    part.shade.clear();
-  };
-  if (part.name == "teeth_upper" || part.name == "gum_upper") {
-    flat(has_row ? colours.bone : colours.cavity);
-    darken_backs(colours, ink, part);
-  }
-  if (part.name == "teeth_lower" || part.name == "gum_lower" || part.name == "lip_veil")
-    flat(colours.cavity);  // what shows of lower teeth beside a tongue is crumbs
-  if (part.name == "tongue") flat(colours.flesh);
-  const bool is_beard = part.name.starts_with("beard");
-  if (!part.name.starts_with("hair") && !is_beard) return;
-  const glm::vec3 srgb = find_ink_hair(is_beard ? compute_beard_colour(look) : look.hair);
-  part.palette = {{srgb, 0}};
-  if (!part.triangle_shade.empty()) part.palette.push_back({srgb, 1});  // the ring of light
-  part.material = "ink_hair";
-  part.shade.clear();
-  part.grain.clear();
-  part.wear = 0;
-}
-
-// Hair that covers ears covers them whole: beside it they would be a strip, and crumbs.
-void hide_ears(const Figure& figure, Ink& ink) {
-  const auto cut = figure.head.data->hair.cuts.find(figure.hair);
-  if (cut == figure.head.data->hair.cuts.end() || !cut->second.covers_ears) return;
-  std::vector<bool> is_ear;
-  for (const HairGround ground : list_hair_grounds(figure.head)) is_ear.push_back(ground == HairGround::ear);
-  for (const auto& [a, b] : figure.folds.skin.parents) is_ear.push_back(is_ear[a] && is_ear[b]);
-  for (const auto& [from, to, share] : ink.cuts) is_ear.push_back(is_ear[from] && is_ear[to]);
-  const auto is_hidden = [&](const Triangle& t) { return is_ear[t[0]] || is_ear[t[1]] || is_ear[t[2]]; };
-  Part& skin = ink.model.parts.front();
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
-    if (is_hidden(skin.rest.triangles[i])) continue;
-    skin.rest.triangles[kept] = skin.rest.triangles[i];
-    skin.triangle_shade[kept++] = skin.triangle_shade[i];
-  }
-  skin.rest.triangles.resize(kept);
-  skin.triangle_shade.resize(kept);
-  std::erase_if(ink.hull_triangles, is_hidden);
-}
-
 void find_mouth(const Figure& figure, Ink& ink) {
-  ink.teeth = find_part(ink.model, "teeth_upper");
-  ink.tongue = find_part(ink.model, "tongue");
-  ink.lower = {find_part(ink.model, "teeth_lower"), find_part(ink.model, "gum_lower")};
-  ink.bones = {ink.teeth, find_part(ink.model, "gum_upper"), ink.lower[0], ink.lower[1]};
-  ink.veil = find_part(ink.model, "lip_veil");
+  ink.teeth = find_model_part(ink.model, "teeth_upper");
+  ink.tongue = find_model_part(ink.model, "tongue");
+  ink.lower = {find_model_part(ink.model, "teeth_lower"), find_model_part(ink.model, "gum_lower")};
+  ink.bones = {ink.teeth, find_model_part(ink.model, "gum_upper"), ink.lower[0], ink.lower[1]};
+  ink.veil = find_model_part(ink.model, "lip_veil");
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
   ink.teeth_high_mm = box.high.y - box.low.y;
   ink.teeth_top_mm = box.high.y;
@@ -335,7 +202,7 @@ void find_mouth(const Figure& figure, Ink& ink) {
 }
 
 void find_eyes(Ink& ink) {
-  ink.whites = {find_part(ink.model, "eye_left"), find_part(ink.model, "eye_right")};
+  ink.whites = {find_model_part(ink.model, "eye_left"), find_model_part(ink.model, "eye_right")};
   for (std::size_t i = 0; i < ink.model.parts.size(); ++i)
     for (const char* name : {"eye_", "iris_", "pupil_"})
       if (ink.model.parts[i].name.starts_with(name)) ink.balls.push_back(i);
@@ -365,11 +232,18 @@ void add_hair_strokes(const Figure& figure, const InkColours& colours, Ink& ink)
   constexpr float kHair = 0.3f, kLine = 0.45f;
   const auto mass = std::ranges::find(figure.model.parts, "hair_mass", &Part::name);
   if (mass == figure.model.parts.end()) return;
-  const std::vector<InkStroke> strokes = list_hair_strokes(figure.head, figure.hair, mass->rest);
+  std::vector<InkStroke> strokes = list_hair_strokes(figure.head, figure.hair, mass->rest);
   if (strokes.empty()) return;
-  const glm::vec3 hair = ink.model.parts[find_part(ink.model, "hair_mass")].palette.front().srgb;
+  const glm::vec3 hair = ink.model.parts[find_model_part(ink.model, "hair_mass")].palette.front().srgb;
   Part part = make_flat_part("hair_lines", "ink_line", glm::mix(kHair * hair, colours.line, kLine));
-  for (const InkStroke& stroke : strokes) {
+  for (InkStroke& stroke : strokes) {
+    const auto is_in_ear = [&](const StrokePoint& point) {
+      glm::vec3 place(0);
+      for (int k = 0; k < 3; ++k) place += point.shares[k] * mass->rest.positions[point.vertices[k]];
+      return is_in_ear_bowl(figure.head, place, ink.eye_size);
+    };
+    std::erase_if(stroke.points, is_in_ear);
+    if (stroke.points.size() < 2) continue;
     const auto first = static_cast<std::uint32_t>(part.rest.positions.size());
     for (const Triangle& t : list_hair_line_triangles(first)) part.rest.triangles.push_back(t);
     part.rest.positions.resize(first + std::size_t{2} * kHairLineSteps);
@@ -384,8 +258,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   Ink ink;
   ink.eye_size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
   ink.model = figure.model;
-  const bool has_row = has_teeth(ink);
-  for (Part& part : ink.model.parts) set_material(spec.look, colours, ink, has_row, part);
+  set_materials(spec.look, colours, ink);
   Part& skin = ink.model.parts.front();
   const std::vector<glm::vec3> positions = skin.rest.positions;
   InkRegions regions = cut_regions(figure, spec, colours, positions);
@@ -404,6 +277,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.cheek = std::move(regions.cheek);
   hide_ears(figure, ink);
+  clear_ears(figure, ink);
   ink.tone = build_ink_tone(figure);
   ink.limits = figure.limits;
   ink.data = figure.head.data;
@@ -413,7 +287,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.sheet = ink.model.parts.size();
   ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
   ink.tooth_strip = ink.model.parts.size();
-  ink.model.parts.push_back(make_tooth_strip(figure, has_row ? colours.bone : colours.cavity, ink));
+  ink.model.parts.push_back(make_tooth_strip(figure, colours, ink));
   ink.first_outline = ink.model.parts.size();
   std::vector<Part> outlines{make_outline("skin", colours)};
   for (std::size_t i = 1; i < ink.model.parts.size(); ++i)

@@ -68,7 +68,7 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
 
 // Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
-  constexpr float kDeeper = 0.7f, kLower = 0.6f, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 4;
+  constexpr float kDeeper = 0.7f, kLower = 0.85f, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 4;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{

@@ -260,11 +260,15 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
         line[i] = glm::mix(0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1], before[i],
                            ground.beside);
     }
-  for (std::size_t i = 0; i < stroke.before.size(); ++i)
+  // Toward the camera, or it would leave the slit that it is drawn along.
+  for (std::size_t i = 0; i < stroke.before.size(); ++i) {
+    const float met = ground.met * (1 - ground.beside);
+    ups[i] = glm::normalize(glm::mix(ups[i], glm::normalize(ground.camera_mm - line[i]), met));
     for (const std::uint32_t point : stroke.before[i]) {
       const float ahead = glm::dot(ground.positions[point] - line[i], ups[i]);
-      line[i] += std::max(0.0f, ahead) * ground.met * (1 - ground.beside) * ups[i];
+      line[i] += std::max(0.0f, ahead) * met * ups[i];
     }
+  }
   if (rule.wing != glm::vec3(0)) {
     // Beyond the outer corner, told in the frame of the skin there.
     const glm::vec3 along = glm::normalize(line.back() - line[line.size() - 3]);

@@ -32,6 +32,14 @@ bool is_bridge(std::string_view point) {
   return point == "k_b2" || point == "c3_b2";
 }
 
+float measure_nose_mm(const Figure& figure) {
+  const auto find_z = [&](const char* name) {
+    return figure.head.skin.positions[find_point(figure.head.cage, name)].z;
+  };
+  const auto size = static_cast<float>(figure.head.eye.radius_mm / figure.head.adult_eye.radius_mm);
+  return (find_z("p_tip") - find_z("M5_0")) / size;
+}
+
 InkTonePointer build_ink_tone(const Figure& figure) {
   constexpr double kSpread_mm = 5;  // how far, on an adult's head
   const Cage& cage = figure.head.cage;
@@ -75,6 +83,14 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   // Nor does the nose's bridge between the eyes: its shade would run from there to the tip in pieces.
   for (const std::string& name : cage.names)
     if (is_bridge(name)) hush(name);
+  // Nor does a button of a nose: its shade would be a third nostril.
+  constexpr double kNose_mm = 16;
+  if (measure_nose_mm(figure) < kButtonNose_mm) {
+    const glm::vec3 tip = places[find_point(cage, "p_tip")];
+    for (std::size_t point = 0; point < cage.names.size(); ++point)
+      if (glm::distance(tip, places[point]) < kNose_mm * size)
+        tone->areas[static_cast<Eigen::Index>(point)] *= kCorner;
+  }
   std::vector<Eigen::Triplet<double>> entries;
   for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;

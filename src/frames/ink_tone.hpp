@@ -23,6 +23,11 @@ struct InkToneBuffers {
 // own nor casts a shadow: below it the nose has one shade, of one form in every expression.
 bool is_bridge(std::string_view point);
 
+// How far the nose's tip stands out over the lip at rest, on an adult's head; below the least of them it is a
+// button without shade.
+inline constexpr float kButtonNose_mm = 7.4f;
+float measure_nose_mm(const Figure& figure);
+
 InkTonePointer build_ink_tone(const Figure& figure);
 
 // For every vertex of the fine skin, whose unit normals are given: the direction that its tone is told by, of

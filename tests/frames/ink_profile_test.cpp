@@ -227,6 +227,26 @@ TEST(ink_profile, the_line_of_full_lips_that_meet_lies_before_them) {
         << name;
 }
 
+TEST(ink_profile, the_line_of_lips_that_meet_lies_on_their_slit) {
+  const Drawing drawing =
+      draw(infant(), make_pose({{"corner.up", -0.8}, {"lips.press", 0.4}, {"chin.crease", 0.5}}), TurnKey{},
+           {kBefore_mm, {0, 0, 1}, 1});
+  const auto find_height = [](const glm::vec3& p) {  // in the picture, at the head's distance
+    return static_cast<float>(kBefore_mm.z) * p.y / (static_cast<float>(kBefore_mm.z) - p.z);
+  };
+  const auto find_slit = [&](const char* name) {
+    return find_height(drawing.parts.front().positions[find_point(infant().figure.head.cage, name)]);
+  };
+  float low = 1e9f, high = -1e9f;
+  for (const glm::vec3& p : find_stroke(infant(), drawing, "upper_lip"))
+    if (std::abs(p.x) < 1) {
+      low = std::min(low, find_height(p));
+      high = std::max(high, find_height(p));
+    }
+  EXPECT_LT(low, find_slit("M1_12"));
+  EXPECT_GT(high, find_slit("M1_0"));
+}
+
 TEST(ink_profile, lobes_have_an_outline) {
   HeadSpec spec = make_spec("comic");
   spec.hair = "crop";
@@ -268,6 +288,60 @@ TEST(ink_profile, the_thin_line_below_an_old_eye_is_of_the_front) {
   };
   EXPECT_GT(measure(kBefore_mm), 0.2);
   EXPECT_LT(measure(kBeside_mm), 0.05);
+}
+
+// A cheek's pad that stands before the half of its blush would cut it.
+TEST(ink_profile, the_blush_of_a_laugh_is_seen_whole) {
+  constexpr std::size_t kSteps = 10;  // of the blush, before the plain skin in its palette
+  const Pose laugh =
+      make_pose({{"corner.up", 0.8}, {"corner.out", 0.6}, {"chin.down", 0.5}, {"eye.squeeze", 0.4}});
+  for (const Subject* subject : {&child(), &infant()}) {
+    const Part& skin = subject->ink.model.parts.front();
+    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+      const std::size_t from_last = skin.palette.size() - 1 - skin.triangle_shade[i];
+      const Triangle& t = skin.rest.triangles[i];
+      if (from_last < 1 || from_last > kSteps || skin.rest.positions[t[0]].x < 0) continue;
+      const glm::vec3 normal = glm::cross(p[t[1]] - p[t[0]], p[t[2]] - p[t[0]]);
+      EXPECT_GT(glm::dot(normal, glm::vec3(kBeside_mm) - p[t[0]]), 0) << i;
+      ++count;
+    }
+    EXPECT_GT(count, 100U);
+  }
+}
+
+// From before the row hangs where it is; from the side a strip is as low.
+TEST(ink_profile, teeth_are_a_strip) {
+  const Pose open = make_pose({{"chin.down", 0.6}, {"lips.upper", 0.4}});
+  const std::vector<glm::vec3>& rest = comic().ink.model.parts[comic().ink.teeth].rest.positions;
+  const auto find_teeth = [&](const Drawing& drawing) {
+    const PartShape& teeth = drawing.parts[comic().ink.teeth];
+    std::vector<glm::vec3> places = teeth.positions;
+    if (places.empty())
+      for (const glm::vec3& p : rest) places.emplace_back(teeth.world_from_rest * glm::vec4(p, 1));
+    return compute_bounds(places);
+  };
+  const Drawing before = draw(comic(), open, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1}),
+                beside = draw(comic(), open, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+  const std::vector<glm::vec3>& strip = beside.parts[comic().ink.tooth_strip].positions;
+  EXPECT_NEAR(strip[strip.size() / 2].y, find_teeth(before).low.y, 0.5f);  // the lower one of the middle
+  EXPECT_LT(glm::length(find_teeth(beside).high - find_teeth(beside).low), 2.0f);
+  const std::vector<glm::vec3>& none = before.parts[comic().ink.tooth_strip].positions;
+  for (std::size_t v = 0; v < none.size(); v += 2) EXPECT_EQ(none[v], none[v + 1]) << v;
+}
+
+TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
+  const Pose open = make_pose({{"chin.down", 0.8}, {"corner.up", 0.6}});
+  const auto measure_high_mm = [&](const glm::dvec3& camera_mm) {
+    const Drawing drawing = draw(infant(), open, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const auto find_y = [&](const char* name) {
+      return drawing.parts.front().positions[find_point(infant().figure.head.cage, name)].y;
+    };
+    return find_y("M1_5") - find_y("M1_7");
+  };
+  EXPECT_LT(measure_high_mm(kBeside_mm), 0.5f * measure_high_mm(kBefore_mm));
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+// What the parts of a real head become in ink, and the parts that only a drawn one has.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <string_view>
+
+#include "core/model.hpp"
+#include "frames/ink.hpp"
+
+namespace mien {
+
+// A part of one colour that is not printed, without points.
+Part make_flat_part(std::string name, const char* material, const glm::vec3& srgb);
+
+// The index of a part; throws RunError where there is none of that name.
+std::size_t find_model_part(const Model& model, std::string_view name);
+
+// Gives all parts of ink.model but the skin the materials and colours of ink. To be called before a part is
+// added, as all of the following are.
+void set_materials(const Look& look, const InkColours& colours, Ink& ink);
+
+// Takes triangles away: ears below hair that covers them, whose strips and crumbs would show beside it, and
+// hair in the bowl of an ear.
+void hide_ears(const Figure& figure, Ink& ink);
+void clear_ears(const Figure& figure, Ink& ink);
+
+// Whether a place is in the bowl of an ear of the head at rest.
+bool is_in_ear_bowl(const NeutralHead& head, const glm::vec3& place, float eye_size);
+
+// Seen from the side, one looks through an open mouth from corner to corner: a sheet in the middle of it,
+// from the lips to the throat. And teeth are a strip there; both take their points from the skin (Ink).
+Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink);
+Part make_tooth_strip(const Figure& figure, const InkColours& colours, Ink& ink);
+
+}  // namespace mien

@@ -1,0 +1,105 @@
+#include "frames/ink_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "core/error.hpp"
+#include "drawn_subject.hpp"
+
+namespace mien {
+namespace {
+
+constexpr InkView kBefore{{0, 0, 900}, {0, 0, 1}, 1};
+
+Subject build_of_age(const char* age) {
+  HeadSpec spec = make_spec("comic");
+  spec.age = {{age, 1.0}};
+  return build_subject(spec);
+}
+
+const Part& find(const Subject& subject, const char* name) {
+  return subject.ink.model.parts[find_part(subject.ink.model, name)];
+}
+
+bool is_used(const Part& part, std::uint16_t shade) {
+  return std::ranges::find(part.triangle_shade, shade) != part.triangle_shade.end();
+}
+
+TEST(ink_parts, a_part_that_is_not_there_is_told) {
+  EXPECT_THROW(find_model_part(comic().ink.model, "antlers"), RunError);
+}
+
+// The gum's scallops would leave the row in pieces; backs and palate are mouth.
+TEST(ink_parts, teeth_and_gum_are_one_white_band) {
+  const InkColours colours;
+  for (const char* name : {"teeth_upper", "gum_upper"}) {
+    const Part& part = find(comic(), name);
+    EXPECT_EQ(part.palette[0].srgb, colours.bone) << name;
+    EXPECT_EQ(part.palette[1].srgb, colours.cavity) << name;
+    EXPECT_TRUE(is_used(part, 0) && is_used(part, 1)) << name;
+  }
+  EXPECT_EQ(find(comic(), "tooth_strip").palette[0].srgb, colours.bone);
+}
+
+// Their edges would be dots.
+TEST(ink_parts, the_first_teeth_of_an_infant_are_not_seen) {
+  const Subject infant = build_of_age("infant");
+  for (const char* name : {"teeth_upper", "gum_upper", "tooth_strip"})
+    for (const Shade& shade : find(infant, name).palette) EXPECT_EQ(shade.srgb, InkColours{}.cavity) << name;
+}
+
+// It would be a strip of dark below the lip.
+TEST(ink_parts, what_closes_the_slit_is_gone_where_lips_part) {
+  const auto measure_mm = [](double jaw) {
+    const Drawing drawing = draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, kBefore);
+    const Box box = compute_bounds(drawing.parts[comic().ink.veil].positions);
+    return glm::length(box.high - box.low);
+  };
+  EXPECT_GT(measure_mm(0), 10);
+  EXPECT_LT(measure_mm(0.7), 0.01);
+}
+
+// Its shade beside a nostril would be a third one.
+TEST(ink_parts, a_button_of_a_nose_has_no_shade) {
+  constexpr double kTerminator = 0.12;  // as materials_drawn.inc has it: cosine
+  constexpr float kNose_mm = 9;
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.46, 0.6, 0.66));
+  const auto count_dark = [&](const Subject& subject) {
+    const Drawing drawing = draw(subject, Pose{}, TurnKey{}, {kBefore.camera_mm, to_light, 1});
+    const PartShape& skin = drawing.parts.front();
+    const glm::vec3 tip = skin.positions[find_point(subject.figure.head.cage, "p_tip")];
+    std::size_t count = 0;
+    for (std::size_t v = 0; v < skin.positions.size(); ++v)
+      if (glm::distance(tip, skin.positions[v]) < kNose_mm * subject.ink.eye_size &&
+          skin.positions[v].y > tip.y && glm::dot(glm::dvec3(skin.normals[v]), to_light) < kTerminator)
+        ++count;
+    return count;
+  };
+  EXPECT_EQ(count_dark(build_of_age("child")), 0U);
+}
+
+TEST(ink_parts, no_hair_comes_through_an_ear) {
+  HeadSpec spec = make_spec("comic");
+  spec.hair = "side_part";
+  spec.character = 1;
+  const Subject subject = build_subject(spec);
+  const Part& mass = find(subject, "hair_mass");
+  const auto is_in_ear = [&](const glm::vec3& p) {
+    return is_in_ear_bowl(subject.figure.head, p, subject.ink.eye_size);
+  };
+  EXPECT_TRUE(std::ranges::any_of(mass.rest.positions, is_in_ear));  // or this tells nothing
+  for (const Triangle& t : mass.rest.triangles)
+    for (int i = 0; i < 3; ++i) EXPECT_FALSE(is_in_ear(mass.rest.positions[t[i]]));
+  EXPECT_EQ(mass.rest.triangles.size(), mass.triangle_shade.size());
+  for (const InkStroke& stroke : subject.ink.strokes)
+    for (const StrokePoint& point : stroke.points) {
+      if (!stroke.rule.is_on_hair) continue;
+      glm::vec3 at(0);
+      for (int i = 0; i < 3; ++i) at += point.shares[i] * mass.rest.positions[point.vertices[i]];
+      EXPECT_FALSE(is_in_ear(at));
+    }
+}
+
+}  // namespace
+}  // namespace mien
