@@ -64,9 +64,9 @@ void hide_teeth(const Ink& ink, float gap_mm, Drawing& drawing) {
   constexpr float kUp = 0.35f, kBack = 0.35f;  // of the teeth's height: more, and the tongue comes out below
   const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
   if (hidden == 0) return;
-  PartShape& teeth = drawing.parts[ink.teeth];
-  const glm::vec3 up(teeth.world_from_rest[1]), forward(teeth.world_from_rest[2]);
-  draw_in(ink, hidden, teeth);
+  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
+  const glm::vec3 up(skull[1]), forward(skull[2]);
+  for (const std::size_t part : {ink.teeth, ink.gum}) draw_in(ink, hidden, drawing.parts[part]);
   shift(hidden * ink.teeth_high_mm * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
 }
 

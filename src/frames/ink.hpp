@@ -42,12 +42,13 @@ struct Ink {
       sheet_points;             // vertices of the skin that it lies through, upper and lower in turn
   std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
-  std::vector<float> cheek;           // of the skin's vertices: how far it lies farther back in profile, 0..1
-  std::size_t teeth = 0, tongue = 0;  // in `model`; the upper teeth
-  std::array<std::size_t, 2> lower{};         // in `model`: the lower teeth and their gum
-  std::vector<std::size_t> bones;             // in `model`: all teeth and gums
-  std::size_t veil = 0;                       // in `model`: what hangs behind the slit of shut lips
-  float teeth_high_mm = 0, teeth_top_mm = 0;  // how high they are, and where at rest their gum is
+  std::vector<float> cheek;  // of the skin's vertices: how far it lies farther back in profile, 0..1
+  std::size_t teeth = 0, gum = 0, tongue = 0;  // in `model`; the upper teeth and their gum
+  std::array<std::size_t, 2> lower{};          // in `model`: the lower teeth and their gum
+  std::vector<std::size_t> bones;              // in `model`: all teeth and gums
+  std::size_t veil = 0;                        // in `model`: what hangs behind the slit of shut lips
+  // How high the upper teeth are, or would be in an infant, and where at rest they begin and end.
+  float teeth_high_mm = 0, teeth_top_mm = 0, teeth_end_mm = 0;
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::array<std::uint32_t, 2> corners{};  // and where they meet
   std::vector<std::size_t> outlined;       // parts of the figure besides the skin that have outlines

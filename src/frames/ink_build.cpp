@@ -191,11 +191,14 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth = find_model_part(ink.model, "teeth_upper");
   ink.tongue = find_model_part(ink.model, "tongue");
   ink.lower = {find_model_part(ink.model, "teeth_lower"), find_model_part(ink.model, "gum_lower")};
-  ink.bones = {ink.teeth, find_model_part(ink.model, "gum_upper"), ink.lower[0], ink.lower[1]};
+  ink.gum = find_model_part(ink.model, "gum_upper");
+  ink.bones = {ink.teeth, ink.gum, ink.lower[0], ink.lower[1]};
   ink.veil = find_model_part(ink.model, "lip_veil");
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
-  ink.teeth_high_mm = box.high.y - box.low.y;
+  constexpr float kLeast_mm = 7;
+  ink.teeth_high_mm = std::max(box.high.y - box.low.y, kLeast_mm * ink.eye_size);
   ink.teeth_top_mm = box.high.y;
+  ink.teeth_end_mm = box.low.y;
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};

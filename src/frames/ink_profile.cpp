@@ -133,7 +133,7 @@ void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
   float end = INFINITY;
   for (const glm::vec3& p : teeth.positions) end = std::min(end, glm::dot(p, up));
   if (teeth.positions.empty()) {
-    const glm::vec4 rest_end(0, ink.teeth_top_mm - ink.teeth_high_mm, 0, 1);
+    const glm::vec4 rest_end(0, ink.teeth_end_mm, 0, 1);
     end = glm::dot(glm::vec3(teeth.world_from_rest * rest_end), up);
   }
   const std::size_t last = ink.strip_points.size() - 1;

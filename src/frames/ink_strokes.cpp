@@ -258,12 +258,12 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
       const std::vector<glm::vec3> before = line;
       for (std::size_t i = 1; i + 1 < line.size(); ++i)
         line[i] = glm::mix(0.25f * before[i - 1] + 0.5f * before[i] + 0.25f * before[i + 1], before[i],
-                           ground.beside);
+                           std::max(ground.beside, 1 - ground.met));
     }
   // Toward the camera, or it would leave the slit that it is drawn along.
   for (std::size_t i = 0; i < stroke.before.size(); ++i) {
     const float met = ground.met * (1 - ground.beside);
-    ups[i] = glm::normalize(glm::mix(ups[i], glm::normalize(ground.camera_mm - line[i]), met));
+    ups[i] = glm::normalize(glm::mix(ups[i], glm::normalize(ground.camera_mm - line[i]), 1 - ground.beside));
     for (const std::uint32_t point : stroke.before[i]) {
       const float ahead = glm::dot(ground.positions[point] - line[i], ups[i]);
       line[i] += std::max(0.0f, ahead) * met * ups[i];
