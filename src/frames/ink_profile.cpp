@@ -68,7 +68,7 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
 
 // Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
-  constexpr float kDeeper = 0.7f, kLower = 0.85f, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 4;
+  constexpr float kDeeper = 0.7f, kLower = 1, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 7;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{
@@ -79,7 +79,7 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   mouth.high_mm = 0.5f * glm::distance(upper, lower) + kLips_mm * ink.eye_size;
   mouth.deeper = kDeeper;
   mouth.lower = kLower;
-  mouth.whole_aside = 0.9f;
+  mouth.whole_aside = 0.8f;
   mouth.whole_high = 0;
   mouth.none_lower = 1 + kBeyondWedge_mm * ink.eye_size / mouth.high_mm;
   mouth.none_high = 1 + kBeyond_mm * ink.eye_size / mouth.high_mm;

@@ -263,7 +263,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // Toward the camera, or it would leave the slit that it is drawn along.
   for (std::size_t i = 0; i < stroke.before.size(); ++i) {
     const float met = ground.met * (1 - ground.beside);
-    ups[i] = glm::normalize(glm::mix(ups[i], glm::normalize(ground.camera_mm - line[i]), 1 - ground.beside));
+    ups[i] = glm::normalize(ground.camera_mm - line[i]);
     for (const std::uint32_t point : stroke.before[i]) {
       const float ahead = glm::dot(ground.positions[point] - line[i], ups[i]);
       line[i] += std::max(0.0f, ahead) * met * ups[i];
