@@ -137,7 +137,7 @@ void clear_shape(PartShape& shape) {
 
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
-  constexpr float kMet_mm = 1.2f, kParted_mm = 3;  // between an adult's lips
+  constexpr float kMet_mm = 1.2f, kParted_mm = 3, kSlit_mm = 4, kOpen_mm = 8;  // between an adult's lips
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   const InkSight sight = measure_sight(ink, view, skin.positions);
@@ -161,7 +161,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
         skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
 
   lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
-  place_mouth_sheet(ink, beside * parted, skin.positions, drawing.parts[ink.sheet]);
+  place_mouth_sheet(ink, beside * parted, 1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm), skin.positions,
+                    drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];

@@ -80,9 +80,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   // thread where the lid goes over into the brow, nor behind the corner of an open mouth.
   constexpr float kBagNone_mm = 12, kBagAll_mm = 20;
   std::vector<glm::vec3> bags;
-  for (const char* point : {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13",
-                            "E5_14", "E5_15", "E4_1",  "E4_2",  "E4_3",  "E4_4",  "E4_5",  "E5_2",  "E5_3",
-                            "E5_4",  "E5_5",  "M3_6",  "M3_7",  "M3_8",  "M4_6",  "M4_7",  "M4_8"})
+  for (const char* point :
+       {"E3_12", "E3_13", "E3_14", "E3_15", "E4_12", "E4_13", "E4_14", "E4_15", "E5_13", "E5_14", "E5_15",
+        "E4_1",  "E4_2",  "E4_3",  "E4_4",  "E4_5",  "E5_2",  "E5_3",  "E5_4",  "E5_5",  "M3_6",  "M3_7",
+        "M3_8",  "M4_6",  "M4_7",  "M4_8",  "M5_5",  "M5_6",  "M5_7",  "M6_6",  "M6_7"})
     add(point, bags);
   // But the middle of the face is its outline there, lips and the nose's bridge as well.
   constexpr float kMiddle_mm = 3, kBesideMiddle_mm = 7, kSeamNone_mm = 0.5f, kSeamAll_mm = 2.5f;

@@ -176,11 +176,15 @@ void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::ve
   }
 }
 
-void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet) {
+void place_mouth_sheet(const Ink& ink, float beside, float slit, const std::vector<glm::vec3>& skin,
+                       PartShape& sheet) {
   const glm::vec3 throat = 0.5f * (skin[ink.sheet_points[ink.sheet_points.size() - 1]] +
                                    skin[ink.sheet_points[ink.sheet_points.size() - 2]]);
   sheet.positions.clear();
-  for (const std::uint32_t v : ink.sheet_points) sheet.positions.push_back(glm::mix(throat, skin[v], beside));
+  for (const std::uint32_t v : ink.sheet_points) sheet.positions.push_back(skin[v]);
+  for (std::size_t lip = 0; lip < 2; ++lip)
+    sheet.positions[lip] = glm::mix(sheet.positions[lip], skin[ink.lips[lip]], slit);
+  for (glm::vec3& p : sheet.positions) p = glm::mix(throat, p, beside);
 }
 
 }  // namespace mien

@@ -25,6 +25,9 @@ void hang_teeth(const Ink& ink, float beside, Drawing& drawing);
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);
 
 // From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
-void place_mouth_sheet(const Ink& ink, float beside, const std::vector<glm::vec3>& skin, PartShape& sheet);
+// Between lips that part a little it comes to their edges, as far as `slit` says: what shows of them before
+// it is crumbs.
+void place_mouth_sheet(const Ink& ink, float beside, float slit, const std::vector<glm::vec3>& skin,
+                       PartShape& sheet);
 
 }  // namespace mien

@@ -18,6 +18,7 @@ namespace {
 // What is nearer to the front of this list stands before the others where they overlap.
 // A blush pales toward its edge in steps, the reddest first: with fewer each of them is seen.
 constexpr int kFlushSteps = 10;
+constexpr float kOneTone = 2;  // a gloss of materials_drawn.inc
 enum Region : std::uint16_t {
   kInside,
   kHole,
@@ -129,7 +130,7 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
   const glm::vec3 skin = glm::clamp(look.skin * 1.12f, 0.0f, 1.0f);
   const auto blush = static_cast<float>(figure.head.design.blush);
   std::vector<Shade> shades(kRegionCount, {skin, 0});
-  shades[kInside].srgb = colours.cavity;
+  shades[kInside] = {colours.cavity, kOneTone};  // shade in the dark would be a stain
   shades[kHole].srgb = skin * glm::vec3(0.48f, 0.28f, 0.27f);
   shades[kRed].srgb =
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);

@@ -49,7 +49,6 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "M1_4", "M1_5", "M1_6"},
        .is_sided = false,
        .is_smooth = true,
-       .lies_in_profile = true,
        .widths = {{0, 0.4}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.4}},
        .lift_mm = 1.2,
        .facing = {"M4_0", "M4_12"},

@@ -49,6 +49,12 @@ TEST(ink_parts, the_first_teeth_of_an_infant_are_not_seen) {
     for (const Shade& shade : find(infant, name).palette) EXPECT_EQ(shade.srgb, InkColours{}.cavity) << name;
 }
 
+// Shade in the dark would be a stain: over 1 the material has one tone.
+TEST(ink_parts, the_inside_of_the_mouth_has_one_tone) {
+  for (const Shade& shade : comic().ink.model.parts.front().palette)
+    EXPECT_EQ(shade.gloss > 1, shade.srgb == InkColours{}.cavity);
+}
+
 // It would be a strip of dark below the lip.
 TEST(ink_parts, what_closes_the_slit_is_gone_where_lips_part) {
   const auto measure_mm = [](double jaw) {

@@ -350,5 +350,17 @@ TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
   EXPECT_LT(measure_high_mm(kBeside_mm), 0.5f * measure_high_mm(kBefore_mm));
 }
 
+// What shows of the lips before it would be crumbs; an open mouth's ends behind them.
+TEST(ink_profile, a_slit_is_dark_to_the_edge_of_the_lips) {
+  const auto measure_mm = [](double jaw) {
+    const Drawing drawing =
+        draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const glm::vec3 lip = drawing.parts.front().positions[comic().ink.lips[0]];
+    return glm::distance(drawing.parts[comic().ink.sheet].positions[0], lip);
+  };
+  EXPECT_LT(measure_mm(0.15), 0.5f);
+  EXPECT_GT(measure_mm(0.8), 1.0f);
+}
+
 }  // namespace
 }  // namespace mien

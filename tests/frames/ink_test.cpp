@@ -369,18 +369,20 @@ TEST(ink, the_line_of_the_jaw_gives_way_to_the_outline) {
 // In profile a line that stands before the lips would leave a strip of the ground between.
 TEST(ink, lines_of_the_lips_lie_on_them_in_profile) {
   const Subject& subject = comic();
-  const std::uint32_t lip = subject.ink.lips.front();
-  const auto measure_mm =
-      [&](const glm::dvec3& camera_mm) {  // of the line's middle off the middle of the lip
-        const Drawing drawing =
-            draw(subject, make_pose({{"chin.down", 0.6}}), TurnKey{}, {camera_mm, {0, 0, 1}, 1});
-        const std::vector<glm::vec3> stroke = find_stroke(subject, drawing, "upper_lip");
-        glm::vec3 middle(0);
-        for (std::size_t v = 0; v < std::size_t{2} * kStrokeSpokes; ++v)
-          middle += stroke[(kStrokeSteps / 2 - 1) * kStrokeSpokes + v] / (2.0f * kStrokeSpokes);
-        return glm::distance(middle, drawing.parts.front().positions[lip]);
-      };
-  EXPECT_LT(measure_mm({900, -60, 80}), 0.5 * measure_mm({0, 0, 900}));
+  const auto measure_way = [&](const glm::dvec3& camera_mm,
+                               int lip) {  // from the middle of the lip to its line's middle
+    const Drawing drawing =
+        draw(subject, make_pose({{"chin.down", 0.6}}), TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3> stroke = find_stroke(subject, drawing, lip == 0 ? "upper_lip" : "lower_lip");
+    glm::vec3 middle(0);
+    for (std::size_t v = 0; v < std::size_t{2} * kStrokeSpokes; ++v)
+      middle += stroke[(kStrokeSteps / 2 - 1) * kStrokeSpokes + v] / (2.0f * kStrokeSpokes);
+    return middle - drawing.parts.front().positions[subject.ink.lips[lip]];
+  };
+  const glm::dvec3 beside_mm(900, -60, 80);
+  EXPECT_LT(glm::length(measure_way(beside_mm, 1)), 0.5 * glm::length(measure_way({0, 0, 900}, 1)));
+  const glm::vec3 way = measure_way(beside_mm, 0), toward = glm::normalize(glm::vec3(beside_mm));
+  EXPECT_LT(glm::length(way - glm::dot(way, toward) * toward), 0.3);  // it lies off toward the camera alone
 }
 
 // From the side the bag below the eye has no outline, which would look like a tear; from elsewhere it has.
