@@ -236,17 +236,18 @@ void add_hair_strokes(const Figure& figure, const InkColours& colours, Ink& ink)
   constexpr float kHair = 0.3f, kLine = 0.45f;
   const auto mass = std::ranges::find(figure.model.parts, "hair_mass", &Part::name);
   if (mass == figure.model.parts.end()) return;
+  const std::vector<glm::vec3> bowls = list_ear_bowls(figure.head);
   std::vector<InkStroke> strokes = list_hair_strokes(figure.head, figure.hair, mass->rest);
   if (strokes.empty()) return;
   const glm::vec3 hair = ink.model.parts[find_model_part(ink.model, "hair_mass")].palette.front().srgb;
   Part part = make_flat_part("hair_lines", "ink_line", glm::mix(kHair * hair, colours.line, kLine));
   for (InkStroke& stroke : strokes) {
-    const auto is_in_ear = [&](const StrokePoint& point) {
+    const auto is_hidden = [&](const StrokePoint& point) {
       glm::vec3 place(0);
       for (int k = 0; k < 3; ++k) place += point.shares[k] * mass->rest.positions[point.vertices[k]];
-      return is_in_ear_bowl(figure.head, place, ink.eye_size);
+      return is_in_ear(bowls, place, ink.eye_size);
     };
-    std::erase_if(stroke.points, is_in_ear);
+    std::erase_if(stroke.points, is_hidden);
     if (stroke.points.size() < 2) continue;
     const auto first = static_cast<std::uint32_t>(part.rest.positions.size());
     for (const Triangle& t : list_hair_line_triangles(first)) part.rest.triangles.push_back(t);

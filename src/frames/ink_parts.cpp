@@ -136,22 +136,26 @@ void hide_ears(const Figure& figure, Ink& ink) {
   std::erase_if(ink.hull_triangles, is_hidden);
 }
 
-bool is_in_ear_bowl(const NeutralHead& head, const glm::vec3& place, float eye_size) {
-  constexpr float kBowl_mm = 5;
+std::vector<glm::vec3> list_ear_bowls(const NeutralHead& head) {
+  std::vector<glm::vec3> bowls;
   for (std::size_t i = 0; i < head.cage.names.size(); ++i)
     for (const char* ring : {"er9_", "er10_", "er11_"})
-      if (has_prefix(head.cage.names[i], ring) &&
-          glm::distance(head.skin.positions[i], place) < kBowl_mm * eye_size)
-        return true;
-  return false;
+      if (has_prefix(head.cage.names[i], ring)) bowls.push_back(head.skin.positions[i]);
+  return bowls;
+}
+
+bool is_in_ear(const std::vector<glm::vec3>& bowls, const glm::vec3& place, float eye_size) {
+  constexpr float kBowl_mm = 5;
+  return std::ranges::any_of(
+      bowls, [&](const glm::vec3& bowl) { return glm::distance(bowl, place) < kBowl_mm * eye_size; });
 }
 
 void clear_ears(const Figure& figure, Ink& ink) {
   const auto mass = std::ranges::find(ink.model.parts, "hair_mass", &Part::name);
   if (mass == ink.model.parts.end()) return;
+  const std::vector<glm::vec3> bowls = list_ear_bowls(figure.head);
   std::vector<bool> is_in_bowl;
-  for (const glm::vec3& p : mass->rest.positions)
-    is_in_bowl.push_back(is_in_ear_bowl(figure.head, p, ink.eye_size));
+  for (const glm::vec3& p : mass->rest.positions) is_in_bowl.push_back(is_in_ear(bowls, p, ink.eye_size));
   keep_triangles(
       *mass, [&](const Triangle& t) { return !is_in_bowl[t[0]] && !is_in_bowl[t[1]] && !is_in_bowl[t[2]]; });
 }

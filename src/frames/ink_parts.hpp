@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/model.hpp"
 #include "frames/ink.hpp"
@@ -25,8 +26,9 @@ void set_materials(const Look& look, const InkColours& colours, Ink& ink);
 void hide_ears(const Figure& figure, Ink& ink);
 void clear_ears(const Figure& figure, Ink& ink);
 
-// Whether a place is in the bowl of an ear of the head at rest.
-bool is_in_ear_bowl(const NeutralHead& head, const glm::vec3& place, float eye_size);
+// Points of the bowls of both ears of the head at rest, and whether a place is in one.
+std::vector<glm::vec3> list_ear_bowls(const NeutralHead& head);
+bool is_in_ear(const std::vector<glm::vec3>& bowls, const glm::vec3& place, float eye_size);
 
 // Seen from the side, one looks through an open mouth from corner to corner: a sheet in the middle of it,
 // from the lips to the throat. And teeth are a strip there; both take their points from the skin (Ink).
