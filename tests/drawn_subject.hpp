@@ -37,6 +37,12 @@ inline Subject build_subject(const HeadSpec& spec) {
   return made;
 }
 
+inline Subject build_of_age(const char* age) {
+  HeadSpec spec = make_spec("comic");
+  spec.age = {{age, 1.0}};
+  return build_subject(spec);
+}
+
 inline const Subject& comic() {
   static const Subject subject = build_subject(make_spec("comic"));
   return subject;

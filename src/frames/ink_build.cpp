@@ -5,17 +5,13 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/error.hpp"
 #include "core/smooth.hpp"
 #include "frames/ink.hpp"
 #include "frames/ink_hair.hpp"
 #include "frames/ink_parts.hpp"
 #include "frames/ink_regions.hpp"
 #include "frames/ink_strokes.hpp"
-#include "head/beard.hpp"
 #include "head/cage.hpp"
-#include "head/hair_chart.hpp"
-#include "head/ink_colours.hpp"
 
 namespace mien {
 

@@ -149,9 +149,9 @@ void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
   }
   if (share == 0) return;
   const float size = std::max(kLeast, 1 - share);
+  const glm::vec3 at = middle - kThroat_mm * ink.eye_size * forward;
   for (const std::size_t part : ink.bones) {
     PartShape& bone = drawing.parts[part];
-    const glm::vec3 at = middle - kThroat_mm * ink.eye_size * forward;
     if (bone.positions.empty()) {
       glm::mat4 about = glm::translate(glm::mat4(1), at);
       about = glm::scale(about, glm::vec3(size));

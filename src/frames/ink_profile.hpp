@@ -17,7 +17,7 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
 // Instead of the teeth, which would be pieces of their row between lips that are drawn out, a strip hangs
-// from the upper lip as low as they do. To be called while they are whole.
+// from the upper lip as low as they do. They and their gums are drawn together in the throat.
 void hang_teeth(const Ink& ink, float beside, Drawing& drawing);
 
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a

@@ -84,10 +84,14 @@ std::vector<float> spread_to_fine(const FineSkin& fine, std::vector<float> value
   return values;
 }
 
-// In profile a cheek's pad would stand before the half of the blush that is nearer to the nose: what is there
-// stays, and from the middle on it lies farther back.
-std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions,
-                               std::vector<float>& cheek) {
+struct Flush {
+  std::vector<float> field;  // 1 in its middle, 0 at its edge
+  // In profile a cheek's pad would stand before the half of the blush that is nearer to the nose: what is
+  // there stays, and from the middle on it lies farther back.
+  std::vector<float> cheek;
+};
+
+Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
   constexpr float kInner = -1.3f, kMiddle = 0.2f, kOuter = 1.2f, kBeyond = 4;
   constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;         // above it is the eye
   constexpr float kDeepNone = -3, kDeepWhole = -0.5f;                // behind it is the ear
@@ -103,18 +107,19 @@ std::vector<float> paint_flush(const Figure& figure, const std::vector<glm::vec3
   const float rise = glm::radians(kRise_deg);
   const glm::vec3 level = std::cos(rise) * across + std::sin(rise) * over,
                   up = std::cos(rise) * over - std::sin(rise) * across;
-  std::vector<float> field;
+  Flush flush;
   for (const glm::vec3& p : positions) {
     const glm::vec3 arm = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / size;
     const float along = glm::dot(arm, level) / kWide_mm;
     const glm::vec3 share(along, glm::dot(arm, up) / kHigh_mm - kBow * along * along,
                           glm::dot(arm, out) / kDeep_mm);
-    field.push_back(1 - glm::length(share));
-    cheek.push_back(smooth_step(kInner, kMiddle, share.x) * (1 - smooth_step(kOuter, kBeyond, share.x)) *
-                    smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *
-                    (1 - smooth_step(kWhole, kHigh, share.y)));
+    flush.field.push_back(1 - glm::length(share));
+    flush.cheek.push_back(smooth_step(kInner, kMiddle, share.x) *
+                          (1 - smooth_step(kOuter, kBeyond, share.x)) *
+                          smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *
+                          (1 - smooth_step(kWhole, kHigh, share.y)));
   }
-  return field;
+  return flush;
 }
 
 // Of a tint that may be thin all over: its border lies at `border` of its most.
@@ -172,16 +177,18 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   constexpr float kFlushWhole = 0.75f;  // of the way from its edge to its middle it is as red as it gets
   // A cheek of the skin's own colour is not cut.
   const bool is_flushed = figure.head.design.blush > 0 || colours.blush;
-  InkRegions regions;
-  const std::vector<float> flush = paint_flush(figure, positions, regions.cheek);
-  if (!is_flushed) regions.cheek.assign(positions.size(), 0);
+  const Flush flush = is_flushed ? paint_flush(figure, positions)
+                                 : Flush{std::vector<float>(positions.size(), -1.0f),
+                                         std::vector<float>(positions.size(), 0.0f)};
   for (int step = 0; step < kFlushSteps; ++step) {
     std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
-    field = is_flushed ? flush : std::vector<float>(flush.size(), -1.0f);
+    field = flush.field;
     for (float& value : field)
       value -= kFlushWhole * static_cast<float>(kFlushSteps - 1 - step) / static_cast<float>(kFlushSteps - 1);
   }
 
+  InkRegions regions;
+  regions.cheek = flush.cheek;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] >= -kRim || cutting.fields[kHole][v] >= -kRim);
   for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);

@@ -51,7 +51,6 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .is_smooth = true,
        .widths = {{0, 0.4}, {0.06, 0.9}, {0.3, 0.75}, {0.5, 0.95}, {0.7, 0.75}, {0.94, 0.9}, {1, 0.4}},
        .lift_mm = 1.2,
-       .facing = {"M4_0", "M4_12"},
        .before = {{"R:M2_6", "R:M2_6"},
                   {"R:M2_5", "R:M2_7"},
                   {"R:M2_4", "R:M2_8"},

@@ -23,8 +23,8 @@ struct InkToneBuffers {
 // own nor casts a shadow: below it the nose has one shade, of one form in every expression.
 bool is_bridge(std::string_view point);
 
-// How far the nose's tip stands out over the lip at rest, on an adult's head; below the least of them it is a
-// button without shade.
+// How far the nose's tip stands out over the lip at rest, in mm of an adult's head. One that stands out less
+// than that is a button, which has no shade and casts none.
 inline constexpr float kButtonNose_mm = 7.4f;
 float measure_nose_mm(const Figure& figure);
 

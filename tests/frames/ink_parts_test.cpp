@@ -12,12 +12,6 @@ namespace {
 
 constexpr InkView kBefore{{0, 0, 900}, {0, 0, 1}, 1};
 
-Subject build_of_age(const char* age) {
-  HeadSpec spec = make_spec("comic");
-  spec.age = {{age, 1.0}};
-  return build_subject(spec);
-}
-
 const Part& find(const Subject& subject, const char* name) {
   return subject.ink.model.parts[find_part(subject.ink.model, name)];
 }

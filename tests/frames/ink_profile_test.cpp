@@ -12,12 +12,6 @@ namespace {
 
 constexpr glm::dvec3 kBeside_mm{900, -40, 80}, kBefore_mm{0, 0, 900};
 
-Subject build_of_age(const char* age) {
-  HeadSpec spec = make_spec("comic");
-  spec.age = {{age, 1.0}};
-  return build_subject(spec);
-}
-
 const Subject& child() {
   static const Subject subject = build_of_age("child");
   return subject;
