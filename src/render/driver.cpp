@@ -35,6 +35,7 @@ struct Rendering {
   std::filesystem::path raw;  // what povray writes
   Process process;
   bool is_second_try = false;
+  int late_starts = 0;  // before this one
 };
 
 // What is the same for every frame of a call.
@@ -156,6 +157,7 @@ struct Attempt {
   const FrameJob* job;
   bool is_second = false;
   std::string what = {};  // went wrong, if it has failed
+  int late_starts = 0;
 };
 
 // What is still to do, what went wrong, and what has been learnt on the way.
@@ -175,6 +177,17 @@ void note_failure(const Attempt& failed, Progression& progression) {
   if (!failed.is_second && progression.has_worked) return progression.waiting.push_back(again);
   if (!failed.is_second && progression.failures.empty()) progression.waiting.push_front(again);
   progression.failures.insert_or_assign(failed.job->number, failed);
+}
+
+// A machine too busy for povray to start on is no fault of the frame: it is tried behind those that wait, as
+// often as it takes for a passing load. False once it is the machine that does not recover.
+bool put_off_late_start(const Rendering& rendering, Progression& progression) {
+  constexpr int kMostLateStarts = 5;
+  const ProcessResult& result = rendering.process.result;
+  if (result.exit_code == 0 || rendering.late_starts >= kMostLateStarts || !is_late_start(result.output))
+    return false;
+  progression.waiting.push_back({rendering.job, rendering.is_second_try, "", rendering.late_starts + 1});
+  return true;
 }
 
 // povray can work: who failed before that is tried again.
@@ -262,11 +275,13 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
         continue;
       }
       running.back().is_second_try = next.is_second;
+      running.back().late_starts = next.late_starts;
       limit_idling(running.back().process, progression.slowest_s);
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
     for (const Rendering& rendering : ended) {
       const FrameJob& job = *rendering.job;
+      if (put_off_late_start(rendering, progression)) continue;
       try {
         finish_rendering(rendering, *run);
       } catch (const RunError& error) {

@@ -60,4 +60,8 @@ bool is_empty_scene(const std::string& output) {
   return std::regex_search(output, kNoObjects) || output.find("No objects in scene") != std::string::npos;
 }
 
+bool is_late_start(const std::string& output) {
+  return output.find("Timed out waiting for worker thread startup") != std::string::npos;
+}
+
 }  // namespace mien

@@ -19,4 +19,8 @@ std::string find_povray_reason(const ProcessResult& result);
 // counts lights.
 bool is_empty_scene(const std::string& output);
 
+// The machine was too busy: POV-Ray gives up where its own threads do not come up in some seconds. Nothing of
+// that is the scene's fault.
+bool is_late_start(const std::string& output);
+
 }  // namespace mien

@@ -175,6 +175,32 @@ TEST(driver, tries_a_frame_that_failed_once_more) {
   }
 }
 
+// The first `times` of every frame: as povray says it where its threads do not come up.
+std::string build_busy_machine(int times) {
+  return fmt::format(
+      "echo >> ../../late${{1##*/}}; [ $(wc -l < ../../late${{1##*/}}) -gt {} ] || {{ "
+      "echo 'Timed out waiting for worker thread startup'; exit 1; }}",
+      times);
+}
+
+TEST(driver, waits_for_a_machine_too_busy_to_start_on) {
+  for (const int jobs : {1, 2}) {
+    Shoot shoot(2);
+    shoot.settings.jobs = jobs;
+    const FakeProgram fake("povray", build_moody_povray(build_busy_machine(3)));
+    EXPECT_NO_THROW(shoot.render()) << jobs;
+    EXPECT_EQ(shoot.count_pictures(), 2) << jobs;
+  }
+}
+
+TEST(driver, does_not_wait_for_ever_for_a_busy_machine) {
+  Shoot shoot(1);
+  const FakeProgram fake("povray", build_moody_povray(build_busy_machine(1000)));
+  const std::string error = shoot.find_error();
+  EXPECT_THAT(error, HasSubstr("frame 1: povray failed (exit status 1)\n  command: "));
+  EXPECT_THAT(error, EndsWith("\n  Timed out waiting for worker thread startup"));
+}
+
 // What a shoot of so many frames comes to with that povray, one or two at once.
 void expect_failures(int frame_count, int jobs, const std::string& script, const std::string& first,
                      const std::string& others, int pictures) {

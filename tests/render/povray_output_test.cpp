@@ -37,5 +37,10 @@ TEST(povray_output, tells_an_empty_scene) {
   EXPECT_TRUE(is_empty_scene("File 'a.pov' line 2: Parse Warning: No objects in scene.\n"));
 }
 
+TEST(povray_output, tells_a_machine_too_busy_to_start_on) {
+  EXPECT_TRUE(is_late_start("povray: no user configuration\nTimed out waiting for worker thread startup\n"));
+  EXPECT_FALSE(is_late_start("Fatal error in parser: Cannot parse input.\nRender failed\n"));
+}
+
 }  // namespace
 }  // namespace mien
