@@ -2,80 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/gtc/matrix_transform.hpp>
 
 #include "core/smooth.hpp"
 #include "frames/ink_hair.hpp"
+#include "frames/ink_mouth.hpp"
 #include "frames/ink_profile.hpp"
 #include "frames/ink_strokes.hpp"
 
 namespace mien {
 
 namespace {
-
-void shift(const glm::vec3& way, PartShape& shape) {
-  for (glm::vec3& p : shape.positions) p += way;
-  if (shape.positions.empty()) shape.world_from_rest[3] += glm::vec4(way, 0);
-}
-
-// Between the lips' middles, on an adult's head.
-float measure_gap_mm(const Ink& ink, const std::vector<glm::vec3>& skin) {
-  return glm::distance(skin[ink.lips[0]], skin[ink.lips[1]]) / ink.eye_size;
-}
-
-// The lower teeth and their gum, which are as dark as the mouth, would leave their scallops on the tongue:
-// all three lie lower, or it would fill the mouth. One that comes out lies where it did.
-void sink_lower_teeth(const Ink& ink, const Pose& pose, float gap_mm, Drawing& drawing) {
-  constexpr float kDown = 0.6f, kBack = 0.2f, kTongue = 0.4f;  // of the upper ones' height
-  // Between lips that are parted and no more it is not seen: it would be a wedge of red at their corner.
-  constexpr float kLower = 0.35f, kShut_mm = 1, kParted_mm = 7, kWide_mm = 15;
-  const float parted = smooth_step(kShut_mm, kParted_mm, gap_mm) - smooth_step(kParted_mm, kWide_mm, gap_mm);
-  const auto out = static_cast<float>(pose.values[*find_move(Area::tongue, Side::none, "out")]);
-  const float sunk = (1 - std::clamp(out, 0.0f, 1.0f)) * (kTongue + kLower * parted);
-  PartShape& tongue = drawing.parts[ink.tongue];
-  shift(-sunk * ink.teeth_high_mm * glm::vec3(tongue.world_from_rest[1]), tongue);
-  for (const std::size_t part : ink.lower) {
-    PartShape& shape = drawing.parts[part];
-    const glm::vec3 up(shape.world_from_rest[1]), forward(shape.world_from_rest[2]);
-    shift(-ink.teeth_high_mm * (kDown * up + kBack * forward), shape);
-  }
-}
-
-// Brings the ends of teeth nearer to their gum, along their own way up. What is drawn as a whole stays a
-// body: POV-Ray undoes its transform.
-void draw_in(const Ink& ink, float share, PartShape& teeth) {
-  constexpr float kLeast = 0.02f;
-  if (teeth.positions.empty()) {
-    glm::mat4& world = teeth.world_from_rest;
-    world = glm::translate(world, glm::vec3(0, ink.teeth_top_mm, 0));
-    world = glm::scale(world, glm::vec3(1, std::max(kLeast, 1 - share), 1));
-    world = glm::translate(world, glm::vec3(0, -ink.teeth_top_mm, 0));
-    return;
-  }
-  const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1]));
-  float top = -INFINITY;
-  for (const glm::vec3& p : teeth.positions) top = std::max(top, glm::dot(p, up));
-  for (glm::vec3& p : teeth.positions) p += share * (top - glm::dot(p, up)) * up;
-}
-
-// Between lips that part a little a drawing has a dark line, and no slivers of teeth and tongue.
-void hide_teeth(const Ink& ink, float gap_mm, Drawing& drawing) {
-  constexpr float kHidden_mm = 4.0f, kShown_mm = 6.0f;  // between an adult's lips
-  constexpr float kUp = 0.35f, kBack = 0.35f;  // of the teeth's height: more, and the tongue comes out below
-  const float hidden = 1 - smooth_step(kHidden_mm, kShown_mm, gap_mm);
-  if (hidden == 0) return;
-  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
-  const glm::vec3 up(skull[1]), forward(skull[2]);
-  for (const std::size_t part : {ink.teeth, ink.gum}) draw_in(ink, hidden, drawing.parts[part]);
-  shift(hidden * ink.teeth_high_mm * (-kUp * up - kBack * forward), drawing.parts[ink.tongue]);
-}
-
-// What closes the slit of shut lips would be a dark strip below those that part, and before them in profile.
-void lift_veil(float parted, std::vector<glm::vec3>& veil) {
-  const Box box = compute_bounds(veil);
-  const glm::vec3 middle = 0.5f * (box.low + box.high);
-  for (glm::vec3& p : veil) p = glm::mix(p, middle, parted);
-}
 
 // Rounds of going half the way to the neighbours' mean.
 void soften(const Ink& ink, int rounds, std::vector<glm::vec3>& normals, std::vector<glm::vec3>& buffer) {
@@ -137,22 +73,19 @@ void clear_shape(PartShape& shape) {
 
 void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers& buffers, Drawing& drawing) {
   constexpr int kHullRounds = 4;
-  constexpr float kMet_mm = 1.2f, kParted_mm = 3, kSlit_mm = 4, kOpen_mm = 8;  // between an adult's lips
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
   const InkSight sight = measure_sight(ink, view, skin.positions);
   const float beside = sight.beside;
-  const float gap_mm = measure_gap_mm(ink, skin.positions), parted = smooth_step(kMet_mm, kParted_mm, gap_mm);
+  const InkMouth mouth = measure_mouth(ink, skin.positions);
+  const float parted = mouth.parted;
   widen_features(ink, beside, parted, drawing);
+  round_far_corner(ink, sight, mouth, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
   compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
-
-  hide_teeth(ink, gap_mm, drawing);
-  hang_teeth(ink, beside, drawing);
-  lift_veil(parted, drawing.parts[ink.veil].positions);
-  sink_lower_teeth(ink, asked, gap_mm, drawing);
+  draw_mouth(ink, asked, sight, mouth, view.line_mm, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
@@ -161,8 +94,6 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
         skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
 
   lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
-  place_mouth_sheet(ink, beside * parted, 1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm), skin.positions,
-                    drawing.parts[ink.sheet]);
   std::size_t next = ink.first_outline;
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];

@@ -40,6 +40,7 @@ struct Ink {
   std::size_t sheet = 0;                // in `model`: what is dark between open lips in profile
   std::vector<std::uint32_t>
       sheet_points;             // vertices of the skin that it lies through, upper and lower in turn
+  std::size_t mouth_edge = 0;   // in `model`: the line before it
   std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
   std::vector<float> cheek;  // of the skin's vertices: how far it lies farther back in profile, 0..1

@@ -196,6 +196,8 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth_high_mm = std::max(box.high.y - box.low.y, kLeast_mm * ink.eye_size);
   ink.teeth_top_mm = box.high.y;
   ink.teeth_end_mm = box.low.y;
+  for (const std::size_t part : {ink.teeth, ink.gum})
+    taper_row({0, 1, 0}, {1, 0, 0}, ink.model.parts[part].rest.positions);
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};
@@ -287,6 +289,8 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.model.parts.push_back(make_caster(figure, regions.is_opening, positions, ink));
   ink.sheet = ink.model.parts.size();
   ink.model.parts.push_back(make_mouth_sheet(figure, colours, ink));
+  ink.mouth_edge = ink.model.parts.size();
+  ink.model.parts.push_back(make_mouth_edge(colours));
   ink.tooth_strip = ink.model.parts.size();
   ink.model.parts.push_back(make_tooth_strip(figure, colours, ink));
   ink.first_outline = ink.model.parts.size();

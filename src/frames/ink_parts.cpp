@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/error.hpp"
+#include "core/smooth.hpp"
 #include "head/beard.hpp"
 #include "head/cage.hpp"
 #include "head/hair_chart.hpp"
@@ -160,13 +161,40 @@ void clear_ears(const Figure& figure, Ink& ink) {
       *mass, [&](const Triangle& t) { return !is_in_bowl[t[0]] && !is_in_bowl[t[1]] && !is_in_bowl[t[2]]; });
 }
 
+void taper_row(const glm::vec3& up, const glm::vec3& aside, std::vector<glm::vec3>& positions) {
+  constexpr float kWhole = 0.6f, kNone = 1.1f;  // of half the row's width
+  float top = -INFINITY, left = -INFINITY, right = -INFINITY;
+  for (const glm::vec3& p : positions) {
+    top = std::max(top, glm::dot(p, up));
+    left = std::max(left, glm::dot(p, aside));
+    right = std::max(right, -glm::dot(p, aside));
+  }
+  for (glm::vec3& p : positions) {
+    const float out = std::abs(2 * glm::dot(p, aside) - left + right) / (left + right);
+    p += smooth_step(kWhole, kNone, out) * (top - glm::dot(p, up)) * up;
+  }
+}
+
 Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink) {
   for (const char* ring : {"M0", "MB1", "MB2"})
     for (const int column : {0, 12})
       ink.sheet_points.push_back(find_point(figure.head.cage, fmt::format("{}_{}", ring, column)));
   Part part = make_flat_part("mouth_sheet", "ink_flat", colours.cavity);
-  part.rest.positions.resize(ink.sheet_points.size());
-  append_band(ink.sheet_points.size(), part.rest.triangles);
+  const auto rings = static_cast<std::uint32_t>(ink.sheet_points.size() / 2);
+  part.rest.positions.resize(rings * kSheetRows);
+  for (std::uint32_t ring = 0; ring + 1 < rings; ++ring)
+    for (std::uint32_t row = 0; row + 1 < kSheetRows; ++row) {
+      const std::uint32_t v = ring * kSheetRows + row;
+      part.rest.triangles.push_back({v, v + 1, v + kSheetRows + 1});
+      part.rest.triangles.push_back({v, v + kSheetRows + 1, v + kSheetRows});
+    }
+  return part;
+}
+
+Part make_mouth_edge(const InkColours& colours) {
+  Part part = make_flat_part("mouth_edge", "ink_line", colours.line);
+  part.rest.positions.resize(kStrokeVertices);
+  part.rest.triangles = list_stroke_triangles(0);
   return part;
 }
 

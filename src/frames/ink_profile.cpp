@@ -93,8 +93,8 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
   constexpr float kFront = 0.25f, kTurned = 0.5f;
   const glm::vec3 &left = skin[ink.sides[0]], &right = skin[ink.sides[1]];
   const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
-  const float sine = std::abs(glm::dot(to_camera, glm::normalize(left - right)));
-  return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine)};
+  const float aside = glm::dot(to_camera, glm::normalize(left - right)), sine = std::abs(aside);
+  return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine), aside};
 }
 
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing) {
@@ -123,44 +123,6 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
   }
 }
 
-void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
-  constexpr float kBegins = 0.5f, kLeast = 0.02f, kBehind_mm = 1.5f, kThroat_mm = 25;
-  const float share = smooth_step(kBegins, 1.0f, beside);
-  const PartShape& teeth = drawing.parts[ink.teeth];
-  const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
-  const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1])),
-                  forward = glm::normalize(glm::vec3(teeth.world_from_rest[2]));
-  float end = INFINITY;
-  for (const glm::vec3& p : teeth.positions) end = std::min(end, glm::dot(p, up));
-  if (teeth.positions.empty()) {
-    const glm::vec4 rest_end(0, ink.teeth_end_mm, 0, 1);
-    end = glm::dot(glm::vec3(teeth.world_from_rest * rest_end), up);
-  }
-  const std::size_t last = ink.strip_points.size() - 1;
-  const glm::vec3& middle = skin[ink.strip_points[last / 2]];
-  const float high = std::max(0.0f, glm::dot(middle, up) - end);
-  PartShape& strip = drawing.parts[ink.tooth_strip];
-  strip.positions.clear();
-  for (std::size_t i = 0; i <= last; ++i) {
-    const float aside = std::abs(2 * static_cast<float>(i) / static_cast<float>(last) - 1);
-    const glm::vec3 top = skin[ink.strip_points[i]] - kBehind_mm * ink.eye_size * (1 - aside) * forward;
-    strip.positions.push_back(top);
-    strip.positions.push_back(top - share * high * (1 - aside * aside) * up);
-  }
-  if (share == 0) return;
-  const float size = std::max(kLeast, 1 - share);
-  const glm::vec3 at = middle - kThroat_mm * ink.eye_size * forward;
-  for (const std::size_t part : ink.bones) {
-    PartShape& bone = drawing.parts[part];
-    if (bone.positions.empty()) {
-      glm::mat4 about = glm::translate(glm::mat4(1), at);
-      about = glm::scale(about, glm::vec3(size));
-      bone.world_from_rest = glm::translate(about, -at) * bone.world_from_rest;
-    }
-    for (glm::vec3& p : bone.positions) p = at + size * (p - at);
-  }
-}
-
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
   constexpr float kLit = 0.7f;
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
@@ -174,17 +136,6 @@ void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::ve
     tone.y = glm::mix(tone.y, lifted, beside);
     tone = glm::normalize(tone);
   }
-}
-
-void place_mouth_sheet(const Ink& ink, float beside, float slit, const std::vector<glm::vec3>& skin,
-                       PartShape& sheet) {
-  const glm::vec3 throat = 0.5f * (skin[ink.sheet_points[ink.sheet_points.size() - 1]] +
-                                   skin[ink.sheet_points[ink.sheet_points.size() - 2]]);
-  sheet.positions.clear();
-  for (const std::uint32_t v : ink.sheet_points) sheet.positions.push_back(skin[v]);
-  for (std::size_t lip = 0; lip < 2; ++lip)
-    sheet.positions[lip] = glm::mix(sheet.positions[lip], skin[ink.lips[lip]], slit);
-  for (glm::vec3& p : sheet.positions) p = glm::mix(throat, p, beside);
 }
 
 }  // namespace mien

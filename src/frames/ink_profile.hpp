@@ -5,9 +5,10 @@
 
 namespace mien {
 
-// How the head is seen, as shares: from the side (0 up to three-quarter view, 1 in profile), and from before.
+// How the head is seen, as shares: from the side (0 up to three-quarter view, 1 in profile), and from before;
+// and the sine of the camera's way round it, more than 0 on its left.
 struct InkSight {
-  float beside = 0, faced = 0;
+  float beside = 0, faced = 0, aside = 0;
 };
 InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin);
 
@@ -16,18 +17,8 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<gl
 // as far as its lips are `parted`, 0..1. A head without a lens stays as it is: its eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
-// Instead of the teeth, which would be pieces of their row between lips that are drawn out, a strip hangs
-// from the upper lip as low as they do. They and their gums are drawn together in the throat.
-void hang_teeth(const Ink& ink, float beside, Drawing& drawing);
-
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade.
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);
-
-// From elsewhere than the side the sheet lies in the throat, out of the way of teeth and tongue.
-// Between lips that part a little it comes to their edges, as far as `slit` says: what shows of them before
-// it is crumbs.
-void place_mouth_sheet(const Ink& ink, float beside, float slit, const std::vector<glm::vec3>& skin,
-                       PartShape& sheet);
 
 }  // namespace mien

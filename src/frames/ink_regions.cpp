@@ -153,9 +153,10 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
 
 InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColours& colours,
                        const std::vector<glm::vec3>& positions) {
-  constexpr float kMouthBorder = 0.5f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
+  constexpr float kMouthBorder = 0.03f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
   constexpr float kTintBorder = 0.3f, kUnderMass = 0.96f;  // what shows beside a mass is a crumb
-  constexpr float kRim = 0.2f;  // so little of the mask about an opening is its rim still
+  constexpr float kMouthRim = 0.3f,
+                  kNostrilRim = 0.4f;  // of the masks: about an opening its rim begins there
   const FineSkin& fine = figure.folds.skin;
   const SkinMasks masks = paint_skin_masks(figure.head);
   const auto find_field = [&](SkinMask mask, float border) {
@@ -190,7 +191,8 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   InkRegions regions;
   regions.cheek = flush.cheek;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
-    regions.is_opening.push_back(cutting.fields[kInside][v] >= -kRim || cutting.fields[kHole][v] >= -kRim);
+    regions.is_opening.push_back(cutting.fields[kInside][v] + kMouthBorder >= kMouthRim ||
+                                 cutting.fields[kHole][v] + kNostrilBorder >= kNostrilRim);
   for (std::size_t f = 0; f < cutting.fields.size(); ++f) cut_along(f, cutting);
   for (const Triangle& t : cutting.triangles) {
     std::uint16_t region = 0;

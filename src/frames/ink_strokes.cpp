@@ -215,6 +215,23 @@ std::vector<Triangle> list_stroke_triangles(std::uint32_t first) {
   return triangles;
 }
 
+void append_tube(const Tube& tube, double flat, std::vector<glm::vec3>& vertices) {
+  const auto& [centres, lifts, halves] = tube;
+  const std::size_t last = centres.size() - 1;
+  for (std::size_t i = 0; i <= last; ++i) {
+    const glm::vec3 along = centres[std::min(i + 1, last)] - centres[std::max<std::size_t>(i, 1) - 1];
+    const glm::vec3 across = glm::cross(along, lifts[i]);
+    const float length = glm::length(across);
+    const glm::vec3 aside = length > 1e-6f ? across / length : glm::vec3(0, 1, 0);
+    const glm::vec3 up = glm::length(along) > 1e-6f ? glm::normalize(glm::cross(aside, along)) : lifts[i];
+    for (int k = 0; k < kStrokeSpokes; ++k) {
+      const double turn = 2 * std::numbers::pi * k / kStrokeSpokes;
+      vertices.push_back(centres[i] + halves[i] * (static_cast<float>(std::cos(turn)) * aside +
+                                                   static_cast<float>(flat * std::sin(turn)) * up));
+    }
+  }
+}
+
 void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& ground,
                    std::vector<glm::vec3>& vertices) {
   // A stroke dives into the skin where it gets thinner than that, in lines: a fold's grows from its middle,
@@ -285,6 +302,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     const float lift = rule.lies_in_profile ? std::lerp(kProfile, 1.0f, smooth_step(kEdge, kFace, faced)) : 1;
     centres[i] += lift * static_cast<float>(find_lift_mm(at)) * eye * lifts[i];
   }
+  std::vector<float> halves;
   for (int i = 0; i < kStrokeSteps; ++i) {
     const double at = static_cast<double>(i) / (kStrokeSteps - 1);
     const double unit = std::lerp(1.0f, rule.in_profile, ground.beside) *
@@ -297,17 +315,9 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =
         static_cast<float>(std::max(0.02, unit * amount * shown * find_stroke_width(rule.widths, at)));
-    const glm::vec3 along = centres[std::min(i + 1, kStrokeSteps - 1)] - centres[std::max(i - 1, 0)];
-    const glm::vec3 across = glm::cross(along, lifts[i]);
-    const float length = glm::length(across);
-    const glm::vec3 aside = length > 1e-6f ? across / length : glm::vec3(0, 1, 0);
-    const glm::vec3 up = glm::length(along) > 1e-6f ? glm::normalize(glm::cross(aside, along)) : lifts[i];
-    for (int k = 0; k < kStrokeSpokes; ++k) {
-      const double turn = 2 * std::numbers::pi * k / kStrokeSpokes;
-      vertices.push_back(centres[i] + half * (static_cast<float>(std::cos(turn)) * aside +
-                                              static_cast<float>(rule.flat * std::sin(turn)) * up));
-    }
+    halves.push_back(half);
   }
+  append_tube({centres, lifts, halves}, rule.flat, vertices);
 }
 
 }  // namespace mien

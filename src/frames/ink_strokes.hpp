@@ -66,6 +66,16 @@ inline constexpr int kStrokeSteps = 40, kStrokeSpokes = 8;
 inline constexpr std::size_t kStrokeVertices = std::size_t{kStrokeSteps} * kStrokeSpokes;
 std::vector<Triangle> list_stroke_triangles(std::uint32_t first);
 
+// A line in space: places along it, the ways that it lies off what is below, and half its widths. Places
+// are kStrokeSteps.
+struct Tube {
+  std::vector<glm::vec3> centres, lifts;
+  std::vector<float> halves_mm;
+};
+
+// Appends its vertices; it is so thick along its lifts, `flat` against its width.
+void append_tube(const Tube& tube, double flat, std::vector<glm::vec3>& vertices);
+
 // Where a stroke is drawn: on a skin of these points and unit normals, seen from `camera_mm`; `line_mm` is a
 // line's width there, `eye_size` that of the head's eye.
 struct StrokeGround {

@@ -49,17 +49,6 @@ TEST(ink_parts, the_inside_of_the_mouth_has_one_tone) {
     EXPECT_EQ(shade.gloss > 1, shade.srgb == InkColours{}.cavity);
 }
 
-// It would be a strip of dark below the lip.
-TEST(ink_parts, what_closes_the_slit_is_gone_where_lips_part) {
-  const auto measure_mm = [](double jaw) {
-    const Drawing drawing = draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, kBefore);
-    const Box box = compute_bounds(drawing.parts[comic().ink.veil].positions);
-    return glm::length(box.high - box.low);
-  };
-  EXPECT_GT(measure_mm(0), 10);
-  EXPECT_LT(measure_mm(0.7), 0.01);
-}
-
 // Its shade beside a nostril would be a third one.
 TEST(ink_parts, a_button_of_a_nose_has_no_shade) {
   constexpr double kLit = 0.3;  // well over where shade begins: cosine

@@ -91,25 +91,6 @@ TEST(ink_profile, lips_that_meet_have_one_line) {
   EXPECT_GT(measure(0.6), 0.8);
 }
 
-TEST(ink_profile, a_mouth_that_opens_a_little_shows_no_tongue) {
-  const auto measure_mm = [](double jaw) {
-    const Pose pose = make_pose({{"chin.down", jaw}});
-    DeformBuffers buffers;
-    Drawing plain;
-    deform_figure(comic().figure, pose, TurnKey{}, buffers, plain);
-    const std::size_t tongue = find_part(comic().ink.model, "tongue");
-    const auto find_top_mm = [](const PartShape& shape) {
-      if (shape.positions.empty()) return shape.world_from_rest[3].y;
-      return std::ranges::max_element(shape.positions, {}, &glm::vec3::y)->y;
-    };
-    return (find_top_mm(plain.parts[tongue]) -
-            find_top_mm(draw(comic(), pose, TurnKey{}, {}).parts[tongue])) /
-           comic().ink.teeth_high_mm;
-  };
-  EXPECT_GT(measure_mm(0.25), 0.6);
-  EXPECT_LT(measure_mm(1), 0.5);
-}
-
 TEST(ink_profile, a_button_of_a_nose_casts_no_shadow) {
   const auto casts = [](const Subject& subject, float reach_mm) {
     const Part& caster = subject.ink.model.parts[find_part(subject.ink.model, "shadow")];
@@ -312,26 +293,6 @@ TEST(ink_profile, the_blush_of_a_laugh_is_seen_whole) {
   }
 }
 
-// From before the row hangs where it is; from the side a strip is as low.
-TEST(ink_profile, teeth_are_a_strip) {
-  const Pose open = make_pose({{"chin.down", 0.6}, {"lips.upper", 0.4}});
-  const std::vector<glm::vec3>& rest = comic().ink.model.parts[comic().ink.teeth].rest.positions;
-  const auto find_teeth = [&](const Drawing& drawing) {
-    const PartShape& teeth = drawing.parts[comic().ink.teeth];
-    std::vector<glm::vec3> places = teeth.positions;
-    if (places.empty())
-      for (const glm::vec3& p : rest) places.emplace_back(teeth.world_from_rest * glm::vec4(p, 1));
-    return compute_bounds(places);
-  };
-  const Drawing before = draw(comic(), open, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1}),
-                beside = draw(comic(), open, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
-  const std::vector<glm::vec3>& strip = beside.parts[comic().ink.tooth_strip].positions;
-  EXPECT_NEAR(strip[strip.size() / 2].y, find_teeth(before).low.y, 0.5f);  // the lower one of the middle
-  EXPECT_LT(glm::length(find_teeth(beside).high - find_teeth(beside).low), 2.0f);
-  const std::vector<glm::vec3>& none = before.parts[comic().ink.tooth_strip].positions;
-  for (std::size_t v = 0; v < none.size(); v += 2) EXPECT_EQ(none[v], none[v + 1]) << v;
-}
-
 TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
   const Pose open = make_pose({{"chin.down", 0.8}, {"corner.up", 0.6}});
   const auto measure_high_mm = [&](const glm::dvec3& camera_mm) {
@@ -342,18 +303,6 @@ TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
     return find_y("M1_5") - find_y("M1_7");
   };
   EXPECT_LT(measure_high_mm(kBeside_mm), 0.5f * measure_high_mm(kBefore_mm));
-}
-
-// What shows of the lips before it would be crumbs; an open mouth's ends behind them.
-TEST(ink_profile, a_slit_is_dark_to_the_edge_of_the_lips) {
-  const auto measure_mm = [](double jaw) {
-    const Drawing drawing =
-        draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
-    const glm::vec3 lip = drawing.parts.front().positions[comic().ink.lips[0]];
-    return glm::distance(drawing.parts[comic().ink.sheet].positions[0], lip);
-  };
-  EXPECT_LT(measure_mm(0.15), 0.5f);
-  EXPECT_GT(measure_mm(0.8), 1.0f);
 }
 
 }  // namespace

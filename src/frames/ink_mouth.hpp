@@ -1,0 +1,27 @@
+// What who draws makes of a mouth: of its inside, a dark with one band of teeth and a tongue, and of the far
+// corner of one that is open.
+#pragma once
+
+#include "frames/ink.hpp"
+#include "frames/ink_profile.hpp"
+
+namespace mien {
+
+// How far the lips' middles stand apart, on an adult's head, and what it makes of them: 0 they meet, 1 they
+// are parted; 1 a slit, 0 wide open.
+struct InkMouth {
+  float gap_mm = 0, parted = 0, slit = 0;
+};
+InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin);
+
+// In three-quarter view the far end of a wide open mouth, which goes away around the teeth, would be cut off
+// square: its lips come together about the middle of its height. A round mouth is round there already, and a
+// head without a lens stays as it is.
+void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing);
+
+// Teeth, gums, tongue and what is dark about them, on lips as they are drawn. `pose` is the one asked for,
+// `line_mm` how wide a line is there.
+void draw_mouth(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
+                double line_mm, Drawing& drawing);
+
+}  // namespace mien

@@ -1,0 +1,199 @@
+#include "frames/ink_mouth.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "drawn_subject.hpp"
+#include "frames/ink_parts.hpp"
+#include "head/cage.hpp"
+
+namespace mien {
+namespace {
+
+constexpr InkView kBefore{{0, 0, 900}, {0, 0, 1}, 1}, kBeside{{900, -40, 80}, {0, 0, 1}, 1};
+constexpr InkView kQuarter{{600, 0, 700}, {0, 0, 1}, 1};  // from the head's left
+
+const Subject& infant() {
+  static const Subject subject = build_of_age("infant");
+  return subject;
+}
+
+glm::vec3 find_place(const Subject& subject, const Drawing& drawing, const char* name, bool is_image) {
+  const Cage& cage = subject.figure.head.cage;
+  const std::uint32_t point = find_point(cage, name);
+  return drawing.parts.front().positions[is_image ? cage.mirror[point] : point];
+}
+
+// Or it would be cut off square.
+TEST(ink_mouth, the_far_corner_of_a_laugh_is_round) {
+  const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}});
+  const Drawing before = draw(infant(), laugh, TurnKey{}, kBefore),
+                quarter = draw(infant(), laugh, TurnKey{}, kQuarter);
+  const auto measure_high_mm = [&](const Drawing& drawing, bool is_right) {
+    return find_place(infant(), drawing, "M1_5", is_right).y -
+           find_place(infant(), drawing, "M1_8", is_right).y;
+  };
+  EXPECT_LT(measure_high_mm(quarter, true), 0.7f * measure_high_mm(before, true));
+  EXPECT_EQ(measure_high_mm(quarter, false), measure_high_mm(before, false));
+  EXPECT_LT(find_place(infant(), quarter, "M1_6", true).y, find_place(infant(), before, "M1_6", true).y - 1);
+  for (const char* name : {"M1_0", "M1_12", "p_tip", "M4_0"})
+    EXPECT_EQ(find_place(infant(), quarter, name, false), find_place(infant(), before, name, false)) << name;
+}
+
+// A cheek that came along would have a fold in its outline.
+TEST(ink_mouth, cheeks_are_not_drawn_together_with_the_far_corner) {
+  const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}});
+  const std::vector<glm::vec3> before = draw(infant(), laugh, TurnKey{}, kBefore).parts.front().positions,
+                               quarter = draw(infant(), laugh, TurnKey{}, kQuarter).parts.front().positions;
+  const float half_mm = std::abs(before[infant().ink.corners[0]].x);
+  const Mesh& skin = infant().figure.head.skin;
+  for (const Triangle& t : skin.triangles)
+    for (int i = 0; i < 3; ++i) {
+      const std::uint32_t a = t[i], b = t[(i + 1) % 3];
+      const float high_mm = std::abs(before[a].y - before[b].y);
+      if (before[a].x > -1.3f * half_mm || before[b].x > -1.3f * half_mm || high_mm < 0.5f) continue;
+      EXPECT_GT(std::abs(quarter[a].y - quarter[b].y), 0.3f * high_mm);
+    }
+}
+
+TEST(ink_mouth, a_round_mouth_and_a_real_one_stay_as_they_are) {
+  const Subject man = build_subject(HeadSpec{});
+  const auto expect_same = [](const Subject& subject, const Pose& pose) {
+    const Drawing before = draw(subject, pose, TurnKey{}, kBefore),
+                  quarter = draw(subject, pose, TurnKey{}, kQuarter);
+    EXPECT_TRUE(before.parts.front().positions == quarter.parts.front().positions);
+  };
+  expect_same(man, make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}}));
+  expect_same(comic(), make_pose({{"corner.out", -0.65}, {"chin.down", 1}}));
+}
+
+// Else a strip of lip is seen inside the line of the far one.
+TEST(ink_mouth, the_dark_comes_near_to_the_line_of_the_lips) {
+  const Part& skin = infant().ink.model.parts.front();
+  const std::vector<glm::vec3>& p = skin.rest.positions;
+  const auto find_colour = [&](const glm::vec3& place) {
+    const auto find_away = [&](std::size_t i) {
+      const Triangle& t = skin.rest.triangles[i];
+      return glm::distance(place, (p[t[0]] + p[t[1]] + p[t[2]]) / 3.0f);
+    };
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < skin.rest.triangles.size(); ++i)
+      if (find_away(i) < find_away(nearest)) nearest = i;
+    return skin.palette[skin.triangle_shade[nearest]].srgb;
+  };
+  const auto mix = [&](const char* inner, const char* outer, float share) {
+    const Cage& cage = infant().figure.head.cage;
+    return glm::mix(p[find_point(cage, inner)], p[find_point(cage, outer)], share);
+  };
+  EXPECT_EQ(find_colour(mix("M0_3", "M1_3", 0.6f)), InkColours{}.cavity);
+  EXPECT_EQ(find_colour(mix("M0_9", "M1_9", 0.6f)), InkColours{}.cavity);
+  EXPECT_NE(find_colour(mix("M1_9", "M2_9", 0.6f)), InkColours{}.cavity);
+}
+
+// Fangs from below else.
+TEST(ink_mouth, the_row_of_teeth_comes_to_points) {
+  std::vector<glm::vec3> row;
+  for (int i = -10; i <= 10; ++i) row.insert(row.end(), {{i + 3, 5, 0}, {i + 3, -4, 0}});
+  taper_row({0, 1, 0}, {1, 0, 0}, row);
+  const auto measure_deep = [&](int i) { return 5 - row[2 * static_cast<std::size_t>(i + 10) + 1].y; };
+  for (int i = 0; i <= 10; ++i) {
+    EXPECT_EQ(row[2 * static_cast<std::size_t>(i + 10)].y, 5) << i;
+    EXPECT_FLOAT_EQ(measure_deep(i), measure_deep(-i)) << i;
+    EXPECT_LE(measure_deep(i), measure_deep(std::max(i - 1, 0))) << i;
+  }
+  EXPECT_EQ(measure_deep(5), 9);
+  EXPECT_LT(measure_deep(10), 2);
+}
+
+// Or the dark would end on the ground; its front is bowed in, and teeth stand behind it.
+TEST(ink_mouth, an_open_mouth_has_a_line_in_profile) {
+  const Pose open = make_pose({{"chin.down", 0.6}, {"lips.upper", 0.4}});
+  const auto find_edge = [&](const Pose& pose, const InkView& view) {
+    return draw(comic(), pose, TurnKey{}, view).parts[comic().ink.mouth_edge].positions;
+  };
+  const std::vector<glm::vec3> edge = find_edge(open, kBeside);
+  EXPECT_EQ(edge.size(), kStrokeVertices);
+  EXPECT_GT(glm::distance(edge[0], edge[kStrokeSpokes / 2]), 0.5f);
+  const glm::vec3 &first = edge.front(), &middle = edge[edge.size() / 2], &last = edge.back();
+  EXPECT_LT(middle.z, 0.5f * (first.z + last.z) - 1);
+  for (const glm::vec3& p : find_edge(open, kBefore)) EXPECT_LT(glm::distance(p, edge[0]), 60);
+  const auto measure_mm = [](const std::vector<glm::vec3>& points) {
+    const Box box = compute_bounds(points);
+    return glm::length(box.high - box.low);
+  };
+  EXPECT_GT(measure_mm(edge), 8);
+  EXPECT_LT(measure_mm(find_edge(open, kBefore)), 0.01);
+  EXPECT_LT(measure_mm(find_edge(make_pose({{"chin.down", 0.1}}), kBeside)), 5);
+  const Drawing drawing = draw(comic(), open, TurnKey{}, kBeside);
+  const std::vector<glm::vec3>& sheet = drawing.parts[comic().ink.sheet].positions;
+  const std::vector<glm::vec3>& strip = drawing.parts[comic().ink.tooth_strip].positions;
+  for (const glm::vec3& tooth : strip)
+    for (std::size_t row = 0; row < kSheetRows; ++row)
+      EXPECT_FALSE(std::abs(sheet[row].y - tooth.y) < 0.5f && tooth.z > sheet[row].z + 0.5f);
+}
+
+TEST(ink_mouth, a_mouth_that_opens_a_little_shows_no_tongue) {
+  const auto measure_mm = [](double jaw) {
+    const Pose pose = make_pose({{"chin.down", jaw}});
+    DeformBuffers buffers;
+    Drawing plain;
+    deform_figure(comic().figure, pose, TurnKey{}, buffers, plain);
+    const std::size_t tongue = find_part(comic().ink.model, "tongue");
+    const auto find_top_mm = [](const PartShape& shape) {
+      if (shape.positions.empty()) return shape.world_from_rest[3].y;
+      return std::ranges::max_element(shape.positions, {}, &glm::vec3::y)->y;
+    };
+    return (find_top_mm(plain.parts[tongue]) -
+            find_top_mm(draw(comic(), pose, TurnKey{}, {}).parts[tongue])) /
+           comic().ink.teeth_high_mm;
+  };
+  EXPECT_GT(measure_mm(0.25), 0.6);
+  EXPECT_LT(measure_mm(1), 0.5);
+}
+
+// It would be a strip of dark below the lip.
+TEST(ink_mouth, what_closes_the_slit_is_gone_where_lips_part) {
+  const auto measure_mm = [](double jaw) {
+    const Drawing drawing = draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, kBefore);
+    const Box box = compute_bounds(drawing.parts[comic().ink.veil].positions);
+    return glm::length(box.high - box.low);
+  };
+  EXPECT_GT(measure_mm(0), 10);
+  EXPECT_LT(measure_mm(0.7), 0.01);
+}
+
+// From before the row hangs where it is; from the side a strip is as low.
+TEST(ink_mouth, teeth_are_a_strip) {
+  const Pose open = make_pose({{"chin.down", 0.6}, {"lips.upper", 0.4}});
+  const std::vector<glm::vec3>& rest = comic().ink.model.parts[comic().ink.teeth].rest.positions;
+  const auto find_teeth = [&](const Drawing& drawing) {
+    const PartShape& teeth = drawing.parts[comic().ink.teeth];
+    std::vector<glm::vec3> places = teeth.positions;
+    if (places.empty())
+      for (const glm::vec3& p : rest) places.emplace_back(teeth.world_from_rest * glm::vec4(p, 1));
+    return compute_bounds(places);
+  };
+  const Drawing before = draw(comic(), open, TurnKey{}, kBefore),
+                beside = draw(comic(), open, TurnKey{}, kBeside);
+  const std::vector<glm::vec3>& strip = beside.parts[comic().ink.tooth_strip].positions;
+  EXPECT_NEAR(strip[strip.size() / 2].y, find_teeth(before).low.y, 0.5f);  // the lower one of the middle
+  EXPECT_LT(glm::length(find_teeth(beside).high - find_teeth(beside).low), 2.0f);
+  const std::vector<glm::vec3>& none = before.parts[comic().ink.tooth_strip].positions;
+  for (std::size_t v = 0; v < none.size(); v += 2) EXPECT_EQ(none[v], none[v + 1]) << v;
+}
+
+// What shows of the lips before it would be crumbs; an open mouth's ends behind them.
+TEST(ink_mouth, a_slit_is_dark_to_the_edge_of_the_lips) {
+  const auto measure_mm = [](double jaw) {
+    const Drawing drawing = draw(comic(), make_pose({{"chin.down", jaw}}), TurnKey{}, kBeside);
+    const glm::vec3 lip = drawing.parts.front().positions[comic().ink.lips[0]];
+    return glm::distance(drawing.parts[comic().ink.sheet].positions[0], lip);
+  };
+  EXPECT_LT(measure_mm(0.15), 0.5f);
+  EXPECT_GT(measure_mm(0.8), 1.0f);
+}
+
+}  // namespace
+}  // namespace mien
