@@ -75,12 +75,16 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   constexpr int kHullRounds = 4;
   drawing.parts.resize(ink.model.parts.size());
   PartShape& skin = drawing.parts.front();
-  const InkSight sight = measure_sight(ink, view, skin.positions);
+  const DoctrineData& doctrines = ink.data->doctrines;
+  const Pose pose = resolve_folds(
+      doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
+  const InkSight sight = measure_sight(ink, view, drawing);
   const float beside = sight.beside;
   const InkMouth mouth = measure_mouth(ink, skin.positions);
   const float parted = mouth.parted;
   widen_features(ink, beside, parted, drawing);
   round_far_corner(ink, sight, mouth, drawing);
+  lift_corners(ink, pose, sight, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
@@ -149,9 +153,6 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
-  const DoctrineData& doctrines = ink.data->doctrines;
-  const Pose pose = resolve_folds(
-      doctrines, redraw_pose(ink.redraw, apply_limits(ink.limits, resolve_channels(doctrines, asked))));
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;

@@ -123,14 +123,15 @@ Part make_outline(const std::string& name, const InkColours& colours) {
   return part;
 }
 
-// The skin's shadow is that of a skin a little below it: near the border of its tones facets would cast
-// theirs on their neighbours. Lips, the mouth and what is about the eyes cast none: it would be crumbs about
-// them. At the nostrils, whose rims would be crumbs as well, it lies deeper: with a hole there, the nose's
-// shadow would end as raggedly as its triangles do.
+// The skin's shadow is that of a skin below it: near the border of its tones facets would cast theirs on
+// their neighbours, and a raised cheek a dot on itself. In thin ears it would come out on the other side.
+// Lips, the mouth and what is about the eyes cast none: it would be crumbs about them. At the nostrils, whose
+// rims would be crumbs as well, it lies deeper: with a hole there, the nose's shadow would end as raggedly as
+// its triangles do.
 Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                  const std::vector<glm::vec3>& positions, Ink& ink) {
   constexpr float kLips_mm = 7, kBridge_mm = 9, kEye_mm = 5, kBelowEye_mm = 8;
-  constexpr float kBelow_mm = 0.9f, kNostril_mm = 8;
+  constexpr float kThin_mm = 0.9f, kBelow_mm = 3.5f, kNostril_mm = 8;
   constexpr float kDeep = 0.7f, kNose = 2;  // of how far the nose's tip stands out over the lip
   constexpr float kLeastNose_mm = 14;
   constexpr float kBeside_mm = 5, kEar_mm = 6;
@@ -170,10 +171,11 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                       std::ranges::any_of(places, [&](const auto& place) {
                         return glm::distance(place.first, positions[v]) < place.second;
                       }));
-    const float below_mm = std::lerp(std::max(kBelow_mm, kDeep * stands_mm), kBelow_mm,
-                                     smooth_step(kNostril_mm, nose_mm, away_mm));
     const bool is_ear = std::ranges::any_of(
         ears, [&](const glm::vec3& place) { return glm::distance(place, positions[v]) < kEar_mm; });
+    const float below_mm = is_ear ? kThin_mm
+                                  : std::lerp(std::max(kBelow_mm, kDeep * stands_mm), kBelow_mm,
+                                              smooth_step(kNostril_mm, nose_mm, away_mm));
     ink.below_mm.push_back(ink.eye_size * below_mm);
     ink.below_beside_mm.push_back(ink.eye_size * (is_ear ? below_mm : std::max(below_mm, kBeside_mm)));
   }

@@ -1,6 +1,7 @@
 #include "frames/ink_mouth.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -158,6 +159,41 @@ void draw_mouth_edge(float beside, double line_mm, const PartShape& sheet, PartS
   append_tube(tube, 1, edge.positions);
 }
 
+// The mouth in the frame of the skull: between its corners, between its lips' middles, half its width and
+// half of how far these stand apart.
+struct MouthFrame {
+  glm::vec3 middle, lips, aside, up, forward;
+  float half_mm = 1, high_mm = 0;
+};
+
+MouthFrame measure_frame(const Ink& ink, const Drawing& drawing) {
+  const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
+  const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
+  const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
+  return {0.5f * (left + right),
+          0.5f * (upper + lower),
+          glm::normalize(left - right),
+          glm::normalize(glm::vec3(skull[1])),
+          glm::normalize(glm::vec3(skull[2])),
+          0.5f * glm::distance(left, right),
+          0.5f * glm::distance(upper, lower)};
+}
+
+// 1 at the corners of the mouth, 0 in its middle, in the cheek and behind it.
+float find_nearness(const MouthFrame& frame, const glm::vec3& p, float whole_at = 0.8f) {
+  constexpr float kBeyond = 1.9f, kNear = 0.5f, kDeep = 1.5f;  // of half the mouth's width
+  const float out = std::abs(glm::dot(p - frame.middle, frame.aside)) / frame.half_mm,
+              deep = glm::dot(frame.middle - p, frame.forward) / frame.half_mm;
+  if (out >= kBeyond || deep >= kDeep) return 0;
+  const float whole = std::min(out / whole_at, 1.0f);
+  return whole * whole * (1 - smooth_step(1.0f, kBeyond, out)) * (1 - smooth_step(kNear, kDeep, deep));
+}
+
+float fade_out(float off_mm, float reach_mm, float fade_mm) {
+  return 1 - smooth_step(reach_mm, reach_mm + fade_mm, std::abs(off_mm));
+}
+
 }  // namespace
 
 InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
@@ -171,29 +207,53 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
   constexpr float kWide = 1.3f,
                   kWider = 2;  // the mouth against how far its lower lip hangs below the corners
   constexpr float kRound = 0.7f, kLow = 0.35f;  // of what hangs there, below the corners: where the lips meet
-  constexpr float kWhole = 0.8f, kBeyond = 1.9f, kNear = 0.5f, kDeep = 1.5f;  // of half the mouth's width
-  constexpr float kFade_mm = 20;
+  constexpr float kForth = 0.6f;                // of how far the corner lies behind the lips
+  constexpr float kFade_mm = 20, kForthFade_mm = 8;
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
   if (turned == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
-  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
-  const glm::vec3 up = glm::normalize(glm::vec3(skull[1])), forward = glm::normalize(glm::vec3(skull[2]));
-  const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
-  const glm::vec3 corner = sight.aside > 0 ? right : left, middle = 0.5f * (left + right);
-  const float hangs_mm = glm::dot(corner - skin[ink.lips[1]], up);
-  if (hangs_mm <= 0) return;
-  const float half_mm = glm::distance(corner, middle);
-  const glm::vec3 aside = (corner - middle) / half_mm;
-  const float share = kRound * turned * smooth_step(kWide, kWider, 2 * half_mm / hangs_mm);
-  const float most_mm = kLow * hangs_mm, meeting_mm = glm::dot(corner, up) - most_mm;
+  const MouthFrame frame = measure_frame(ink, drawing);
+  const glm::vec3 corner = skin[ink.corners[sight.aside > 0 ? 1 : 0]];
+  const glm::vec3 aside = glm::normalize(corner - frame.middle);
+  const float hangs_mm = glm::dot(corner - skin[ink.lips[1]], frame.up);
+  const float share =
+      hangs_mm > 0 ? kRound * turned * smooth_step(kWide, kWider, 2 * frame.half_mm / hangs_mm) : 0;
+  const float most_mm = kLow * std::max(hangs_mm, 0.0f), meeting_mm = glm::dot(corner, frame.up) - most_mm;
+  const float forth_mm = kForth * turned * glm::dot(frame.lips - corner, frame.forward);
   for (glm::vec3& p : skin) {
-    const float out = glm::dot(p - middle, aside) / half_mm, deep = glm::dot(corner - p, forward) / half_mm;
-    if (out < 0 || out > kBeyond || deep > kDeep) continue;
-    const float high_mm = glm::dot(p, up) - meeting_mm, whole = std::min(out / kWhole, 1.0f);
-    const float near = (1 - smooth_step(1.0f, kBeyond, out)) * (1 - smooth_step(kNear, kDeep, deep)) *
-                       (1 - smooth_step(most_mm, most_mm + kFade_mm * ink.eye_size, std::abs(high_mm)));
-    p -= share * near * whole * whole * std::clamp(high_mm, -most_mm, most_mm) * up;
+    if (glm::dot(p - frame.middle, aside) <= 0) continue;
+    const float near = find_nearness(frame, p);
+    if (near == 0) continue;
+    const float high_mm = glm::dot(p, frame.up) - meeting_mm, off_mm = glm::dot(p - frame.lips, frame.up);
+    const float together = share * near * fade_out(high_mm, most_mm, kFade_mm * ink.eye_size),
+                forth = near * fade_out(off_mm, frame.high_mm, kForthFade_mm * ink.eye_size);
+    p += forth * forth_mm * frame.forward - together * std::clamp(high_mm, -most_mm, most_mm) * frame.up;
+  }
+}
+
+void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
+  constexpr float kLift = 1.4f, kAbove_mm = 16, kBelow_mm = 7, kWhole = 1.05f;
+  constexpr float kLevel = 0.08f, kMost = 0.6f;  // sines of the camera's way below
+  const float below = (std::clamp(sight.below, kLevel, kMost) - kLevel) * (1 - sight.beside);
+  if (below == 0 || !ink.redraw.lens.is_on()) return;
+  const MouthFrame frame = measure_frame(ink, drawing);
+  std::array<float, 2> lifts_mm{};
+  for (const std::size_t side : {0, 1}) {
+    const auto smile =
+        static_cast<float>(pose.values[*find_move(Area::corner, side == 0 ? Side::left : Side::right, "up")]);
+    const float behind_mm =
+        glm::dot(frame.lips - drawing.parts.front().positions[ink.corners[side]], frame.forward);
+    lifts_mm[side] = kLift * std::clamp(smile, 0.0f, 1.0f) * std::max(behind_mm, 0.0f) * below /
+                     std::sqrt(1 - below * below);
+  }
+  for (glm::vec3& p : drawing.parts.front().positions) {
+    const float near = find_nearness(frame, p, kWhole);
+    if (near == 0) continue;
+    const float lift_mm = lifts_mm[glm::dot(p - frame.middle, frame.aside) > 0 ? 0 : 1];
+    const float off_mm = glm::dot(p - frame.lips, frame.up);
+    p += near * fade_out(off_mm, frame.high_mm, ink.eye_size * (off_mm > 0 ? kAbove_mm : kBelow_mm)) *
+         lift_mm * frame.up;
   }
 }
 

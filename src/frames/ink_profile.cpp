@@ -22,8 +22,8 @@ struct DrawnOut {
   float lower = 0;  // what is whole aside: by this share of its height, for it ends in a wedge
   float none_aside = 0.2f, whole_aside = 0.7f;  // of aside_mm
   float whole_high = 1.5f, none_high = 2.6f;    // of high_mm
-  float none_lower = 1;
-  float none_deep = 3.5f;  // of deep_mm: the head's back stays
+  float none_lower = 1, most_lower_mm = 0;      // of high_mm; what is farther off goes no farther
+  float none_deep = 3.5f;                       // of deep_mm: the head's back stays
 };
 
 void draw_out(const DrawnOut& out, glm::vec3& p) {
@@ -37,7 +37,8 @@ void draw_out(const DrawnOut& out, glm::vec3& p) {
       (1 - smooth_step(1.0f, out.none_deep, behind));
   p -= out.deeper * out.deep_mm * share * (1 - smooth_step(out.whole_high, out.none_high, high)) *
            out.forward +
-       out.lower * share * (1 - smooth_step(0.0f, out.none_lower, high)) * glm::dot(way, out.up) * out.up;
+       out.lower * share * (1 - smooth_step(0.0f, out.none_lower, high)) *
+           std::clamp(glm::dot(way, out.up), -out.most_lower_mm, out.most_lower_mm) * out.up;
 }
 
 DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
@@ -68,7 +69,8 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
 
 // Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
-  constexpr float kDeeper = 0.7f, kLower = 1, kLips_mm = 6, kBeyond_mm = 15, kBeyondWedge_mm = 7;
+  constexpr float kDeeper = 0.7f, kLower = 1, kHeld = 0.6f, kLips_mm = 6, kBeyond_mm = 15,
+                  kBeyondWedge_mm = 12;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{
@@ -79,6 +81,7 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   mouth.high_mm = 0.5f * glm::distance(upper, lower) + kLips_mm * ink.eye_size;
   mouth.deeper = kDeeper;
   mouth.lower = kLower;
+  mouth.most_lower_mm = kHeld * glm::distance(upper, lower);
   mouth.whole_aside = 0.8f;
   mouth.whole_high = 0;
   mouth.none_lower = 1 + kBeyondWedge_mm * ink.eye_size / mouth.high_mm;
@@ -88,13 +91,16 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
 
 }  // namespace
 
-InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin) {
+InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawing) {
   constexpr float kQuarter = 0.88f, kProfile = 0.98f;  // sines of the camera's way round the head
   constexpr float kFront = 0.25f, kTurned = 0.5f;
+  const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const glm::vec3 &left = skin[ink.sides[0]], &right = skin[ink.sides[1]];
+  const glm::vec3 up = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[1]));
   const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
   const float aside = glm::dot(to_camera, glm::normalize(left - right)), sine = std::abs(aside);
-  return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine), aside};
+  return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine), aside,
+          -glm::dot(to_camera, up)};
 }
 
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing) {

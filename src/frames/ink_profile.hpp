@@ -6,11 +6,11 @@
 namespace mien {
 
 // How the head is seen, as shares: from the side (0 up to three-quarter view, 1 in profile), and from before;
-// and the sine of the camera's way round it, more than 0 on its left.
+// and the sines of the camera's way round it, more than 0 on its left, and below it.
 struct InkSight {
-  float beside = 0, faced = 0, aside = 0;
+  float beside = 0, faced = 0, aside = 0, below = 0;
 };
-InkSight measure_sight(const Ink& ink, const InkView& view, const std::vector<glm::vec3>& skin);
+InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawing);
 
 // Eyes that are tall ovals would be slits, and open mouths notches: skin and balls about them are drawn out
 // in depth, behind what stands forth of balls and lips, as far as the head is seen from the side, the mouth

@@ -14,6 +14,7 @@ namespace {
 
 constexpr InkView kBefore{{0, 0, 900}, {0, 0, 1}, 1}, kBeside{{900, -40, 80}, {0, 0, 1}, 1};
 constexpr InkView kQuarter{{600, 0, 700}, {0, 0, 1}, 1};  // from the head's left
+constexpr InkView kBelow{{0, -500, 800}, {0, 0, 1}, 1};
 
 const Subject& infant() {
   static const Subject subject = build_of_age("infant");
@@ -53,20 +54,45 @@ TEST(ink_mouth, cheeks_are_not_drawn_together_with_the_far_corner) {
     for (int i = 0; i < 3; ++i) {
       const std::uint32_t a = t[i], b = t[(i + 1) % 3];
       const float high_mm = std::abs(before[a].y - before[b].y);
-      if (before[a].x > -1.3f * half_mm || before[b].x > -1.3f * half_mm || high_mm < 0.5f) continue;
+      if (before[a].x > -1.3f * half_mm || before[b].x > -1.3f * half_mm || high_mm < 1.5f) continue;
       EXPECT_GT(std::abs(quarter[a].y - quarter[b].y), 0.3f * high_mm);
     }
 }
 
-TEST(ink_mouth, a_round_mouth_and_a_real_one_stay_as_they_are) {
+TEST(ink_mouth, a_real_mouth_stays_as_it_is) {
   const Subject man = build_subject(HeadSpec{});
-  const auto expect_same = [](const Subject& subject, const Pose& pose) {
-    const Drawing before = draw(subject, pose, TurnKey{}, kBefore),
-                  quarter = draw(subject, pose, TurnKey{}, kQuarter);
-    EXPECT_TRUE(before.parts.front().positions == quarter.parts.front().positions);
+  const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}});
+  const Drawing before = draw(man, laugh, TurnKey{}, kBefore);
+  for (const InkView& view : {kQuarter, kBelow})
+    EXPECT_TRUE(draw(man, laugh, TurnKey{}, view).parts.front().positions == before.parts.front().positions);
+}
+
+// It is round already; but its far corner comes forward, or it would be a heart.
+TEST(ink_mouth, a_round_mouth_stays_round) {
+  const Pose round = make_pose({{"corner.out", -0.65}, {"chin.down", 1}});
+  const Drawing before = draw(comic(), round, TurnKey{}, kBefore),
+                quarter = draw(comic(), round, TurnKey{}, kQuarter);
+  const auto find_way = [&](const char* name) {
+    return find_place(comic(), quarter, name, true) - find_place(comic(), before, name, true);
   };
-  expect_same(man, make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}}));
-  expect_same(comic(), make_pose({{"corner.out", -0.65}, {"chin.down", 1}}));
+  EXPECT_GT(find_way("M1_6").z, 2);
+  for (const char* name : {"M1_4", "M1_6", "M1_8"}) EXPECT_LT(std::abs(find_way(name).y), 0.2f) << name;
+}
+
+// Or a smile would be a frown from below.
+TEST(ink_mouth, the_corners_of_a_smile_are_lifted_from_below) {
+  const Pose smile = make_pose({{"corner.up", 0.8}});
+  const glm::vec3 up_of_view = glm::normalize(glm::cross(glm::vec3(kBelow.camera_mm), glm::vec3(1, 0, 0)));
+  const auto measure_high_mm = [&](const Pose& pose, const InkView& view) {
+    const Drawing drawing = draw(infant(), pose, TurnKey{}, view);
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    const glm::vec3 lips = 0.5f * (p[infant().ink.lips[0]] + p[infant().ink.lips[1]]);
+    EXPECT_NEAR(p[infant().ink.corners[0]].y, p[infant().ink.corners[1]].y, 1e-3);
+    return glm::dot(p[infant().ink.corners[0]] - lips, up_of_view);
+  };
+  EXPECT_LT(measure_high_mm(smile, kBefore), -1);
+  EXPECT_GT(measure_high_mm(smile, kBelow), 0);
+  EXPECT_EQ(measure_high_mm(Pose{}, kBelow), measure_high_mm(Pose{}, kBefore));
 }
 
 // Else a strip of lip is seen inside the line of the far one.

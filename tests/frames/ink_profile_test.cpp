@@ -179,7 +179,7 @@ TEST(ink_profile, what_casts_lies_deeper_but_in_ears) {
                          drawing.parts.front().positions[point]) /
            comic().ink.eye_size;
   };
-  EXPECT_NEAR(measure_mm("s1_C1", kBefore_mm), 0.9f, 0.05f);
+  EXPECT_NEAR(measure_mm("s1_C1", kBefore_mm), 3.5f, 0.05f);
   EXPECT_NEAR(measure_mm("s1_C1", kBeside_mm), 5.0f, 0.05f);
   EXPECT_NEAR(measure_mm("er6_4", kBeside_mm), 0.9f, 0.05f);
 }
