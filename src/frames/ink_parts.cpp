@@ -181,7 +181,7 @@ Part make_mouth_sheet(const Figure& figure, const InkColours& colours, Ink& ink)
       ink.sheet_points.push_back(find_point(figure.head.cage, fmt::format("{}_{}", ring, column)));
   Part part = make_flat_part("mouth_sheet", "ink_flat", colours.cavity);
   const auto rings = static_cast<std::uint32_t>(ink.sheet_points.size() / 2);
-  part.rest.positions.resize(rings * kSheetRows);
+  part.rest.positions.resize(std::size_t{rings} * kSheetRows);
   for (std::uint32_t ring = 0; ring + 1 < rings; ++ring)
     for (std::uint32_t row = 0; row + 1 < kSheetRows; ++row) {
       const std::uint32_t v = ring * kSheetRows + row;
