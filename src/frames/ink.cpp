@@ -85,6 +85,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   widen_features(ink, beside, parted, drawing);
   round_far_corner(ink, sight, mouth, drawing);
   lift_corners(ink, pose, sight, drawing);
+  flatten_cheeks(ink, sight, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);

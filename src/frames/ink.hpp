@@ -43,7 +43,8 @@ struct Ink {
   std::size_t mouth_edge = 0;   // in `model`: the line before it
   std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
-  std::vector<float> cheek;  // of the skin's vertices: how far it lies farther back in profile, 0..1
+  // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
+  std::vector<float> cheek, lower_cheek;
   std::size_t teeth = 0, gum = 0, tongue = 0;  // in `model`; the upper teeth and their gum
   std::array<std::size_t, 2> lower{};          // in `model`: the lower teeth and their gum
   std::vector<std::size_t> bones;              // in `model`: all teeth and gums

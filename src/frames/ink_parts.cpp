@@ -42,8 +42,10 @@ void append_band(std::size_t points, std::vector<Triangle>& triangles) {
 void darken_backs(const InkColours& colours, const Ink& ink, Part& part) {
   constexpr float kLeast = 0.6f;  // cosine; lower, and cusps are specks in the dark
   constexpr float kBeside = 0.99f, kInside_mm = 3.5f;
+  constexpr float kRow = 0.45f;  // of the arch's depth: teeth behind it would be hooks at the row's ends
   const Mesh& teeth = ink.model.parts[find_model_part(ink.model, "teeth_upper")].rest;
-  const float back_mm = compute_bounds(teeth.positions).low.z;
+  const Box box = compute_bounds(teeth.positions);
+  const float back_mm = box.low.z, row_mm = std::lerp(box.high.z, box.low.z, kRow);
   const auto find_way = [&](const glm::vec3& p) { return glm::vec2(p.x, p.z - back_mm); };
   const auto is_outside = [&](const glm::vec3& p) {
     const glm::vec2 way = find_way(p);
@@ -64,7 +66,8 @@ void darken_backs(const InkColours& colours, const Ink& ink, Part& part) {
     const bool looks_out =
         glm::dot(glm::vec2(normal.x, normal.z), way) >= kLeast * glm::length(normal) * glm::length(way);
     const bool is_outer = part.name == "gum_upper" && is_outside(a) && is_outside(b) && is_outside(c);
-    part.triangle_shade.push_back(looks_out || is_outer ? 0 : 1);
+    const bool is_in_row = std::max({a.z, b.z, c.z}) > row_mm;
+    part.triangle_shade.push_back((looks_out || is_outer) && is_in_row ? 0 : 1);
   }
 }
 

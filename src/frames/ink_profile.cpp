@@ -129,6 +129,16 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
   }
 }
 
+void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
+  constexpr float kLevel = 0.08f, kBelow = 0.5f, kBack_mm = 7;  // sines of the camera's way below
+  const float below = smooth_step(kLevel, kBelow, sight.below) * (1 - sight.beside);
+  if (below == 0 || !ink.redraw.lens.is_on()) return;
+  std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  const glm::vec3 forward = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[2]));
+  for (std::size_t v = 0; v < skin.size(); ++v)
+    skin[v] -= below * kBack_mm * ink.eye_size * ink.lower_cheek[v] * forward;
+}
+
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
   constexpr float kLit = 0.7f;
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals

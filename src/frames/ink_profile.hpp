@@ -17,6 +17,9 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawi
 // as far as its lips are `parted`, 0..1. A head without a lens stays as it is: its eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
+// Seen from below, a cheek's pad would cut the blush off: it lies farther back below the middle of that.
+void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing);
+
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade.
 void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);

@@ -89,11 +89,15 @@ struct Flush {
   // In profile a cheek's pad would stand before the half of the blush that is nearer to the nose: what is
   // there stays, and from the middle on it lies farther back.
   std::vector<float> cheek;
+  // Seen from below it would stand before the upper half: below the middle it lies farther back.
+  std::vector<float> lower_cheek;
 };
 
 Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
   constexpr float kInner = -1.3f, kMiddle = 0.2f, kOuter = 1.2f, kBeyond = 4;
-  constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;         // above it is the eye
+  constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;  // above it is the eye
+  constexpr float kAside = 0.8f, kFar = 1.9f, kBottom = -2.4f, kUnder = -0.9f, kBackTill = -0.2f,
+                  kBackNone = 1.1f;
   constexpr float kDeepNone = -3, kDeepWhole = -0.5f;                // behind it is the ear
   constexpr float kWide_mm = 13.5f, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
   constexpr glm::vec3 kAside_mm(15, 4.7f, 0);
@@ -118,6 +122,9 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
                           (1 - smooth_step(kOuter, kBeyond, share.x)) *
                           smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *
                           (1 - smooth_step(kWhole, kHigh, share.y)));
+    flush.lower_cheek.push_back(
+        (1 - smooth_step(kAside, kFar, std::abs(share.x))) * smooth_step(kDeepNone, kDeepWhole, share.z) *
+        smooth_step(kBottom, kUnder, share.y) * (1 - smooth_step(kBackTill, kBackNone, share.y)));
   }
   return flush;
 }
@@ -180,6 +187,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   const bool is_flushed = figure.head.design.blush > 0 || colours.blush;
   const Flush flush = is_flushed ? paint_flush(figure, positions)
                                  : Flush{std::vector<float>(positions.size(), -1.0f),
+                                         std::vector<float>(positions.size(), 0.0f),
                                          std::vector<float>(positions.size(), 0.0f)};
   for (int step = 0; step < kFlushSteps; ++step) {
     std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
@@ -190,6 +198,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
 
   InkRegions regions;
   regions.cheek = flush.cheek;
+  regions.lower_cheek = flush.lower_cheek;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] + kMouthBorder >= kMouthRim ||
                                  cutting.fields[kHole][v] + kNostrilBorder >= kNostrilRim);

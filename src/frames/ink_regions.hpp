@@ -21,7 +21,8 @@ struct InkRegions {
   std::vector<std::uint16_t> shade;  // of each of them, an index into `palette`
   std::vector<Shade> palette;
   std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
-  std::vector<float> cheek;      // of them: how far it is drawn out with the blush, 0..1
+  // Of them: how far it lies farther back, for the blush to be seen, 0..1: from the side, and from below.
+  std::vector<float> cheek, lower_cheek;
 };
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at

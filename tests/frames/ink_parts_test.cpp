@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/error.hpp"
 #include "drawn_subject.hpp"
@@ -34,6 +35,21 @@ TEST(ink_parts, teeth_and_gum_are_one_white_band) {
     EXPECT_TRUE(is_used(part, 0) && is_used(part, 1)) << name;
   }
   EXPECT_EQ(find(comic(), "tooth_strip").palette[0].srgb, colours.bone);
+}
+
+// Molars, which are seen from below, would be hooks at the row's ends.
+TEST(ink_parts, the_row_of_teeth_ends_before_it_turns_back) {
+  for (const char* name : {"teeth_upper", "gum_upper"}) {
+    const Part& part = find(comic(), name);
+    const Box box = compute_bounds(find(comic(), "teeth_upper").rest.positions);
+    for (std::size_t i = 0; i < part.rest.triangles.size(); ++i) {
+      if (part.triangle_shade[i] != 0) continue;
+      float front_mm = -INFINITY;
+      for (int k = 0; k < 3; ++k)
+        front_mm = std::max(front_mm, part.rest.positions[part.rest.triangles[i][k]].z);
+      EXPECT_GT(front_mm, std::lerp(box.high.z, box.low.z, 0.5f)) << name;
+    }
+  }
 }
 
 // Their edges would be dots.

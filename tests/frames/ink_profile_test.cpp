@@ -305,5 +305,22 @@ TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
   EXPECT_LT(measure_high_mm(kBeside_mm), 0.5f * measure_high_mm(kBefore_mm));
 }
 
+// Else the cheek's pad would stand before the upper half of its blush.
+TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
+  const auto draw_from = [](const glm::dvec3& camera_mm) {
+    return draw(infant(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1}).parts.front().positions;
+  };
+  const std::vector<glm::vec3> before = draw_from(kBefore_mm), below = draw_from({0, -500, 800});
+  float most_mm = 0;
+  for (std::size_t v = 0; v < before.size(); ++v) {
+    most_mm = std::max(most_mm, before[v].z - below[v].z);
+    EXPECT_EQ(before[v].x, below[v].x);
+  }
+  EXPECT_NEAR(most_mm, 7 * infant().ink.eye_size, 1);
+  const Cage& cage = infant().figure.head.cage;
+  for (const char* name : {"E1_4", "E1_12", "p_tip", "M1_0", "M1_6", "M6_11"})
+    EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
+}
+
 }  // namespace
 }  // namespace mien
