@@ -154,10 +154,12 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
+  constexpr float kLevel = 0.15f, kBelow = 0.4f;  // sines of the camera's way below
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
-    if (stroke.fold) return shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
+    const double level = stroke.rule.is_of_level ? 1.0 - smooth_step(kLevel, kBelow, sight.below) : 1.0;
+    if (stroke.fold) return level * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),

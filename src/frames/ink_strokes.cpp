@@ -118,6 +118,7 @@ StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength
   StrokeRule rule{.name = set.name.c_str(),
                   .points = {},
                   .is_of_front = set.ink < kThread,
+                  .is_of_level = set.name == "cheek",
                   .widths = {},
                   .lift_mm = 0.35,
                   .flat = 0.4};

@@ -74,7 +74,7 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     for (int place = 5; place <= 12; ++place) hush(ring + std::to_string(place));
   // Nor does the cheek above the jaw, which bulges when a mouth goes aside: islands of shade.
   for (const char* column : {"q12_", "q11_", "q10_", "s1_", "s2_", "s3_"})
-    for (const char* row : {"C7", "C8"}) hush(std::string(column) + row);
+    for (const char* row : {"C7", "C8", "C9"}) hush(std::string(column) + row);
   // Nor does the inside of the mouth, whose walls look anywhere.
   for (const char* ring : {"M0_", "MB1_", "MB2_"})
     for (int place = 0; place <= 12; ++place) hush(ring + std::to_string(place));

@@ -322,5 +322,16 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
 }
 
+// It would be a stub above the corner, which is lifted.
+TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below) {
+  const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}});
+  const auto measure_mm = [&](const glm::dvec3& camera_mm) {
+    return measure_width(
+        find_stroke(comic(), draw(comic(), laugh, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "cheek"));
+  };
+  EXPECT_GT(measure_mm(kBefore_mm), 0.3);
+  EXPECT_LT(measure_mm({0, -500, 800}), 0.05);
+}
+
 }  // namespace
 }  // namespace mien
