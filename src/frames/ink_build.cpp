@@ -199,7 +199,7 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.teeth_top_mm = box.high.y;
   ink.teeth_end_mm = box.low.y;
   for (const std::size_t part : {ink.teeth, ink.gum})
-    taper_row({0, 1, 0}, {1, 0, 0}, ink.model.parts[part].rest.positions);
+    taper_row(glm::mat3(1), ink.model.parts[part].rest.positions);
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};

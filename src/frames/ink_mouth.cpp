@@ -233,7 +233,7 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
-  constexpr float kLift = 1.4f, kAbove_mm = 16, kBelow_mm = 7, kWhole = 1.05f;
+  constexpr float kLift = 1.4f, kRow = 0.15f, kAbove_mm = 16, kBelow_mm = 7, kWhole = 1.05f;
   constexpr float kLevel = 0.08f, kMost = 0.6f;  // sines of the camera's way below
   const float below = (std::clamp(sight.below, kLevel, kMost) - kLevel) * (1 - sight.beside);
   if (below == 0 || !ink.redraw.lens.is_on()) return;
@@ -247,6 +247,8 @@ void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawi
     lifts_mm[side] = kLift * std::clamp(smile, 0.0f, 1.0f) * std::max(behind_mm, 0.0f) * below /
                      std::sqrt(1 - below * below);
   }
+  for (const std::size_t part : {ink.teeth, ink.gum})
+    shift(kRow * 0.5f * (lifts_mm[0] + lifts_mm[1]) * frame.up, drawing.parts[part]);
   for (glm::vec3& p : drawing.parts.front().positions) {
     const float near = find_nearness(frame, p, kWhole);
     if (near == 0) continue;
@@ -262,8 +264,10 @@ void draw_mouth(const Ink& ink, const Pose& pose, const InkSight& sight, const I
   for (const std::size_t part : {ink.teeth, ink.gum}) {
     PartShape& row = drawing.parts[part];
     if (!row.positions.empty())
-      taper_row(glm::normalize(glm::vec3(row.world_from_rest[1])),
-                glm::normalize(glm::vec3(row.world_from_rest[0])), row.positions);
+      taper_row({glm::normalize(glm::vec3(row.world_from_rest[0])),
+                 glm::normalize(glm::vec3(row.world_from_rest[1])),
+                 glm::normalize(glm::vec3(row.world_from_rest[2]))},
+                row.positions);
   }
   hide_teeth(ink, mouth.gap_mm, drawing);
   hang_teeth(ink, sight.beside, drawing);

@@ -42,7 +42,7 @@ void append_band(std::size_t points, std::vector<Triangle>& triangles) {
 void darken_backs(const InkColours& colours, const Ink& ink, Part& part) {
   constexpr float kLeast = 0.6f;  // cosine; lower, and cusps are specks in the dark
   constexpr float kBeside = 0.99f, kInside_mm = 3.5f;
-  constexpr float kRow = 0.45f;  // of the arch's depth: teeth behind it would be hooks at the row's ends
+  constexpr float kRow = 0.55f;  // of the arch's depth: teeth behind it would be hooks at the row's ends
   const Mesh& teeth = ink.model.parts[find_model_part(ink.model, "teeth_upper")].rest;
   const Box box = compute_bounds(teeth.positions);
   const float back_mm = box.low.z, row_mm = std::lerp(box.high.z, box.low.z, kRow);
@@ -164,17 +164,22 @@ void clear_ears(const Figure& figure, Ink& ink) {
       *mass, [&](const Triangle& t) { return !is_in_bowl[t[0]] && !is_in_bowl[t[1]] && !is_in_bowl[t[2]]; });
 }
 
-void taper_row(const glm::vec3& up, const glm::vec3& aside, std::vector<glm::vec3>& positions) {
-  constexpr float kWhole = 0.6f, kNone = 1.1f;  // of half the row's width
-  float top = -INFINITY, left = -INFINITY, right = -INFINITY;
+void taper_row(const glm::mat3& axes, std::vector<glm::vec3>& positions) {
+  constexpr float kWhole = 0.6f, kNone = 1.1f;           // of half the row's width
+  constexpr float kBackWhole = 0.12f, kBackNone = 0.6f;  // of its depth
+  const glm::mat3 into_axes = glm::transpose(axes);
+  Box box{glm::vec3(INFINITY), glm::vec3(-INFINITY)};
   for (const glm::vec3& p : positions) {
-    top = std::max(top, glm::dot(p, up));
-    left = std::max(left, glm::dot(p, aside));
-    right = std::max(right, -glm::dot(p, aside));
+    box.low = glm::min(box.low, into_axes * p);
+    box.high = glm::max(box.high, into_axes * p);
   }
+  const glm::vec3 middle = 0.5f * (box.low + box.high), size = box.high - box.low;
   for (glm::vec3& p : positions) {
-    const float out = std::abs(2 * glm::dot(p, aside) - left + right) / (left + right);
-    p += smooth_step(kWhole, kNone, out) * (top - glm::dot(p, up)) * up;
+    const glm::vec3 at = into_axes * p;
+    const float out = 2 * std::abs(at.x - middle.x) / std::max(size.x, 1e-3f),
+                behind = (box.high.z - at.z) / std::max(size.z, 1e-3f);
+    const float share = std::max(smooth_step(kWhole, kNone, out), smooth_step(kBackWhole, kBackNone, behind));
+    p += share * (box.high.y - at.y) * axes[1];
   }
 }
 

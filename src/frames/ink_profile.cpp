@@ -130,7 +130,7 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
 }
 
 void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
-  constexpr float kLevel = 0.08f, kBelow = 0.5f, kBack_mm = 7;  // sines of the camera's way below
+  constexpr float kLevel = 0.08f, kBelow = 0.5f, kBack_mm = 9;  // sines of the camera's way below
   const float below = smooth_step(kLevel, kBelow, sight.below) * (1 - sight.beside);
   if (below == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;

@@ -125,17 +125,21 @@ TEST(ink_mouth, the_dark_comes_near_to_the_line_of_the_lips) {
 
 // Fangs from below else.
 TEST(ink_mouth, the_row_of_teeth_comes_to_points) {
-  std::vector<glm::vec3> row;
-  for (int i = -10; i <= 10; ++i) row.insert(row.end(), {{i + 3, 5, 0}, {i + 3, -4, 0}});
-  taper_row({0, 1, 0}, {1, 0, 0}, row);
+  std::vector<glm::vec3> row;  // an arch, as deep as half its width
+  for (int i = -10; i <= 10; ++i) {
+    const float z = -0.1f * static_cast<float>(i * i);
+    row.insert(row.end(), {{i + 3, 5, z}, {i + 3, -4, z}});
+  }
+  taper_row(glm::mat3(1), row);
   const auto measure_deep = [&](int i) { return 5 - row[2 * static_cast<std::size_t>(i + 10) + 1].y; };
   for (int i = 0; i <= 10; ++i) {
     EXPECT_EQ(row[2 * static_cast<std::size_t>(i + 10)].y, 5) << i;
     EXPECT_FLOAT_EQ(measure_deep(i), measure_deep(-i)) << i;
     EXPECT_LE(measure_deep(i), measure_deep(std::max(i - 1, 0))) << i;
   }
-  EXPECT_EQ(measure_deep(5), 9);
-  EXPECT_LT(measure_deep(10), 2);
+  EXPECT_EQ(measure_deep(3), 9);
+  EXPECT_LT(measure_deep(6), 7);
+  EXPECT_EQ(measure_deep(8), 0);
 }
 
 // Or the dark would end on the ground; its front is bowed in, and teeth stand behind it.

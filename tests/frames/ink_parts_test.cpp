@@ -47,7 +47,7 @@ TEST(ink_parts, the_row_of_teeth_ends_before_it_turns_back) {
       float front_mm = -INFINITY;
       for (int k = 0; k < 3; ++k)
         front_mm = std::max(front_mm, part.rest.positions[part.rest.triangles[i][k]].z);
-      EXPECT_GT(front_mm, std::lerp(box.high.z, box.low.z, 0.5f)) << name;
+      EXPECT_GT(front_mm, std::lerp(box.high.z, box.low.z, 0.6f)) << name;
     }
   }
 }

@@ -316,7 +316,7 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     most_mm = std::max(most_mm, before[v].z - below[v].z);
     EXPECT_EQ(before[v].x, below[v].x);
   }
-  EXPECT_NEAR(most_mm, 7 * infant().ink.eye_size, 1);
+  EXPECT_NEAR(most_mm, 9 * infant().ink.eye_size, 1);
   const Cage& cage = infant().figure.head.cage;
   for (const char* name : {"E1_4", "E1_12", "p_tip", "M1_0", "M1_6", "M6_11"})
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
