@@ -22,6 +22,7 @@ constexpr float kOneTone = 2;  // a gloss of materials_drawn.inc
 enum Region : std::uint16_t {
   kInside,
   kHole,
+  kLidWall,
   kRed,
   kBearded,
   kHaired,
@@ -144,6 +145,8 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
   std::vector<Shade> shades(kRegionCount, {skin, 0});
   shades[kInside] = {colours.cavity, kOneTone};  // shade in the dark would be a stain
   shades[kHole].srgb = skin * glm::vec3(0.48f, 0.28f, 0.27f);
+  // Where a far eye's lids turn in to the ball light would come and go: chips at its outer corner.
+  shades[kLidWall] = {skin * glm::vec3(0.88f, 0.70f, 0.70f), kOneTone};
   shades[kRed].srgb =
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
   shades[kBearded].srgb = glm::mix(find_ink_hair(compute_beard_colour(look)), skin, 0.45f);
@@ -161,6 +164,7 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
 InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColours& colours,
                        const std::vector<glm::vec3>& positions) {
   constexpr float kMouthBorder = 0.03f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
+  constexpr float kWallBorder = 0.7f;
   constexpr float kTintBorder = 0.3f, kUnderMass = 0.96f;  // what shows beside a mass is a crumb
   constexpr float kMouthRim = 0.3f,
                   kNostrilRim = 0.4f;  // of the masks: about an opening its rim begins there
@@ -174,6 +178,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   Cutting cutting{fine.triangles, std::vector<std::vector<float>>(kPlain), {}};
   cutting.fields[kInside] = find_field(kMouth, kMouthBorder);
   cutting.fields[kHole] = find_field(kNostril, kNostrilBorder);
+  cutting.fields[kLidWall] = find_field(kRim, kWallBorder);
   cutting.fields[kRed] = find_field(kLips, kLipBorder);
   cutting.fields[kBearded] = find_border(
       fine, spec.look.beard == "none" ? std::vector<float>{} : paint_beard(figure.head, spec.look.beard),

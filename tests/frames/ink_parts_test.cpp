@@ -59,10 +59,23 @@ TEST(ink_parts, the_first_teeth_of_an_infant_are_not_seen) {
     for (const Shade& shade : find(infant, name).palette) EXPECT_EQ(shade.srgb, InkColours{}.cavity) << name;
 }
 
-// Shade in the dark would be a stain: over 1 the material has one tone.
-TEST(ink_parts, the_inside_of_the_mouth_has_one_tone) {
-  for (const Shade& shade : comic().ink.model.parts.front().palette)
-    EXPECT_EQ(shade.gloss > 1, shade.srgb == InkColours{}.cavity);
+// Shade in the dark would be a stain, and light on the lids' edge a chip beside a far eye: over 1 the
+// material has one tone.
+TEST(ink_parts, the_inside_of_the_mouth_and_the_edge_of_the_lids_have_one_tone) {
+  const Part& skin = comic().ink.model.parts.front();
+  std::size_t dark = 0, edge = 0;
+  for (const Shade& shade : skin.palette) {
+    dark += shade.gloss > 1 && shade.srgb == InkColours{}.cavity ? 1 : 0;
+    edge += shade.gloss > 1 && shade.srgb != InkColours{}.cavity ? 1 : 0;
+  }
+  EXPECT_EQ(dark, 1U);
+  EXPECT_EQ(edge, 1U);
+  const std::uint32_t lid = find_point(comic().figure.head.cage, "E0_4");
+  for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+    const Triangle& t = skin.rest.triangles[i];
+    const bool is_of_lid = t[0] == lid || t[1] == lid || t[2] == lid;
+    EXPECT_TRUE(!is_of_lid || skin.palette[skin.triangle_shade[i]].gloss > 1);
+  }
 }
 
 // Its shade beside a nostril would be a third one.
