@@ -158,7 +158,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
-    const double level = stroke.rule.is_of_level ? 1.0 - smooth_step(kLevel, kBelow, sight.below) : 1.0;
+    const bool is_lifted = stroke.rule.is_of_level && ink.redraw.lens.is_on();
+    const double level = is_lifted ? 1.0 - smooth_step(kLevel, kBelow, sight.below) : 1.0;
     if (stroke.fold) return level * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };

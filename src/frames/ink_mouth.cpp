@@ -204,10 +204,9 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
 
 void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing) {
   constexpr float kFront = 0.25f, kQuarter = 0.5f;  // sines of the camera's way round the head
-  constexpr float kWide = 1.3f,
-                  kWider = 2;  // the mouth against how far its lower lip hangs below the corners
-  constexpr float kRound = 0.7f, kLow = 0.35f;  // of what hangs there, below the corners: where the lips meet
-  constexpr float kForth = 0.6f;                // of how far the corner lies behind the lips
+  constexpr float kWide = 1.3f, kWider = 2;         // the mouth against how far its lower lip hangs
+  constexpr float kRound = 0.7f, kLow = 0.35f;      // of what hangs: so far below the corners the lips meet
+  constexpr float kForth = 0.6f;                    // of how far the corner lies behind the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -233,7 +232,8 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
-  constexpr float kLift = 1.4f, kRow = 0.15f, kAbove_mm = 16, kBelow_mm = 7, kWhole = 1.05f;
+  constexpr float kRow = 0.15f;  // of the corners' way: so far the teeth come along
+  constexpr float kLift = 1.4f, kAbove_mm = 16, kBelow_mm = 7, kWhole = 1.05f;
   constexpr float kLevel = 0.08f, kMost = 0.6f;  // sines of the camera's way below
   const float below = (std::clamp(sight.below, kLevel, kMost) - kLevel) * (1 - sight.beside);
   if (below == 0 || !ink.redraw.lens.is_on()) return;

@@ -97,6 +97,7 @@ struct Flush {
 Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
   constexpr float kInner = -1.3f, kMiddle = 0.2f, kOuter = 1.2f, kBeyond = 4;
   constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;  // above it is the eye
+  // The cheek below the blush's middle, from mouth to lid, in halves of the patch:
   constexpr float kAside = 0.8f, kFar = 1.9f, kBottom = -2.4f, kUnder = -0.9f, kBackTill = -0.2f,
                   kBackNone = 1.1f;
   constexpr float kDeepNone = -3, kDeepWhole = -0.5f;                // behind it is the ear
@@ -145,7 +146,8 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
   std::vector<Shade> shades(kRegionCount, {skin, 0});
   shades[kInside] = {colours.cavity, kOneTone};  // shade in the dark would be a stain
   shades[kHole].srgb = skin * glm::vec3(0.48f, 0.28f, 0.27f);
-  // Where a far eye's lids turn in to the ball light would come and go: chips at its outer corner.
+  // In the shade's tone: where a far eye's lids turn in to the ball light would come and go, as chips at its
+  // outer corner.
   shades[kLidWall] = {skin * glm::vec3(0.88f, 0.70f, 0.70f), kOneTone};
   shades[kRed].srgb =
       look.lips ? glm::clamp(*look.lips * 1.1f, 0.0f, 1.0f) : skin * glm::vec3(0.93f, 0.70f, 0.68f);
@@ -166,8 +168,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   constexpr float kMouthBorder = 0.03f, kNostrilBorder = 0.6f, kLipBorder = 0.5f;
   constexpr float kWallBorder = 0.7f;
   constexpr float kTintBorder = 0.3f, kUnderMass = 0.96f;  // what shows beside a mass is a crumb
-  constexpr float kMouthRim = 0.3f,
-                  kNostrilRim = 0.4f;  // of the masks: about an opening its rim begins there
+  constexpr float kMouthRim = 0.3f, kNostrilRim = 0.4f;    // of their masks, above which there is an opening
   const FineSkin& fine = figure.folds.skin;
   const SkinMasks masks = paint_skin_masks(figure.head);
   const auto find_field = [&](SkinMask mask, float border) {

@@ -29,13 +29,19 @@ constexpr const char* kIniText = "Work_Threads=1\n";
 // What POV-Ray may need of the disk for one pixel: its state file and the picture.
 constexpr std::size_t kDiskPerPixel = 16;  // bytes
 
+// A frame that waits, or one that failed.
+struct Attempt {
+  const FrameJob* job;
+  bool is_second = false;
+  std::string what = {};  // went wrong, if it has failed
+  int late_starts = 0;
+};
+
 // One frame on its way.
 struct Rendering {
-  const FrameJob* job;
+  Attempt attempt;
   std::filesystem::path raw;  // what povray writes
   Process process;
-  bool is_second_try = false;
-  int late_starts = 0;  // before this one
 };
 
 // What is the same for every frame of a call.
@@ -81,7 +87,8 @@ std::vector<std::string> build_options(const RenderSettings& settings) {
   return options;
 }
 
-Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
+Rendering start_rendering(const Attempt& attempt, std::size_t index, Run& run) {
+  const FrameJob& job = *attempt.job;
   const std::filesystem::path folder = job.scene.parent_path();
   const std::string raw = fmt::format("{}.png", index);
   std::vector<std::string> command{"povray", "+I" + build_plain_name(job.scene, run), "+O" + raw};
@@ -91,7 +98,7 @@ Rendering start_rendering(const FrameJob& job, std::size_t index, Run& run) {
     if (library != scene_folder) command.push_back("+L" + library);
   for (std::string& option : build_options(run.settings)) command.push_back(std::move(option));
   const std::string ini = fmt::format("POVINI={}", kIniName);
-  return {&job, run.work.path / raw, start_process(command, run.work.path, {ini})};
+  return {attempt, run.work.path / raw, start_process(command, run.work.path, {ini})};
 }
 
 // The command for a person to repeat: as we ran it, but seen from the scene's folder, since the work folder
@@ -129,12 +136,13 @@ void finish_rendering(const Rendering& rendering, const Run& run) {
   std::error_code ignored;
   std::filesystem::remove(rendering.raw, ignored);
   std::filesystem::remove(std::filesystem::path(rendering.raw).replace_extension("pov-state"), ignored);
-  if (fault.empty()) return write_file(rendering.job->picture, mark_picture(png, rendering.job->key));
+  const FrameJob& job = *rendering.attempt.job;
+  if (fault.empty()) return write_file(job.picture, mark_picture(png, job.key));
 
   const std::size_t pixel_count = static_cast<std::size_t>(settings.width_px) * settings.height_px;
-  require_space(run.work.path, pixel_count * kDiskPerPixel, rendering.job->picture);
-  throw RunError(format_failure(fmt::format("frame {}: {}", rendering.job->number, fault),
-                                describe_command(*rendering.job, settings),
+  require_space(run.work.path, pixel_count * kDiskPerPixel, job.picture);
+  throw RunError(format_failure(fmt::format("frame {}: {}", job.number, fault),
+                                describe_command(job, settings),
                                 find_povray_reason(rendering.process.result)));
 }
 
@@ -151,14 +159,6 @@ std::list<Rendering> take_ended(std::list<Rendering>& running) {
   }
   return ended;
 }
-
-// A frame that waits, or one that failed.
-struct Attempt {
-  const FrameJob* job;
-  bool is_second = false;
-  std::string what = {};  // went wrong, if it has failed
-  int late_starts = 0;
-};
 
 // What is still to do, what went wrong, and what has been learnt on the way.
 struct Progression {
@@ -179,14 +179,17 @@ void note_failure(const Attempt& failed, Progression& progression) {
   progression.failures.insert_or_assign(failed.job->number, failed);
 }
 
-// A machine too busy for povray to start on is no fault of the frame: it is tried behind those that wait, as
+// A machine too busy for povray to start on is no fault of the frame: the same attempt is made again, as
 // often as it takes for a passing load. False once it is the machine that does not recover.
 bool put_off_late_start(const Rendering& rendering, Progression& progression) {
   constexpr int kMostLateStarts = 5;
   const ProcessResult& result = rendering.process.result;
-  if (result.exit_code == 0 || rendering.late_starts >= kMostLateStarts || !is_late_start(result.output))
+  if (result.exit_code == 0 || rendering.attempt.late_starts >= kMostLateStarts ||
+      !is_late_start(result.output))
     return false;
-  progression.waiting.push_back({rendering.job, rendering.is_second_try, "", rendering.late_starts + 1});
+  // In front: where nothing has worked yet, nothing else is begun before a second try.
+  progression.waiting.push_front(rendering.attempt);
+  ++progression.waiting.front().late_starts;
   return true;
 }
 
@@ -269,23 +272,21 @@ void render_frames(const std::vector<FrameJob>& frames, const RenderSettings& se
       if (hooks.prepare) hooks.prepare(job);
       const auto index = static_cast<std::size_t>(&job - frames.data()) + 1;
       try {
-        running.push_back(start_rendering(job, index, *run));
+        running.push_back(start_rendering(next, index, *run));
       } catch (const RunError& error) {  // povray has not even begun: a second try is no use
         note_failure({&job, true, error.what()}, progression);
         continue;
       }
-      running.back().is_second_try = next.is_second;
-      running.back().late_starts = next.late_starts;
       limit_idling(running.back().process, progression.slowest_s);
     }
     // Pictures are judged while the frames after them render, so that no core waits for us.
     for (const Rendering& rendering : ended) {
-      const FrameJob& job = *rendering.job;
+      const FrameJob& job = *rendering.attempt.job;
       if (put_off_late_start(rendering, progression)) continue;
       try {
         finish_rendering(rendering, *run);
       } catch (const RunError& error) {
-        note_failure({&job, rendering.is_second_try, error.what()}, progression);
+        note_failure({&job, rendering.attempt.is_second, error.what()}, progression);
         continue;
       }
       note_success(job, rendering.process.result.wall_s, progression);

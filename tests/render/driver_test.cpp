@@ -193,6 +193,21 @@ TEST(driver, waits_for_a_machine_too_busy_to_start_on) {
   }
 }
 
+// What went wrong at first is told, and the second try is made once povray starts.
+TEST(driver, a_second_try_waits_for_a_busy_machine_as_well) {
+  const std::string script =
+      "case $1 in *f0001.pov) echo >> ../../tries; n=$(wc -l < ../../tries); "
+      "if [ $n -eq 1 ]; then exit 9; fi; "
+      "if [ $n -le {} ]; then echo 'Timed out waiting for worker thread startup'; exit 1; fi;; esac";
+  for (const int jobs : {1, 2}) {
+    Shoot shoot(3);
+    shoot.settings.jobs = jobs;
+    const FakeProgram fake("povray", build_moody_povray(fmt::format(fmt::runtime(script), 4)));
+    EXPECT_NO_THROW(shoot.render()) << jobs;
+    EXPECT_EQ(shoot.count_pictures(), 3) << jobs;
+  }
+}
+
 TEST(driver, does_not_wait_for_ever_for_a_busy_machine) {
   Shoot shoot(1);
   const FakeProgram fake("povray", build_moody_povray(build_busy_machine(1000)));
