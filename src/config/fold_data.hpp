@@ -41,14 +41,16 @@ struct FoldUnevenness {
 
 struct FoldSet {
   std::string name;
-  std::vector<FoldDrive> drives;  // summed
-  double from = 0, to = 1;        // the sum at which a fold begins and is whole
-  double rest = 0;                // of a whole fold, what an old face at rest has of it
-  double depth_mm = 0;            // of the whole fold, on the adult
-  double width_mm = 1;            // half width of the groove in the skin at rest
-  std::array<double, 2> rolls{};  // height of the swelling left and right of the line, shares of the depth
-  double spread = 2;              // how many widths from the line the swelling is highest
-  double uneven = 1;              // of the file's unevenness
+  std::vector<FoldDrive> drives;     // summed
+  double from = 0, to = 1;           // the sum at which a fold begins and is whole
+  double rest = 0;                   // of a whole fold, what an old face at rest has of it
+  double always = 0;                 // the same for a face at rest of any age
+  std::vector<FoldDrive> stretched;  // summed: what pulls it flat, from 0 to 1
+  double depth_mm = 0;               // of the whole fold, on the adult
+  double width_mm = 1;               // half width of the groove in the skin at rest
+  std::array<double, 2> rolls{};     // height of the swelling left and right of the line, shares of the depth
+  double spread = 2;                 // how many widths from the line the swelling is highest
+  double uneven = 1;                 // of the file's unevenness
   double ink = 0;        // how thick ink draws its lines at their deepest: half of it, in lines; 0: not
   double across_mm = 0;  // how far one side's folds go on over the mid-line; 0: they do not
   std::vector<FoldLine> lines;

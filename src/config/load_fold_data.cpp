@@ -67,19 +67,25 @@ FoldLine read_line(const YamlValue& value, const PointNames& points) {
   return line;
 }
 
+std::vector<FoldDrive> read_drives(const YamlValue& value) {
+  std::vector<FoldDrive> drives;
+  for (const YamlValue& drive : load_list(value, "a list of drives")) drives.push_back(read_drive(drive));
+  return drives;
+}
+
 FoldSet read_set(const YamlEntry& entry, const PointNames& points) {
   const DataTable table(entry.value);
   FoldSet set;
   set.name = entry.key;
-  if (const YamlValue* drives = table.require("drive"))
-    for (const YamlValue& drive : load_list(*drives, "a list of drives"))
-      set.drives.push_back(read_drive(drive));
+  if (const YamlValue* drives = table.require("drive")) set.drives = read_drives(*drives);
+  if (const YamlValue* drives = table.find("stretched")) set.stretched = read_drives(*drives);
   read_number(table, "from", 0, 1, set.from);
   read_number(table, "to", 0, 2, set.to);
   if (set.to < set.from + 0.1)
     table.fail(fmt::format("'to' is {:g}; expected {:g} at least, 0.1 above 'from', or folds pop", set.to,
                            set.from + 0.1));
   read_number_if(table, "rest", 0, 1, set.rest);
+  read_number_if(table, "always", 0, 1, set.always);
   read_number(table, "depth_mm", 0, 4, set.depth_mm);
   read_number(table, "width_mm", 0.5, 10, set.width_mm);
   if (const YamlValue* rolls = table.require("rolls")) {

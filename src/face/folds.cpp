@@ -29,7 +29,7 @@ double compute_left_share(const FoldSet& set, double x_mm) {
 
 FoldField build_field(const FineSkin& skin, const std::vector<FoldHeight>& heights, const FoldSet& set,
                       double scale, double rest) {
-  FoldField field{set.drives, set.from, set.to, rest, {}};
+  FoldField field{set.drives, set.from, set.to, rest, set.stretched, {}};
   for (const auto& [v, mm, left_own] : heights) {
     const auto [left, right] = mm;
     if (scale * std::max(std::abs(left), std::abs(right)) < kNothing_mm) continue;
@@ -73,6 +73,16 @@ double read_driver(const Driver& driver, const Pose& pose, Side side) {
   auto move = find_move(driver.area, side, driver.move);
   if (!move) move = find_move(driver.area, Side::none, driver.move);
   return std::max(0.0, driver.sign * pose.values[*move]);
+}
+
+double sum_drives(const std::vector<FoldDrive>& drives, const Pose& pose, Side side) {
+  double sum = 0;
+  for (const FoldDrive& drive : drives) {
+    double product = drive.share;
+    for (const Driver& driver : drive.drivers) product *= read_driver(driver, pose, side);
+    sum += product;
+  }
+  return sum;
 }
 
 // Which triangles and vertices of folds.skin the folds need; from here on the fields name vertices by their
@@ -142,7 +152,8 @@ Folds build_folds(const FoldGround& ground, const NeutralHead& head, const HeadS
   std::vector<bool> is_folded(folds.skin.vertex_count(), false);
   for (std::size_t i = 0; i < data.sets.size(); ++i) {
     const FoldSet& set = data.sets[i];
-    folds.fields.push_back(build_field(folds.skin, ground.sets[i], set, scale, rest * set.rest));
+    folds.fields.push_back(
+        build_field(folds.skin, ground.sets[i], set, scale, std::max(set.always, rest * set.rest)));
     for (const FoldedVertex& folded : folds.fields.back().vertices) is_folded[folded.slot] = true;
   }
   find_touched(is_folded, folds);
@@ -154,13 +165,9 @@ Folds build_folds(const NeutralHead& head, const HeadSpec& spec) {
 }
 
 double compute_fold_amount(const FoldField& field, const Pose& pose, Side side) {
-  double sum = 0;
-  for (const FoldDrive& drive : field.drives) {
-    double product = drive.share;
-    for (const Driver& driver : drive.drivers) product *= read_driver(driver, pose, side);
-    sum += product;
-  }
-  return std::lerp(field.rest, 1.0, smooth_step(field.from, field.to, sum));
+  const double grown =
+      std::lerp(field.rest, 1.0, smooth_step(field.from, field.to, sum_drives(field.drives, pose, side)));
+  return grown * (1 - smooth_step(0, 1, sum_drives(field.stretched, pose, side)));
 }
 
 void press_folds(const Folds& folds, const Pose& pose, FoldBuffers& buffers, std::vector<Twin>& places,

@@ -23,7 +23,8 @@ struct FoldedVertex {
 struct FoldField {
   std::vector<FoldDrive> drives;
   double from = 0, to = 1;
-  double rest = 0;  // how much of the folds there is when nothing moves
+  double rest = 0;                   // how much of the folds there is when nothing moves
+  std::vector<FoldDrive> stretched;  // summed: what pulls them flat, from 0 to 1
   std::vector<FoldedVertex> vertices;
 };
 
