@@ -106,7 +106,8 @@ DrivenField build_move_field(const FieldSolver& solver, const Anchors& anchors, 
 }
 
 // What a design makes the move larger by. The lids keep to the eye, and what lies between goes part of the
-// way; the mouth goes all of it, and the cheeks hardly: they would be pushed out of the drawn face.
+// way; the mouth goes all of it, and the cheeks hardly: they would be pushed out of the drawn face. Nostrils
+// are narrow and not drawn farther: their sides would cross.
 double find_point_gain(double gain, std::string_view area, std::string_view name) {
   struct Share {
     std::string_view beginning;
@@ -114,9 +115,9 @@ double find_point_gain(double gain, std::string_view area, std::string_view name
   };
   constexpr std::array kBrow{Share{"EB_", 0},    Share{"E0_", 0},    Share{"E1_", 0}, Share{"E2_", 0},
                              Share{"E3_", 0.15}, Share{"E4_", 0.35}, Share{"", 1}};
-  constexpr std::array kMouth{Share{"MA", 0.85},  Share{"M5", 0.8},   Share{"M6", 0.6},
-                              Share{"M", 1},      Share{"E", 0},      Share{"q13", 0.4},
-                              Share{"q12", 0.35}, Share{"q11", 0.25}, Share{"", 0.15}};
+  constexpr std::array kMouth{Share{"MA", 0.85}, Share{"M5", 0.8},  Share{"M6", 0.6},   Share{"M", 1},
+                              Share{"E", 0},     Share{"q13", 0.4}, Share{"q12", 0.35}, Share{"q11", 0.25},
+                              Share{"n", 0},     Share{"k_", 0},    Share{"", 0.15}};
   const auto find = [&](const auto& shares) {
     return std::ranges::find_if(shares, [&](const Share& one) { return has_prefix(name, one.beginning); })
         ->share;

@@ -135,6 +135,8 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   constexpr float kDeep = 0.7f, kNose = 2;  // of how far the nose's tip stands out over the lip
   constexpr float kLeastNose_mm = 14;
   constexpr float kBeside_mm = 5, kEar_mm = 6;
+  // In profile a cheek that a laugh has raised would cast a dot beside the mouth's corner.
+  constexpr float kPad_mm = 9, kPadWhole_mm = 14, kPadNone_mm = 26;
   std::vector<std::pair<glm::vec3, float>> places;
   std::vector<glm::vec3> nostrils, ears;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i) {
@@ -156,6 +158,7 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
   }
   // The longer a nose is, the deeper and the farther around, or its shadow would run into the lips.
   const auto find = [&](const char* name) { return positions[find_point(figure.head.cage, name)]; };
+  const glm::vec3 corner = find("M5_6");
   const float stands_mm = measure_nose_mm(figure);
   const float nose_mm = std::max(kLeastNose_mm, kNose * stands_mm);
   // A button of a nose casts none either: what there is of it would be a chip beside a nostril.
@@ -177,7 +180,11 @@ Part make_caster(const Figure& figure, const std::vector<bool>& is_opening,
                                   : std::lerp(std::max(kBelow_mm, kDeep * stands_mm), kBelow_mm,
                                               smooth_step(kNostril_mm, nose_mm, away_mm));
     ink.below_mm.push_back(ink.eye_size * below_mm);
-    ink.below_beside_mm.push_back(ink.eye_size * (is_ear ? below_mm : std::max(below_mm, kBeside_mm)));
+    const glm::vec3 mirrored(std::abs(positions[v].x), positions[v].y, positions[v].z);
+    const float beside_mm =
+        std::lerp(kPad_mm, kBeside_mm,
+                  smooth_step(kPadWhole_mm, kPadNone_mm, glm::distance(mirrored, corner) / ink.eye_size));
+    ink.below_beside_mm.push_back(ink.eye_size * (is_ear ? below_mm : std::max(below_mm, beside_mm)));
   }
   Part part = make_flat_part("shadow", "ink_caster", glm::vec3(0));
   part.rest.positions.resize(figure.head.skin.positions.size());

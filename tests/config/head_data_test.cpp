@@ -114,13 +114,17 @@ TEST(head_data, has_each_word_of_the_language) {
 TEST(head_data, folds_are_told_at_their_places) {
   const auto find = [](const char* from, const char* to) { return find_mistake("folds.yaml", from, to); };
   EXPECT_EQ(find("broken: .7", "broken: 2"),
-            "folds.yaml:23:56: error: 'uneven.broken' is '2'; expected a number from 0 to 1");
+            "folds.yaml:24:56: error: 'uneven.broken' is '2'; expected a number from 0 to 1");
   EXPECT_EQ(find("edge: 1.0", "edge: wide"),
-            "folds.yaml:24:7: error: 'edge' is 'wide'; expected a number from 0.3 to 3");
-  EXPECT_EQ(find("edge: 1.0", ""), "folds.yaml:20:1: error: the file has no 'edge'; expected a value");
+            "folds.yaml:25:7: error: 'edge' is 'wide'; expected a number from 0.3 to 3");
+  EXPECT_EQ(find("edge: 1.0", ""), "folds.yaml:21:1: error: the file has no 'edge'; expected a value");
   EXPECT_NE(find("[brow.up+]", "[brow.upp+]").find("expected a move and its sign, such as brow.up+"),
             std::string::npos);
   EXPECT_NE(find("[p_F1, p_F2,", "[p_F1, p_Q2,").find("unknown point 'p_Q2'"), std::string::npos);
+  EXPECT_NE(find("always: .85", "always: 2").find("always' is '2'; expected a number from 0 to 1"),
+            std::string::npos);
+  EXPECT_NE(find("[.6, lid.upper-]", "[.6]").find("a drive without a move; expected one such as brow.up+"),
+            std::string::npos);
   EXPECT_NE(find("    spread:", "    spred:").find("has no 'spread'"), std::string::npos);
 }
 

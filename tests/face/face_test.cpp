@@ -355,6 +355,8 @@ TEST(face, a_design_moves_the_mouth_further_and_the_cheeks_hardly) {
     EXPECT_GT(measure_gain(cheek), 1) << cheek;
     EXPECT_LT(measure_gain(cheek), 1 + 0.3 * (gain - 1)) << cheek;
   }
+  // Nostrils, whose sides are near each other, go no further.
+  for (const char* nostril : {"nr_0", "ni_3", "k_it"}) EXPECT_NEAR(measure_gain(nostril), 1, 1e-9) << nostril;
 }
 
 TEST(face, rings_of_flat_lips_move_against_each_other_as_much_less) {

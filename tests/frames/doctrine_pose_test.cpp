@@ -43,6 +43,7 @@ TEST(doctrine_pose, turns_lips_over_by_units) {
 TEST(doctrine_pose, leaves_the_resting_face_to_the_last_bit) {
   const Figure figure = build_figure(shipped().heads, HeadSpec{});
   DeformBuffers buffers;
+  buffers.has_folds = false;
   Drawing before, after;
   deform_figure(figure, Pose{}, TurnKey{}, buffers, before);
   deform_figure(figure, build_doctrine_pose(kMusclesKey, 5), TurnKey{}, buffers, after);

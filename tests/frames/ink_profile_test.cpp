@@ -181,6 +181,8 @@ TEST(ink_profile, what_casts_lies_deeper_but_in_ears) {
   };
   EXPECT_NEAR(measure_mm("s1_C1", kBefore_mm), 3.5f, 0.05f);
   EXPECT_NEAR(measure_mm("s1_C1", kBeside_mm), 5.0f, 0.05f);
+  EXPECT_NEAR(measure_mm("M5_6", kBefore_mm), 3.5f, 0.05f);
+  EXPECT_NEAR(measure_mm("M5_6", kBeside_mm), 9.0f, 0.05f);  // a cheek in a laugh
   EXPECT_NEAR(measure_mm("er6_4", kBeside_mm), 0.9f, 0.05f);
 }
 
@@ -275,21 +277,31 @@ TEST(ink_profile, the_blush_of_a_laugh_is_seen_whole) {
     const Part& skin = subject->ink.model.parts.front();
     const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
     const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    const std::vector<glm::vec3> faced =
+        draw(*subject, laugh, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1}).parts.front().positions;
     float back = 1e9f, front = -1e9f, red_back = 1e9f, red_front = -1e9f;
+    float low = 1e9f, red_low = 1e9f, low_before = 1e9f, red_low_before = 1e9f;
     for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
       const std::size_t from_last = skin.palette.size() - 1 - skin.triangle_shade[i];
       if (from_last < 1 || from_last > kSteps) continue;
       for (int k = 0; k < 3; ++k) {
         const glm::vec3& at = p[skin.rest.triangles[i][k]];
         if (at.x < 0) continue;
+        const float before = faced[skin.rest.triangles[i][k]].y;
+        low = std::min(low, at.y);
+        low_before = std::min(low_before, before);
         back = std::min(back, at.z);
         front = std::max(front, at.z);
         if (from_last < kRed) continue;
+        red_low = std::min(red_low, at.y);
+        red_low_before = std::min(red_low_before, before);
         red_back = std::min(red_back, at.z);
         red_front = std::max(red_front, at.z);
       }
     }
     EXPECT_GT(front - red_front, 0.5f * (red_back - back));
+    // Nor is its lower edge flat, where the mouth is drawn to a wedge.
+    EXPECT_GT(red_low - low, 0.5f * (red_low_before - low_before));
   }
 }
 

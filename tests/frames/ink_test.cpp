@@ -122,6 +122,7 @@ TEST(ink, the_rest_is_drawn_as_it_stands) {
   for (const char* design : {"real", "comic"}) {
     const Figure figure = build_figure(shipped().heads, make_spec(design), FigureUse::ink);
     DeformBuffers buffers;
+    buffers.has_folds = false;
     Drawing drawing;
     deform_figure(figure, Pose{}, TurnKey{}, buffers, drawing);
     for (std::size_t i = 0; i < figure.model.parts.size(); ++i) {
