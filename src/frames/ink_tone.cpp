@@ -83,12 +83,18 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));
   for (const char* ring : {"E0_", "E1_"})
     for (int place = 0; place < 16; ++place) hush(ring + std::to_string(place));
+  // Nor does what a cheek pushes up below the eye: a chip of light on the shaded side.
+  for (const char* ring : {"E2_", "E3_", "E4_", "E5_"})
+    for (int place = 9; place <= 14; ++place) hush(ring + std::to_string(place));
+  for (const char* point : {"q13_C1", "q12_C1", "q11_C1"}) hush(point);
   // Nor does the nose's bridge between the eyes: its shade would run from there to the tip in pieces.
   for (const std::string& name : cage.names)
     if (is_bridge(name)) hush(name);
   // Nor does a button of a nose: its shade would be a third nostril.
   constexpr double kNose_mm = 16;
   if (measure_nose_mm(figure) < kButtonNose_mm) {
+    // And an infant's full cheek is one with the rest of the face.
+    for (const char* point : {"q13_C2", "q13_C3", "q12_C2", "q12_C3"}) hush(point);
     const glm::vec3 tip = places[find_point(cage, "p_tip")];
     for (std::size_t point = 0; point < cage.names.size(); ++point)
       if (glm::distance(tip, places[point]) < kNose_mm * size)

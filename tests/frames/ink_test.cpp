@@ -475,6 +475,20 @@ TEST(ink, cheeks_above_the_jaw_have_no_islands_of_shade) {
   }
 }
 
+// Nor chips of light below a far eye, which would look up by itself.
+TEST(ink, cheeks_below_the_eye_have_no_islands_of_light) {
+  for (const char* age : {"infant", "adult"}) {
+    const Subject subject = build_of_age(age);
+    const Drawing smile =
+        draw(subject, make_pose({{"corner.up", 1}, {"lid.lower", 0.6}}), TurnKey{}, InkView{});
+    const auto find_tone = [&](const char* name) {
+      return smile.parts.front().normals[find_point(subject.figure.head.cage, name)];
+    };
+    for (const char* name : {"E5_12", "q12_C1"})
+      EXPECT_LT(find_tone(name).y - find_tone("q12_C4").y, 0.24) << age << ' ' << name;
+  }
+}
+
 TEST(ink, lips_cast_no_shadow_and_a_nose_does_unless_it_is_a_button) {
   const Subject& subject = comic();
   const Part& caster = subject.ink.model.parts[find_part(subject.ink.model, "shadow")];
