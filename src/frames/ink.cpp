@@ -155,12 +155,14 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   clear_shape(lines);
   clear_shape(brows);
   constexpr float kLevel = 0.15f, kBelow = 0.4f;  // sines of the camera's way below
+  constexpr float kNear = 0.3f, kFar = 0.5f;      // and round the head, behind a nose that hides the fold
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
     const bool is_lifted = stroke.rule.is_of_level && ink.redraw.lens.is_on();
     const double level = is_lifted ? 1.0 - smooth_step(kLevel, kBelow, sight.below) : 1.0;
-    if (stroke.fold) return level * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
+    const double near = is_lifted ? 1.0 - smooth_step(kNear, kFar, -stroke.side * sight.aside) : 1.0;
+    if (stroke.fold) return level * near * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),

@@ -85,8 +85,8 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     for (int place = 0; place < 16; ++place) hush(ring + std::to_string(place));
   // Nor does what a cheek pushes up below the eye: a chip of light on the shaded side.
   for (const char* ring : {"E2_", "E3_", "E4_", "E5_"})
-    for (int place = 9; place <= 14; ++place) hush(ring + std::to_string(place));
-  for (const char* point : {"q13_C1", "q12_C1", "q11_C1"}) hush(point);
+    for (int place = 11; place <= 14; ++place) hush(ring + std::to_string(place));
+  for (const char* point : {"q13_C1", "q12_C1"}) hush(point);
   // Nor does the nose's bridge between the eyes: its shade would run from there to the tip in pieces.
   for (const std::string& name : cage.names)
     if (is_bridge(name)) hush(name);

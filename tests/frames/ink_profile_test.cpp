@@ -335,7 +335,7 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
 }
 
 // It would be a stub above the corner, which is lifted.
-TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below) {
+TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below_nor_behind_the_nose) {
   const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}});
   const auto measure_mm = [&](const glm::dvec3& camera_mm) {
     return measure_width(
@@ -343,6 +343,8 @@ TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below) {
   };
   EXPECT_GT(measure_mm(kBefore_mm), 0.3);
   EXPECT_LT(measure_mm({0, -500, 800}), 0.05);
+  EXPECT_GT(measure_mm({500, 0, 800}), 0.3);
+  EXPECT_LT(measure_mm({-500, 0, 800}), 0.05);
 }
 
 }  // namespace
