@@ -207,6 +207,7 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
   constexpr float kWide = 1.3f, kWider = 2;         // the mouth against how far its lower lip hangs
   constexpr float kRound = 0.7f, kLow = 0.35f;      // of what hangs: so far below the corners the lips meet
   constexpr float kForth = 0.6f;                    // of how far the corner lies behind the lips
+  constexpr float kRoundNear = 0.66f, kRoundFar = 0.77f;  // a round mouth's would stand before the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -216,10 +217,11 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
   const glm::vec3 corner = skin[ink.corners[sight.aside > 0 ? 1 : 0]];
   const glm::vec3 aside = glm::normalize(corner - frame.middle);
   const float hangs_mm = glm::dot(corner - skin[ink.lips[1]], frame.up);
-  const float share =
-      hangs_mm > 0 ? kRound * turned * smooth_step(kWide, kWider, 2 * frame.half_mm / hangs_mm) : 0;
+  const float wide = hangs_mm > 0 ? smooth_step(kWide, kWider, 2 * frame.half_mm / hangs_mm) : 0,
+              share = kRound * turned * wide;
   const float most_mm = kLow * std::max(hangs_mm, 0.0f), meeting_mm = glm::dot(corner, frame.up) - most_mm;
-  const float forth_mm = kForth * turned * glm::dot(frame.lips - corner, frame.forward);
+  const float stays = (1 - wide) * smooth_step(kRoundNear, kRoundFar, std::abs(sight.aside));
+  const float forth_mm = kForth * turned * (1 - stays) * glm::dot(frame.lips - corner, frame.forward);
   for (glm::vec3& p : skin) {
     if (glm::dot(p - frame.middle, aside) <= 0) continue;
     const float near = find_nearness(frame, p);

@@ -14,6 +14,7 @@ namespace {
 
 constexpr InkView kBefore{{0, 0, 900}, {0, 0, 1}, 1}, kBeside{{900, -40, 80}, {0, 0, 1}, 1};
 constexpr InkView kQuarter{{600, 0, 700}, {0, 0, 1}, 1};  // from the head's left
+constexpr InkView kFarther{{760, 0, 580}, {0, 0, 1}, 1};
 constexpr InkView kBelow{{0, -500, 800}, {0, 0, 1}, 1};
 
 const Subject& infant() {
@@ -82,6 +83,9 @@ TEST(ink_mouth, a_round_mouth_stays_round) {
   };
   EXPECT_GT(find_way("M1_6").z, 2);
   for (const char* name : {"M1_4", "M1_6", "M1_8"}) EXPECT_LT(std::abs(find_way(name).y), 0.2f) << name;
+  // Farther round its far corner would stand before the lips.
+  const Drawing far = draw(comic(), round, TurnKey{}, kFarther);
+  EXPECT_NEAR(find_place(comic(), far, "M1_6", true).z, find_place(comic(), before, "M1_6", true).z, 0.3);
 }
 
 // Or a smile would be a frown from below.
