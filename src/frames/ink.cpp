@@ -89,7 +89,11 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
-  compute_tones(*ink.tone, buffers.soft, buffers.tone, buffers.tones);
+  constexpr float kLevel = 0.15f, kBelow = 0.4f;    // sines of the camera's way below
+  constexpr float kFront = 0.15f, kTurned = 0.32f;  // and round the head
+  const float below = smooth_step(kLevel, kBelow, sight.below);
+  const float turned = smooth_step(kFront, kTurned, std::abs(sight.aside)) * (1 - below) * (1 - beside);
+  compute_tones(*ink.tone, turned, buffers.soft, buffers.tone, buffers.tones);
   draw_mouth(ink, asked, sight, mouth, view.line_mm, drawing);
 
   PartShape& caster = drawing.parts[ink.caster];
@@ -154,20 +158,19 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   PartShape &lines = drawing.parts[next++], &brows = drawing.parts[next++];
   clear_shape(lines);
   clear_shape(brows);
-  constexpr float kLevel = 0.15f, kBelow = 0.4f;  // sines of the camera's way below
-  constexpr float kNear = 0.3f, kFar = 0.5f;      // and round the head, behind a nose that hides the fold
+  constexpr float kNear = 0.3f, kFar = 0.5f;  // sines: so far round the head a nose hides the fold behind it
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
     const bool is_lifted = stroke.rule.is_of_level && ink.redraw.lens.is_on();
-    const double level = is_lifted ? 1.0 - smooth_step(kLevel, kBelow, sight.below) : 1.0;
+    const double level = is_lifted ? 1.0 - below : 1.0;
     const double near = is_lifted ? 1.0 - smooth_step(kNear, kFar, -stroke.side * sight.aside) : 1.0;
     if (stroke.fold) return level * near * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };
   const StrokeGround ground{skin.positions, buffers.soft, glm::vec3(view.camera_mm),
                             view.line_mm,   ink.eye_size, beside,
-                            1 - parted};
+                            1 - parted,     below};
   for (const InkStroke& stroke : ink.strokes)
     if (!stroke.rule.is_on_hair)
       append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);

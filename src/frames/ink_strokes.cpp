@@ -101,7 +101,8 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .lift_mm = 0.35,
        .flat = 0.4,
        .from = 0.03,
-       .to = 0.97}};
+       .to = 0.97,
+       .less_below = 0.27}};
   return rules;
 }
 
@@ -295,7 +296,9 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   std::vector<glm::vec3> centres(kStrokeSteps), lifts(kStrokeSteps);
   const auto last = static_cast<double>(line.size() - 1);
   for (int i = 0; i < kStrokeSteps; ++i) {
-    const double at = std::lerp(rule.from, rule.to, static_cast<double>(i) / (kStrokeSteps - 1));
+    const double less = rule.less_below * static_cast<double>(ground.below);
+    const double at =
+        std::lerp(rule.from + less, rule.to - less, static_cast<double>(i) / (kStrokeSteps - 1));
     lifts[i] = glm::normalize(sample_curve(ups, at * last));
     centres[i] = sample_curve(line, at * last);
     // Seen along the skin, what stands off it is a second line beside its edge.

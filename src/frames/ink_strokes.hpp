@@ -32,6 +32,7 @@ struct StrokeRule {
   double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
   glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
   double from = 0, to = 1;               // the part of the way that is drawn
+  double less_below = 0;                 // seen from below, how much sooner it ends on either side
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
   std::vector<std::array<const char*, 2>> before =
       {};  // of each of its points two of the lips, which would hide it where they meet
@@ -85,6 +86,7 @@ struct StrokeGround {
   double line_mm = 1, eye_size = 1;
   float beside = 0;  // 1: the head is seen from the side
   float met = 0;     // 1: the lips meet
+  float below = 0;   // 1: the head is seen from below
 };
 
 // Appends the vertices of a stroke; `amount` is how much there is of it, 0..1.

@@ -14,9 +14,13 @@
 
 namespace mien {
 
+struct Heat {
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> step;
+  Eigen::VectorXd areas;  // of each point of the cage, mm2; of those that say nothing hardly any
+};
+
 struct InkTone {
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> step;  // of the heat
-  Eigen::VectorXd areas;                                    // of each point of the cage, mm2
+  Heat faced, turned;  // as the head is seen: the face, and one of its sides
   std::shared_ptr<const Surface> surface;
   std::vector<std::array<std::uint32_t, 2>> parents;  // of the fine skin's vertices behind the surface's
 };
@@ -40,6 +44,35 @@ float measure_nose_mm(const Figure& figure) {
   return (find_z("p_tip") - find_z("M5_0")) / size;
 }
 
+namespace {
+
+// Of an edge of the cage: the width that heat crosses, over its length.
+using EdgeShares = std::map<std::array<std::uint32_t, 2>, double>;
+
+void prepare_heat(const EdgeShares& shares, double time, Heat& heat) {
+  const Eigen::Index count = heat.areas.size();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, heat.areas[i]);
+  for (const auto& [edge, share] : shares) {
+    const auto a = static_cast<int>(edge[0]), b = static_cast<int>(edge[1]);
+    for (const auto& [row, column, value] :
+         {std::tuple(a, a, share), {b, b, share}, {a, b, -share}, {b, a, -share}})
+      entries.emplace_back(row, column, time * value);
+  }
+  Eigen::SparseMatrix<double> matrix(count, count);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  heat.step.compute(matrix);
+  if (heat.step.info() != Eigen::Success) throw RunError("internal: tones cannot be spread over this head");
+}
+
+Eigen::MatrixX3d spread_heat(const Heat& heat, Eigen::MatrixX3d values) {
+  constexpr int kSteps = 2;
+  for (int i = 0; i < kSteps; ++i) values = heat.step.solve(heat.areas.asDiagonal() * values).eval();
+  return values;
+}
+
+}  // namespace
+
 InkTonePointer build_ink_tone(const Figure& figure) {
   constexpr double kSpread_mm = 5;  // how far, on an adult's head
   const Cage& cage = figure.head.cage;
@@ -50,14 +83,13 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   tone->parents = figure.folds.skin.parents;
 
   const auto count = static_cast<Eigen::Index>(cage.points.size());
-  tone->areas = Eigen::VectorXd::Constant(count, 1e-6);
-  std::map<std::array<std::uint32_t, 2>, double>
-      shares;  // of an edge: the width that heat crosses, over its length
+  Eigen::VectorXd areas = Eigen::VectorXd::Constant(count, 1e-6);
+  EdgeShares shares;
   for (const Quad& quad : cage.quads) {
     const auto at = [&](int i) { return glm::dvec3(places[quad[i % 4]]); };
     const double area = 0.5 * glm::length(glm::cross(at(2) - at(0), at(3) - at(1)));
     for (int i = 0; i < 4; ++i) {
-      tone->areas[quad[i]] += area / 4;
+      areas[quad[i]] += area / 4;
       const std::uint32_t from = quad[i], to = quad[(i + 1) % 4];
       const glm::dvec3 way = at(i + 1) - at(i);
       shares[{std::min(from, to), std::max(from, to)}] += 0.5 * area / std::max(1e-6, glm::dot(way, way));
@@ -68,7 +100,7 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   constexpr double kCorner = 0.02;
   const auto hush = [&](const std::string& name) {
     const std::uint32_t left = find_point(cage, name);
-    for (const std::uint32_t point : {left, cage.mirror[left]}) tone->areas[point] *= kCorner;
+    for (const std::uint32_t point : {left, cage.mirror[left]}) areas[point] *= kCorner;
   };
   for (const char* ring : {"M1_", "M2_", "M3_", "MA_", "M4_", "M5_"})
     for (int place = 5; place <= 12; ++place) hush(ring + std::to_string(place));
@@ -83,47 +115,43 @@ InkTonePointer build_ink_tone(const Figure& figure) {
     for (int place = 0; place < 8; ++place) hush(ring + std::to_string(place));
   for (const char* ring : {"E0_", "E1_"})
     for (int place = 0; place < 16; ++place) hush(ring + std::to_string(place));
-  // Nor does what a cheek pushes up below the eye: a chip of light on the shaded side.
-  for (const char* ring : {"E2_", "E3_", "E4_", "E5_"})
-    for (int place = 11; place <= 14; ++place) hush(ring + std::to_string(place));
-  for (const char* point : {"q13_C1", "q12_C1"}) hush(point);
   // Nor does the nose's bridge between the eyes: its shade would run from there to the tip in pieces.
   for (const std::string& name : cage.names)
     if (is_bridge(name)) hush(name);
   // Nor does a button of a nose: its shade would be a third nostril.
   constexpr double kNose_mm = 16;
-  if (measure_nose_mm(figure) < kButtonNose_mm) {
-    // And an infant's full cheek is one with the rest of the face.
-    for (const char* point : {"q13_C2", "q13_C3", "q12_C2", "q12_C3"}) hush(point);
+  const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
+  if (is_button) {
     const glm::vec3 tip = places[find_point(cage, "p_tip")];
     for (std::size_t point = 0; point < cage.names.size(); ++point)
       if (glm::distance(tip, places[point]) < kNose_mm * size)
-        tone->areas[static_cast<Eigen::Index>(point)] *= kCorner;
+        areas[static_cast<Eigen::Index>(point)] *= kCorner;
   }
-  std::vector<Eigen::Triplet<double>> entries;
-  for (Eigen::Index i = 0; i < count; ++i) entries.emplace_back(i, i, tone->areas[i]);
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;
-  for (const auto& [edge, share] : shares) {
-    const auto a = static_cast<int>(edge[0]), b = static_cast<int>(edge[1]);
-    for (const auto& [row, column, value] :
-         {std::tuple(a, a, share), {b, b, share}, {a, b, -share}, {b, a, -share}})
-      entries.emplace_back(row, column, time * value);
-  }
-  Eigen::SparseMatrix<double> matrix(count, count);
-  matrix.setFromTriplets(entries.begin(), entries.end());
-  tone->step.compute(matrix);
-  if (tone->step.info() != Eigen::Success) throw RunError("internal: tones cannot be spread over this head");
+  tone->faced.areas = areas;
+  prepare_heat(shares, time, tone->faced);
+  // Nor does what a cheek pushes up below a far eye: a chip of light on the shaded side. With a button of a
+  // nose the full cheek is one with the rest of the face.
+  for (const char* point : {"E2_11", "E3_11", "E4_11", "E5_11", "q13_C1", "q12_C1"}) hush(point);
+  if (is_button)
+    for (const char* point : {"q13_C2", "q13_C3", "q12_C2", "q12_C3"}) hush(point);
+  tone->turned.areas = areas;
+  prepare_heat(shares, time, tone->turned);
   return tone;
 }
 
-void compute_tones(const InkTone& tone, const std::vector<glm::vec3>& normals, InkToneBuffers& buffers,
-                   std::vector<glm::vec3>& tones) {
-  constexpr int kSteps = 2;
-  const Eigen::Index count = tone.areas.size();
+void compute_tones(const InkTone& tone, double turned, const std::vector<glm::vec3>& normals,
+                   InkToneBuffers& buffers, std::vector<glm::vec3>& tones) {
+  const Eigen::Index count = tone.faced.areas.size();
   Eigen::MatrixX3d heat(count, 3);
   for (Eigen::Index i = 0; i < count; ++i)
     for (int axis = 0; axis < 3; ++axis) heat(i, axis) = normals[static_cast<std::size_t>(i)][axis];
-  for (int i = 0; i < kSteps; ++i) heat = tone.step.solve(tone.areas.asDiagonal() * heat).eval();
+  if (turned <= 0)
+    heat = spread_heat(tone.faced, std::move(heat));
+  else if (turned >= 1)
+    heat = spread_heat(tone.turned, std::move(heat));
+  else
+    heat = (1 - turned) * spread_heat(tone.faced, heat) + turned * spread_heat(tone.turned, heat);
   buffers.points.resize(static_cast<std::size_t>(count));
   for (Eigen::Index i = 0; i < count; ++i)
     buffers.points[static_cast<std::size_t>(i)] = pack(glm::vec3(heat(i, 0), heat(i, 1), heat(i, 2)));

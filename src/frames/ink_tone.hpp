@@ -31,8 +31,8 @@ float measure_nose_mm(const Figure& figure);
 InkTonePointer build_ink_tone(const Figure& figure);
 
 // For every vertex of the fine skin, whose unit normals are given: the direction that its tone is told by, of
-// length 1.
-void compute_tones(const InkTone& tone, const std::vector<glm::vec3>& normals, InkToneBuffers& buffers,
-                   std::vector<glm::vec3>& tones);
+// length 1. `turned` is 0 where the face is seen and 1 where one of its sides is, and a cheek behind a nose.
+void compute_tones(const InkTone& tone, double turned, const std::vector<glm::vec3>& normals,
+                   InkToneBuffers& buffers, std::vector<glm::vec3>& tones);
 
 }  // namespace mien
