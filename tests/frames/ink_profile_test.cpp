@@ -334,6 +334,18 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
 }
 
+// Its ends would turn up beside the chin, as those of a moustache.
+TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
+  const auto measure_mm = [](const glm::dvec3& camera_mm) {
+    const Box box = compute_bounds(
+        find_stroke(comic(), draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "jaw"));
+    return box.high.x - box.low.x;
+  };
+  const float below_mm = measure_mm({0, -500, 800}), before_mm = measure_mm(kBefore_mm);
+  EXPECT_LT(below_mm, 0.75f * before_mm);
+  EXPECT_GT(below_mm, 0.3f * before_mm);
+}
+
 // It would be a stub above the corner, which is lifted.
 TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below_nor_behind_the_nose) {
   const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}});
