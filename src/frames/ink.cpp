@@ -92,7 +92,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   constexpr float kLevel = 0.15f, kBelow = 0.4f;    // sines of the camera's way below
   constexpr float kFront = 0.15f, kTurned = 0.32f;  // and round the head
   const float below = smooth_step(kLevel, kBelow, sight.below);
-  const float turned = smooth_step(kFront, kTurned, std::abs(sight.aside)) * (1 - below) * (1 - beside);
+  const float turned = ink.redraw.lens.is_on()
+                           ? smooth_step(kFront, kTurned, std::abs(sight.aside)) * (1 - below) * (1 - beside)
+                           : 0;
   compute_tones(*ink.tone, turned, buffers.soft, buffers.tone, buffers.tones);
   draw_mouth(ink, asked, sight, mouth, view.line_mm, drawing);
 
