@@ -487,6 +487,9 @@ TEST(ink, cheeks_below_a_far_eye_have_no_islands_of_light) {
     for (const char* name : {"E5_12", "q12_C1"})
       EXPECT_LT(find_tone(name).y - find_tone("q12_C4").y, 0.24) << age << ' ' << name;
   }
+  const Subject real = build_subject(HeadSpec{});
+  EXPECT_TRUE(draw(real, Pose{}, TurnKey{}, view).parts.front().normals ==
+              draw(real, Pose{}, TurnKey{}, InkView{}).parts.front().normals);
 }
 
 TEST(ink, lips_cast_no_shadow_and_a_nose_does_unless_it_is_a_button) {
