@@ -33,7 +33,8 @@ constexpr std::size_t kDiskPerPixel = 16;  // bytes
 struct Attempt {
   const FrameJob* job;
   bool is_second = false;
-  std::string what = {};  // went wrong, if it has failed
+  std::string what = {};    // went wrong, if it has failed
+  bool has_second = false;  // it failed, and its second try waits or runs already
   int late_starts = 0;
 };
 
@@ -175,8 +176,10 @@ void note_failure(const Attempt& failed, Progression& progression) {
   ++progression.failed_in_a_row;
   const Attempt again{failed.job, true, failed.what};
   if (!failed.is_second && progression.has_worked) return progression.waiting.push_back(again);
-  if (!failed.is_second && progression.failures.empty()) progression.waiting.push_front(again);
-  progression.failures.insert_or_assign(failed.job->number, failed);
+  const bool is_first_failure = !failed.is_second && progression.failures.empty();
+  if (is_first_failure) progression.waiting.push_front(again);
+  Attempt& kept = progression.failures.insert_or_assign(failed.job->number, failed).first->second;
+  kept.has_second = is_first_failure;
 }
 
 // A machine too busy for povray to start on is no fault of the frame: the same attempt is made again, as
@@ -202,8 +205,7 @@ void note_success(const FrameJob& job, double wall_s, Progression& progression) 
   std::erase_if(progression.failures, [&](const auto& entry) {
     const Attempt& failed = entry.second;
     if (failed.is_second) return false;
-    if (std::ranges::find(progression.waiting, failed.job, &Attempt::job) == progression.waiting.end())
-      progression.waiting.push_back({failed.job, true, failed.what});
+    if (!failed.has_second) progression.waiting.push_back({failed.job, true, failed.what});
     return true;
   });
 }
