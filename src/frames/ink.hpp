@@ -27,6 +27,7 @@ struct Ink {
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before
+  std::vector<float> rimmed;                 // 1: there it has none where the nose is seen against the face
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
@@ -51,6 +52,7 @@ struct Ink {
   std::size_t veil = 0;                        // in `model`: what hangs behind the slit of shut lips
   // How high the upper teeth are, or would be in an infant, and where at rest they begin and end.
   float teeth_high_mm = 0, teeth_top_mm = 0, teeth_end_mm = 0;
+  float taper_over_mm = 0;              // so far above their top the ends of the row go
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::array<std::uint32_t, 2> corners{};  // and where they meet
   std::vector<std::size_t> outlined;       // parts of the figure besides the skin that have outlines

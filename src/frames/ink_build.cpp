@@ -90,6 +90,11 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> throat, bones;
   for (const char* point : {"m12_N0", "m10_N0", "m12_N1", "m10_N1"}) add(point, throat);
   for (const char* point : {"E5_9", "E5_10", "q10_C1", "s1_L9", "s1_L10", "s1_C1"}) add(point, bones);
+  // Nor do a nostril's rims have one where they are no outline of the nose: ticks about the hole.
+  constexpr float kNostrilNone_mm = 2, kNostrilAll_mm = 5;
+  std::vector<glm::vec3> nostrils;
+  for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
+    if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -99,12 +104,14 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t v = 0; v < fine.vertex_count(); ++v) {
     const float margin = measure(margins, positions[v], 2 * kAll_mm) / ink.eye_size;
     const float cheek = measure(cheeks, positions[v], 2 * kCheekAll_mm) / ink.eye_size;
+    const float nostril = measure(nostrils, positions[v], 2 * kNostrilAll_mm) / ink.eye_size;
     const float ear = measure(ears, positions[v], 2 * kEarAll_mm) / ink.eye_size;
     const float bag = measure(bags, positions[v], 2 * kBagAll_mm) / ink.eye_size;
     const float neck = measure(throat, positions[v], 2 * kBelowThroat_mm) / ink.eye_size;
     const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
+    ink.rimmed.push_back(1 - smooth_step(kNostrilNone_mm, kNostrilAll_mm, nostril));
     ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
                        smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                        smooth_step(kEarNone_mm, kEarAll_mm, ear));
@@ -201,12 +208,13 @@ void find_mouth(const Figure& figure, Ink& ink) {
   ink.bones = {ink.teeth, ink.gum, ink.lower[0], ink.lower[1]};
   ink.veil = find_model_part(ink.model, "lip_veil");
   const Box box = compute_bounds(ink.model.parts[ink.teeth].rest.positions);
-  constexpr float kLeast_mm = 7;
+  constexpr float kLeast_mm = 7, kOver = 0.5f;
   ink.teeth_high_mm = std::max(box.high.y - box.low.y, kLeast_mm * ink.eye_size);
+  ink.taper_over_mm = kOver * ink.teeth_high_mm;
   ink.teeth_top_mm = box.high.y;
   ink.teeth_end_mm = box.low.y;
   for (const std::size_t part : {ink.teeth, ink.gum})
-    taper_row(glm::mat3(1), ink.model.parts[part].rest.positions);
+    taper_row(glm::mat3(1), ink.taper_over_mm, ink.model.parts[part].rest.positions);
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};

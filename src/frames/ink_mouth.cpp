@@ -269,7 +269,7 @@ void draw_mouth(const Ink& ink, const Pose& pose, const InkSight& sight, const I
       taper_row({glm::normalize(glm::vec3(row.world_from_rest[0])),
                  glm::normalize(glm::vec3(row.world_from_rest[1])),
                  glm::normalize(glm::vec3(row.world_from_rest[2]))},
-                row.positions);
+                ink.taper_over_mm, row.positions);
   }
   hide_teeth(ink, mouth.gap_mm, drawing);
   hang_teeth(ink, sight.beside, drawing);

@@ -164,7 +164,7 @@ void clear_ears(const Figure& figure, Ink& ink) {
       *mass, [&](const Triangle& t) { return !is_in_bowl[t[0]] && !is_in_bowl[t[1]] && !is_in_bowl[t[2]]; });
 }
 
-void taper_row(const glm::mat3& axes, std::vector<glm::vec3>& positions) {
+void taper_row(const glm::mat3& axes, float over_mm, std::vector<glm::vec3>& positions) {
   constexpr float kWhole = 0.6f, kNone = 1.1f;           // of half the row's width
   constexpr float kBackWhole = 0.12f, kBackNone = 0.6f;  // of its depth
   const glm::mat3 into_axes = glm::transpose(axes);
@@ -179,7 +179,7 @@ void taper_row(const glm::mat3& axes, std::vector<glm::vec3>& positions) {
     const float out = 2 * std::abs(at.x - middle.x) / std::max(size.x, 1e-3f),
                 behind = (box.high.z - at.z) / std::max(size.z, 1e-3f);
     const float share = std::max(smooth_step(kWhole, kNone, out), smooth_step(kBackWhole, kBackNone, behind));
-    p += share * (box.high.y - at.y) * axes[1];
+    p += share * (box.high.y + over_mm - at.y) * axes[1];
   }
 }
 

@@ -31,9 +31,10 @@ std::vector<glm::vec3> list_ear_bowls(const NeutralHead& head);
 bool is_in_ear(const std::vector<glm::vec3>& bowls, const glm::vec3& place, float eye_size);
 
 // The upper teeth and their gum end the less deep the farther out they are and the farther back: the row
-// comes to a point at both ends, which would be fangs where it turns back seen from below. `axes` are the
+// comes to a point at both ends, which would be fangs where it turns back seen from below. They go `over_mm`
+// above its top, behind the lip, or two edges of them would be seen from there as frayed ends. `axes` are the
 // skull's: aside, up and forward, of length 1.
-void taper_row(const glm::mat3& axes, std::vector<glm::vec3>& positions);
+void taper_row(const glm::mat3& axes, float over_mm, std::vector<glm::vec3>& positions);
 
 // Seen from the side, one looks through an open mouth from corner to corner: a sheet in the middle of it,
 // from the lips to the throat, in so many rows from the upper lip to the lower one, and a line before it. And

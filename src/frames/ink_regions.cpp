@@ -95,15 +95,16 @@ struct Flush {
 };
 
 Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
-  constexpr float kInner = -1.3f, kMiddle = 0.2f, kOuter = 1.2f, kBeyond = 4;
+  constexpr float kInner = -1.6f, kMiddle = 0.0f, kOuter = 1.2f, kBeyond = 4;
   constexpr float kLow = -1.8f, kHigh = 1.2f, kWhole = 0.6f;  // above it is the eye
   // The cheek below the blush's middle, from mouth to lid, in halves of the patch:
   constexpr float kAside = 0.8f, kFar = 1.9f, kBottom = -2.4f, kUnder = -0.9f, kBackTill = -0.2f,
                   kBackNone = 1.1f;
   constexpr float kDeepNone = -3, kDeepWhole = -0.5f;                // behind it is the ear
   constexpr float kWide_mm = 13.5f, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
-  constexpr glm::vec3 kAside_mm(15, 4.7f, 0);
-  constexpr float kRise_deg = 17, kBow = 0.3f;  // its outer end lies higher, as the cheekbone does; it hangs
+  constexpr glm::vec3 kAside_mm(15, 4.7f, 0);                        // the middle of the cheek so told
+  constexpr float kNearer_mm = 6, kOver_mm = 2;  // the blush: nearer to the nose, where light is whole
+  constexpr float kRise_deg = 17, kBow = 0.3f;   // its outer end lies higher, as the cheekbone does; it hangs
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
   // Round on the cheek, which turns to the side, and not on a plane before the face.
@@ -117,9 +118,11 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
   for (const glm::vec3& p : positions) {
     const glm::vec3 arm = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / size;
     const float along = glm::dot(arm, level) / kWide_mm;
+    const float red_along = along + kNearer_mm / kWide_mm;
     const glm::vec3 share(along, glm::dot(arm, up) / kHigh_mm - kBow * along * along,
                           glm::dot(arm, out) / kDeep_mm);
-    flush.field.push_back(1 - glm::length(share));
+    const float red_up = (glm::dot(arm, up) - kOver_mm) / kHigh_mm - kBow * red_along * red_along;
+    flush.field.push_back(1 - glm::length(glm::vec3(red_along, red_up, share.z)));
     flush.cheek.push_back(smooth_step(kInner, kMiddle, share.x) *
                           (1 - smooth_step(kOuter, kBeyond, share.x)) *
                           smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *

@@ -127,23 +127,34 @@ TEST(ink_mouth, the_dark_comes_near_to_the_line_of_the_lips) {
   EXPECT_NE(find_colour(mix("M1_9", "M2_9", 0.6f)), InkColours{}.cavity);
 }
 
-// Fangs from below else.
+// Fangs from below else; their ends are hidden behind the lip.
 TEST(ink_mouth, the_row_of_teeth_comes_to_points) {
   std::vector<glm::vec3> row;  // an arch, as deep as half its width
   for (int i = -10; i <= 10; ++i) {
     const float z = -0.1f * static_cast<float>(i * i);
     row.insert(row.end(), {{i + 3, 5, z}, {i + 3, -4, z}});
   }
-  taper_row(glm::mat3(1), row);
+  std::vector<glm::vec3> hidden = row;
+  constexpr float kOver_mm = 3;
+  taper_row(glm::mat3(1), kOver_mm, hidden);
+  taper_row(glm::mat3(1), 0, row);
   const auto measure_deep = [&](int i) { return 5 - row[2 * static_cast<std::size_t>(i + 10) + 1].y; };
   for (int i = 0; i <= 10; ++i) {
     EXPECT_EQ(row[2 * static_cast<std::size_t>(i + 10)].y, 5) << i;
+    for (const std::size_t v :
+         {2 * static_cast<std::size_t>(i + 10), 2 * static_cast<std::size_t>(i + 10) + 1})
+      EXPECT_NEAR(hidden[v].y, row[v].y + kOver_mm * (1 - measure_deep(i) / 9), 1e-5) << i;
     EXPECT_FLOAT_EQ(measure_deep(i), measure_deep(-i)) << i;
     EXPECT_LE(measure_deep(i), measure_deep(std::max(i - 1, 0))) << i;
   }
   EXPECT_EQ(measure_deep(3), 9);
   EXPECT_LT(measure_deep(6), 7);
   EXPECT_EQ(measure_deep(8), 0);
+  const Ink& ink = comic().ink;
+  for (const std::size_t part : {ink.teeth, ink.gum}) {
+    const Box box = compute_bounds(ink.model.parts[part].rest.positions);
+    EXPECT_GT(box.high.y, ink.teeth_top_mm + 2) << part;
+  }
 }
 
 // Or the dark would end on the ground; its front is bowed in, and teeth stand behind it.

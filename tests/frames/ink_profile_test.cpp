@@ -253,6 +253,21 @@ TEST(ink_profile, cheekbones_have_no_dashes_from_below) {
     EXPECT_LT(measure_outline_mm(infant(), name, 4, below, laugh), 0.1) << name;
 }
 
+// Ticks about the holes, or a nose without an edge against the ground.
+TEST(ink_profile, nostrils_have_an_outline_where_they_are_the_nose_s) {
+  const auto measure = [](double turn_deg) {
+    const double turn = glm::radians(turn_deg);
+    double most = 0;
+    for (const char* name : {"nr_0", "nr_2", "nr_4", "nr_6", "R:nr_0", "R:nr_2", "R:nr_4", "R:nr_6"})
+      most = std::max(
+          most, measure_outline_mm(comic(), name, 2,
+                                   {{900 * std::sin(turn), -60, 900 * std::cos(turn)}, {0, 0.6, 0.8}, 1}));
+    return most;
+  };
+  for (const double turn_deg : {-35, -20, 0, 20, 35}) EXPECT_LT(measure(turn_deg), 0.1) << turn_deg;
+  for (const double turn_deg : {-55, 55}) EXPECT_GT(measure(turn_deg), 0.2) << turn_deg;
+}
+
 TEST(ink_profile, throats_have_an_outline) {
   EXPECT_GT(measure_outline_mm(infant(), "m12_N1", 3, {kBeside_mm, {0, 0.6, 0.8}, 1}), 0.4);
 }

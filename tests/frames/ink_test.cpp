@@ -572,6 +572,12 @@ TEST(ink, a_blush_lies_along_the_cheek_and_has_no_edge) {
   for (const glm::vec3& place : places) (place.x < middle ? inner : outer) += glm::dvec2(place.y, 1);
   EXPECT_GT(outer.x / outer.y, inner.x / inner.y + 1);
   EXPECT_GT(box.high.x - box.low.x, box.high.y - box.low.y);
+  // Below the outer half of the eye, where the edge of the shade leaves it whole.
+  const auto find_x = [&](const char* name) {
+    return skin.rest.positions[find_point(subject.figure.head.cage, name)].x;
+  };
+  EXPECT_GT(middle, find_x("E1_4"));
+  EXPECT_LT(middle, find_x("E1_8"));
 }
 
 // How thick the thickest stroke of folds is that stands on the skin, in lines.
@@ -690,8 +696,8 @@ TEST(ink, lips_that_part_a_little_show_no_teeth) {
     const glm::mat4 drawn = draw(subject, pose, TurnKey{}, {}).parts[teeth].world_from_rest;
     const Box box = compute_bounds(subject.ink.model.parts[teeth].rest.positions);
     const glm::vec4 edge(0, box.low.y, 0, 1);
-    EXPECT_NEAR((drawn * glm::vec4(0, box.high.y, 0, 1)).y,
-                (plain.parts[teeth].world_from_rest * glm::vec4(0, box.high.y, 0, 1)).y, 0.01);
+    const glm::vec4 top(0, subject.ink.teeth_top_mm, 0, 1);
+    EXPECT_NEAR((drawn * top).y, (plain.parts[teeth].world_from_rest * top).y, 0.01);
     return (drawn * edge).y - (plain.parts[teeth].world_from_rest * edge).y;
   };
   EXPECT_GT(measure_rise(0), 2);
