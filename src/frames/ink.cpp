@@ -104,7 +104,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     caster.positions[v] =
         skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
 
-  lift_tones(ink, beside, glm::vec3(view.to_light), buffers.tones);
+  lift_tones(ink, sight, glm::vec3(view.to_light), buffers.tones);
   std::size_t next = ink.first_outline;
   constexpr float kWithin = 0.6f, kOutline = 0.75f;  // sines: so far round the head a nostril is its outline
   const float within = 1 - smooth_step(kWithin, kOutline, std::abs(sight.aside));

@@ -46,6 +46,7 @@ struct Ink {
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
   // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
   std::vector<float> cheek, lower_cheek;
+  std::vector<float> flushed;                  // of them: 1 in a blush, 0 some way off it
   std::size_t teeth = 0, gum = 0, tongue = 0;  // in `model`; the upper teeth and their gum
   std::array<std::size_t, 2> lower{};          // in `model`: the lower teeth and their gum
   std::vector<std::size_t> bones;              // in `model`: all teeth and gums

@@ -297,6 +297,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.cheek = std::move(regions.cheek);
   ink.lower_cheek = std::move(regions.lower_cheek);
+  ink.flushed = std::move(regions.flushed);
   hide_ears(figure, ink);
   clear_ears(figure, ink);
   ink.tone = build_ink_tone(figure);

@@ -93,6 +93,12 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   return mouth;
 }
 
+// How far cheeks are seen from below, as a share, and not from the side.
+float measure_below(const InkSight& sight) {
+  constexpr float kLevel = 0.08f, kBelow = 0.5f;  // sines of the camera's way below
+  return smooth_step(kLevel, kBelow, sight.below) * (1 - sight.beside);
+}
+
 }  // namespace
 
 InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawing) {
@@ -134,8 +140,8 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
 }
 
 void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
-  constexpr float kLevel = 0.08f, kBelow = 0.5f, kBack_mm = 9;  // sines of the camera's way below
-  const float below = smooth_step(kLevel, kBelow, sight.below) * (1 - sight.beside);
+  constexpr float kBack_mm = 9;
+  const float below = measure_below(sight);
   if (below == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const glm::vec3 forward = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[2]));
@@ -143,9 +149,14 @@ void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
     skin[v] -= below * kBack_mm * ink.eye_size * ink.lower_cheek[v] * forward;
 }
 
-void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones) {
-  constexpr float kLit = 0.7f;
+void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
+                std::vector<glm::vec3>& tones) {
+  constexpr float kLit = 0.7f, kFlushLit = 0.3f;
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
+  const float beside = sight.beside, below = measure_below(sight);
+  if (below > 0 && ink.redraw.lens.is_on())
+    for (std::size_t v = 0; v < tones.size(); ++v)
+      tones[v] = glm::normalize(glm::mix(tones[v], to_light, kFlushLit * below * ink.flushed[v]));
   if (beside == 0) return;
   for (std::size_t v = 0; v < tones.size(); ++v)
     tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.hull[v])));

@@ -21,7 +21,9 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
 void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing);
 
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
-// blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade.
-void lift_tones(const Ink& ink, float beside, const glm::vec3& to_light, std::vector<glm::vec3>& tones);
+// blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade. Seen
+// from below, the edge of the shade goes round a blush: it would cut it.
+void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
+                std::vector<glm::vec3>& tones);
 
 }  // namespace mien

@@ -208,6 +208,8 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   InkRegions regions;
   regions.cheek = flush.cheek;
   regions.lower_cheek = flush.lower_cheek;
+  constexpr float kOff = -0.35f, kIn = 0.25f;  // of the way from its edge to its middle
+  for (const float value : flush.field) regions.flushed.push_back(smooth_step(kOff, kIn, value));
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] + kMouthBorder >= kMouthRim ||
                                  cutting.fields[kHole][v] + kNostrilBorder >= kNostrilRim);

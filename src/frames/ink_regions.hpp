@@ -23,6 +23,7 @@ struct InkRegions {
   std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
   // Of them: how far it lies farther back, for the blush to be seen, 0..1: from the side, and from below.
   std::vector<float> cheek, lower_cheek;
+  std::vector<float> flushed;  // of them: 1 in a blush, 0 some way off it
 };
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at
