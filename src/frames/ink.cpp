@@ -106,16 +106,18 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
 
   lift_tones(ink, sight, glm::vec3(view.to_light), buffers.tones);
   std::size_t next = ink.first_outline;
-  constexpr float kWithin = 0.6f, kOutline = 0.75f;  // sines: so far round the head a nostril is its outline
-  const float within = 1 - smooth_step(kWithin, kOutline, std::abs(sight.aside));
+  constexpr float kWithin = 0.6f,
+                  kOutline = 0.75f;  // sines: so far round the head lips and nose are outlines
+  const float turned_out = smooth_step(kWithin, kOutline, std::abs(sight.aside));
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
     buffers.turn.resize(skin.positions.size());
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float share = std::lerp(ink.hull[v], ink.hull_beside[v], beside) *
-                          (1 - sight.faced * ink.folded[v]) * (1 - within * ink.rimmed[v]);
+      const float faced_or_turned = std::lerp(ink.hull[v], ink.hull_turned[v], turned_out);
+      const float share =
+          std::lerp(faced_or_turned, ink.hull_beside[v], beside) * (1 - sight.faced * ink.folded[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }

@@ -25,9 +25,9 @@ struct Ink {
   std::vector<CutVertex> cuts;               // behind the skin's own vertices
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
+  std::vector<float> hull_turned;            // and where lips and nose are seen against the ground
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before
-  std::vector<float> rimmed;                 // 1: there it has none where the nose is seen against the face
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;

@@ -41,14 +41,16 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   constexpr float kNone_mm = 0.5f, kAll_mm = 5;
   constexpr float kCheekNone_mm = 6, kCheekAll_mm = 11;
   const FineSkin& fine = figure.folds.skin;
-  std::vector<glm::vec3> margins, cheeks;
+  std::vector<glm::vec3> margins, cheeks, lips, slit;
   const auto add = [&](const char* point, std::vector<glm::vec3>& places) {
     const std::uint32_t left = find_point(figure.head.cage, point);
     for (const std::uint32_t v : {left, figure.head.cage.mirror[left]}) places.push_back(positions[v]);
   };
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
-    for (const char* ring : {"E0_", "E1_", "M0_", "M1_", "M2_"})
-      if (has_prefix(figure.head.cage.names[i], ring)) margins.push_back(positions[i]);
+    for (const auto& [ring, places] :
+         {std::pair{"E0_", &margins}, {"E1_", &margins}, {"M0_", &slit}, {"M1_", &slit}, {"M2_", &lips}})
+      if (has_prefix(figure.head.cage.names[i], ring)) places->push_back(positions[i]);
+  lips.insert(lips.end(), slit.begin(), slit.end());
   for (const char* point : {"E2_6",  "E2_7",  "E2_8",  "E2_9",  "E3_6",  "E3_7",  "E3_8",  "E3_9",  "E2_1",
                             "E2_2",  "E2_3",  "E2_4",  "E2_5",  "E2_10", "E2_11", "E2_12", "E2_13", "E2_14",
                             "E3_1",  "E3_2",  "E3_3",  "E3_4",  "E3_5",  "E3_10", "E3_11", "E3_12", "E3_13",
@@ -111,14 +113,18 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
-    ink.rimmed.push_back(1 - smooth_step(kNostrilNone_mm, kNostrilAll_mm, nostril));
-    ink.hull.push_back(smooth_step(kNone_mm, kAll_mm, margin) *
-                       smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
-                       smooth_step(kEarNone_mm, kEarAll_mm, ear));
+    const float lip = measure(lips, positions[v], 2 * kAll_mm) / ink.eye_size;
+    const float mouth = measure(slit, positions[v], 2 * kSeamAll_mm) / ink.eye_size;
+    const float beside_mouth = smooth_step(kNone_mm, kAll_mm, margin) *
+                               smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
+                               smooth_step(kEarNone_mm, kEarAll_mm, ear);
+    const float off_lips = beside_mouth * smooth_step(kNone_mm, kAll_mm, lip);
+    ink.hull.push_back(off_lips * smooth_step(kNostrilNone_mm, kNostrilAll_mm, nostril));
+    ink.hull_turned.push_back(beside_mouth * smooth_step(kSeamNone_mm, kSeamAll_mm, mouth));
     const float middle =
         (1 - smooth_step(kMiddle_mm, kBesideMiddle_mm, std::abs(positions[v].x) / ink.eye_size)) *
         smooth_step(kSeamNone_mm, kSeamAll_mm, measure(seam, positions[v], 2 * kSeamAll_mm) / ink.eye_size);
-    ink.hull_beside.push_back(std::max(middle, ink.hull.back() * smooth_step(kBagNone_mm, kBagAll_mm, bag)));
+    ink.hull_beside.push_back(std::max(middle, off_lips * smooth_step(kBagNone_mm, kBagAll_mm, bag)));
   }
   for (const Triangle& t : fine.triangles)
     if (!is_opening[t[0]] && !is_opening[t[1]] && !is_opening[t[2]]) ink.hull_triangles.push_back(t);

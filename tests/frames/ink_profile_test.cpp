@@ -253,19 +253,33 @@ TEST(ink_profile, cheekbones_have_no_dashes_from_below) {
     EXPECT_LT(measure_outline_mm(infant(), name, 4, below, laugh), 0.1) << name;
 }
 
-// Ticks about the holes, or a nose without an edge against the ground.
-TEST(ink_profile, nostrils_have_an_outline_where_they_are_the_nose_s) {
+InkView view_turned(double turn_deg) {
+  const double turn = glm::radians(turn_deg);
+  return {{900 * std::sin(turn), -60, 900 * std::cos(turn)}, {0, 0.6, 0.8}, 1};
+}
+
+// Ticks about the holes else, or a nose without an edge against the ground.
+TEST(ink_profile, nostrils_have_an_outline_where_the_nose_does) {
   const auto measure = [](double turn_deg) {
-    const double turn = glm::radians(turn_deg);
     double most = 0;
     for (const char* name : {"nr_0", "nr_2", "nr_4", "nr_6", "R:nr_0", "R:nr_2", "R:nr_4", "R:nr_6"})
-      most = std::max(
-          most, measure_outline_mm(comic(), name, 2,
-                                   {{900 * std::sin(turn), -60, 900 * std::cos(turn)}, {0, 0.6, 0.8}, 1}));
+      most = std::max(most, measure_outline_mm(comic(), name, 2, view_turned(turn_deg)));
     return most;
   };
   for (const double turn_deg : {-35, -20, 0, 20, 35}) EXPECT_LT(measure(turn_deg), 0.1) << turn_deg;
   for (const double turn_deg : {-55, 55}) EXPECT_GT(measure(turn_deg), 0.2) << turn_deg;
+}
+
+TEST(ink_profile, far_lips_have_an_outline_where_they_stand_before_the_ground) {
+  const Pose round = make_pose({{"chin.down", 0.5}, {"corner.out", -0.8}});
+  const auto measure = [&](const char* name, double turn_deg) {
+    return measure_outline_mm(child(), name, 3, view_turned(turn_deg), round);
+  };
+  for (const char* name : {"R:M3_2", "R:M2_9", "R:M2_10"}) {
+    EXPECT_GT(measure(name, 50), 0.3) << name;
+    EXPECT_LT(measure(name, 35), 0.1) << name;
+    EXPECT_LT(measure(name, 0), 0.1) << name;
+  }
 }
 
 TEST(ink_profile, throats_have_an_outline) {
