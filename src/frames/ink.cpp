@@ -106,8 +106,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
 
   lift_tones(ink, sight, glm::vec3(view.to_light), buffers.tones);
   std::size_t next = ink.first_outline;
-  constexpr float kWithin = 0.6f,
-                  kOutline = 0.75f;  // sines: so far round the head lips and nose are outlines
+  constexpr float kWithin = 0.6f, kOutline = 0.75f;  // sines: there lips and nose are the head's edge
   const float turned_out = smooth_step(kWithin, kOutline, std::abs(sight.aside));
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
