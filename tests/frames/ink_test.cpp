@@ -393,6 +393,8 @@ TEST(ink, no_line_runs_down_from_the_eye_in_profile) {
   };
   EXPECT_LT(measure({900, -40, 80}), 0.15);
   EXPECT_GT(measure({-600, -40, 650}), 0.3);
+  for (const char* name : {"E2_1", "E2_2", "E2_3", "E3_3", "E3_4"})
+    EXPECT_LT(measure_outline_mm(comic(), name, 3, {{900, -40, 80}, {0, 0, 1}, 1}), 0.11) << name;
 }
 
 TEST(ink, an_open_mouth_is_dark_in_profile) {
