@@ -51,6 +51,7 @@ struct FoldSet {
   std::array<double, 2> rolls{};     // height of the swelling left and right of the line, shares of the depth
   double spread = 2;                 // how many widths from the line the swelling is highest
   double uneven = 1;                 // of the file's unevenness
+  double edge = 1;                   // of the file's longest edge
   double ink = 0;        // how thick ink draws its lines at their deepest: half of it, in lines; 0: not
   double across_mm = 0;  // how far one side's folds go on over the mid-line; 0: they do not
   std::vector<FoldLine> lines;

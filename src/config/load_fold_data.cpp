@@ -94,6 +94,7 @@ FoldSet read_set(const YamlEntry& entry, const PointNames& points) {
   }
   read_number(table, "spread", 1, 6, set.spread);
   read_number_if(table, "uneven", 0, 2, set.uneven);
+  read_number_if(table, "edge", 0.1, 1, set.edge);
   read_number_if(table, "ink", 0, 2, set.ink);
   read_number_if(table, "across_mm", 0, 40, set.across_mm);
   if (const YamlValue* lines = table.require("lines"))

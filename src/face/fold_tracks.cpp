@@ -185,7 +185,7 @@ EdgeLimit limit_edges(const std::vector<Track>& tracks, double edge) {
     double limit_mm = 1e9;
     for (const Track& track : tracks) {
       if (!is_inside(track.box, p)) continue;
-      const double short_mm = edge * track.set->width_mm;
+      const double short_mm = edge * track.set->edge * track.set->width_mm;
       const double away = std::abs(compute_beside(track, p).away_mm) / track.set->width_mm;
       if (away < kGroove) limit_mm = std::min(limit_mm, short_mm);
       if (away < kSwelling * track.set->spread) limit_mm = std::min(limit_mm, kSofter * short_mm);

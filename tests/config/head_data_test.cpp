@@ -123,6 +123,8 @@ TEST(head_data, folds_are_told_at_their_places) {
   EXPECT_NE(find("[p_F1, p_F2,", "[p_F1, p_Q2,").find("unknown point 'p_Q2'"), std::string::npos);
   EXPECT_NE(find("always: .85", "always: 2").find("always' is '2'; expected a number from 0 to 1"),
             std::string::npos);
+  EXPECT_NE(find("edge: .55", "edge: 2").find("edge' is '2'; expected a number from 0.1 to 1"),
+            std::string::npos);
   EXPECT_NE(find("[.6, lid.upper-]", "[.6]").find("a drive without a move; expected one such as brow.up+"),
             std::string::npos);
   EXPECT_NE(find("    spread:", "    spred:").find("has no 'spread'"), std::string::npos);

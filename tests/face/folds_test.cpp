@@ -118,12 +118,14 @@ TEST(folds, are_a_groove_with_a_roll_on_the_side_that_the_table_says) {
 }
 
 TEST(fine_skin, is_fine_in_a_groove_coarser_in_its_rolls_and_as_it_was_beside_them) {
-  const StraightFold fold;
+  StraightFold fold;
   const EdgeLimit limit = limit_edges(fold.tracks, 0.5);
   EXPECT_DOUBLE_EQ(limit({-20, 10, 0}), 0.5);
   EXPECT_DOUBLE_EQ(limit({-21.5f, 10, 0}), 0.5);
   EXPECT_DOUBLE_EQ(limit({-23, 10, 0}), 1.7 * 0.5);
   EXPECT_GT(limit({-25, 10, 0}), 1e6);
+  fold.set.edge = 0.6;
+  EXPECT_DOUBLE_EQ(limit({-20, 10, 0}), 0.6 * 0.5);
 }
 
 TEST(folds, of_two_moves_come_with_both_of_them) {
