@@ -364,6 +364,24 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
 }
 
 // Its ends would turn up beside the chin, as those of a moustache.
+// Of the blush on the side of the shade: how much is lit.
+TEST(ink_profile, the_shade_goes_round_a_blush_that_is_seen_from_below) {
+  constexpr float kShade = 0.12f;  // cosine at the border of the two tones
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.55, 0.55, 0.63));
+  const Pose laugh =
+      make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}});
+  for (const Subject* subject : {&child(), &infant()}) {
+    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {{0, -450, 780}, to_light, 1});
+    const PartShape& skin = drawing.parts.front();
+    glm::ivec2 lit(0);  // and all
+    for (std::size_t v = 0; v < subject->ink.flushed.size(); ++v)
+      if (subject->ink.flushed[v] > 0.9f && skin.positions[v].x > 0)
+        lit += glm::ivec2(glm::dot(skin.normals[v], glm::vec3(to_light)) > kShade, 1);
+    EXPECT_GT(lit.x, 0.9f * static_cast<float>(lit.y)) << lit.x << " of " << lit.y;
+    EXPECT_GT(lit.y, 20);
+  }
+}
+
 TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
   const auto measure_mm = [](const glm::dvec3& camera_mm) {
     const Box box = compute_bounds(
