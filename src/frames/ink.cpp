@@ -90,7 +90,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);
   constexpr float kLevel = 0.15f, kBelow = 0.4f;    // sines of the camera's way below
-  constexpr float kFront = 0.15f, kTurned = 0.32f;  // and round the head
+  constexpr float kFront = 0.13f, kTurned = 0.25f;  // and round the head
   const float below = smooth_step(kLevel, kBelow, sight.below);
   const float turned = ink.redraw.lens.is_on()
                            ? smooth_step(kFront, kTurned, std::abs(sight.aside)) * (1 - below) * (1 - beside)

@@ -130,11 +130,10 @@ InkTonePointer build_ink_tone(const Figure& figure) {
   const double time = 0.5 * kSpread_mm * kSpread_mm * size;
   tone->faced.areas = areas;
   prepare_heat(shares, time, tone->faced);
-  // Nor does what a cheek pushes up below a far eye: a chip of light on the shaded side. With a button of a
-  // nose the full cheek is one with the rest of the face.
-  for (const char* point : {"E2_11", "E3_11", "E4_11", "E5_11", "q13_C1", "q12_C1"}) hush(point);
-  if (is_button)
-    for (const char* point : {"q13_C2", "q13_C3", "q12_C2", "q12_C3"}) hush(point);
+  // Nor does the cheek below a far eye: chips of light on the shaded side.
+  for (const char* point :
+       {"E2_11", "E3_11", "E4_11", "E5_11", "q13_C1", "q12_C1", "q13_C2", "q13_C3", "q12_C2", "q12_C3"})
+    hush(point);
   tone->turned.areas = areas;
   prepare_heat(shares, time, tone->turned);
   return tone;
