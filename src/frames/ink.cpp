@@ -114,7 +114,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.turn.resize(skin.positions.size());
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
-      const float faced_or_turned = std::lerp(ink.hull[v], ink.hull_turned[v], turned_out);
+      const float faced_or_turned = std::lerp(ink.hull_faced[v], ink.hull_turned[v], turned_out);
       const float share =
           std::lerp(faced_or_turned, ink.hull_beside[v], beside) * (1 - sight.faced * ink.folded[v]);
       buffers.thick.push_back(share);

@@ -25,6 +25,7 @@ struct Ink {
   std::vector<CutVertex> cuts;               // behind the skin's own vertices
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
   std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
+  std::vector<float> hull_faced;             // and where nostrils lie within the face
   std::vector<float> hull_turned;            // and where lips and nose are seen against the ground
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before

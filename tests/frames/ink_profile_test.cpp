@@ -394,6 +394,22 @@ TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
 }
 
 // It would be a stub above the corner, which is lifted.
+// A hinge of the chin else.
+TEST(ink_profile, the_line_of_the_jaw_ends_before_the_chin) {
+  const auto measure = [](const glm::dvec3& camera_mm) {
+    const std::vector<glm::vec3> jaw =
+        find_stroke(comic(), draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "jaw");
+    const glm::vec3 chin = comic().figure.head.skin.positions[find_point(comic().figure.head.cage, "m12_D1")];
+    double most = 0;
+    for (std::size_t ring = 0; ring < jaw.size(); ring += kStrokeSpokes)
+      if (glm::distance(jaw[ring], chin) < 25)
+        most = std::max(most, static_cast<double>(glm::distance(jaw[ring], jaw[ring + kStrokeSpokes / 2])));
+    return most;
+  };
+  EXPECT_LT(measure(kBeside_mm), 0.05);
+  EXPECT_GT(measure(kBefore_mm), 0.3);
+}
+
 TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below_nor_behind_the_nose) {
   const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}});
   const auto measure_mm = [&](const glm::dvec3& camera_mm) {
