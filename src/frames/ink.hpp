@@ -24,8 +24,8 @@ struct Ink {
   Model model;                               // the figure's parts, then outlines, then strokes
   std::vector<CutVertex> cuts;               // behind the skin's own vertices
   std::vector<std::uint32_t> first, around;  // the neighbours of the skin's own vertices
-  std::vector<float> hull;                   // of each vertex of the cut skin: how thick its outline is
-  std::vector<float> hull_faced;             // and where nostrils lie within the face
+  std::vector<float> off_strokes;            // of each vertex of the skin: 0 where strokes are its outline
+  std::vector<float> hull_faced;             // of them: how thick the outline is where the face is seen
   std::vector<float> hull_turned;            // and where lips and nose are seen against the ground
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before

@@ -119,7 +119,7 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
                                smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                                smooth_step(kEarNone_mm, kEarAll_mm, ear);
     const float off_lips = beside_mouth * smooth_step(kNone_mm, kAll_mm, lip);
-    ink.hull.push_back(off_lips);
+    ink.off_strokes.push_back(off_lips);
     ink.hull_faced.push_back(off_lips * smooth_step(kNostrilNone_mm, kNostrilAll_mm, nostril));
     ink.hull_turned.push_back(beside_mouth * smooth_step(kSeamNone_mm, kSeamAll_mm, mouth));
     const float middle =

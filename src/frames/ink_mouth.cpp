@@ -50,7 +50,7 @@ void draw_in(const Ink& ink, float share, PartShape& teeth) {
   }
   const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1]));
   float top = -INFINITY;
-  for (const glm::vec3& p : teeth.positions) top = std::max(top, glm::dot(p, up));
+  for (const glm::vec3& p : teeth.positions) top = std::max(top, glm::dot(p, up) - ink.taper_over_mm);
   for (glm::vec3& p : teeth.positions) p += share * (top - glm::dot(p, up)) * up;
 }
 

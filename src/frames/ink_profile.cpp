@@ -159,7 +159,7 @@ void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light
       tones[v] = glm::normalize(glm::mix(tones[v], to_light, kFlushLit * below * ink.flushed[v]));
   if (beside == 0) return;
   for (std::size_t v = 0; v < tones.size(); ++v)
-    tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.hull[v])));
+    tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.off_strokes[v])));
   for (glm::vec3& tone : tones) {
     if (tone.y >= 0 || tone.y <= kDown) continue;
     const float lifted = tone.y > kMiddle ? tone.y * kLifted / kMiddle

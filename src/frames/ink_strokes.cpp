@@ -317,8 +317,9 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     const float faced = smooth_step(kAside * rule.faced, rule.faced,
                                     glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
     float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
-    shown *= 1 - ground.beside * (1 - smooth_step(kGap * rule.parted_beside, rule.parted_beside,
-                                                  static_cast<float>(std::abs(2 * at - 1))));
+    if (rule.parted_beside > 0)
+      shown *= 1 - ground.beside * (1 - smooth_step(kGap * rule.parted_beside, rule.parted_beside,
+                                                    static_cast<float>(std::abs(2 * at - 1))));
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =

@@ -363,7 +363,6 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
 }
 
-// Its ends would turn up beside the chin, as those of a moustache.
 // Of the blush on the side of the shade: how much is lit.
 TEST(ink_profile, the_shade_goes_round_a_blush_that_is_seen_from_below) {
   constexpr float kShade = 0.12f;  // cosine at the border of the two tones
@@ -382,6 +381,7 @@ TEST(ink_profile, the_shade_goes_round_a_blush_that_is_seen_from_below) {
   }
 }
 
+// Its ends would turn up beside the chin, as those of a moustache.
 TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
   const auto measure_mm = [](const glm::dvec3& camera_mm) {
     const Box box = compute_bounds(
@@ -393,7 +393,6 @@ TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
   EXPECT_GT(below_mm, 0.3f * before_mm);
 }
 
-// It would be a stub above the corner, which is lifted.
 // A hinge of the chin else.
 TEST(ink_profile, the_line_of_the_jaw_ends_before_the_chin) {
   const auto measure = [](const glm::dvec3& camera_mm) {
@@ -410,6 +409,7 @@ TEST(ink_profile, the_line_of_the_jaw_ends_before_the_chin) {
   EXPECT_GT(measure(kBefore_mm), 0.3);
 }
 
+// It would be a stub above the corner, which is lifted.
 TEST(ink_profile, the_fold_beside_the_nose_is_not_drawn_from_below_nor_behind_the_nose) {
   const Pose laugh = make_pose({{"corner.up", 1}, {"corner.out", 0.9}});
   const auto measure_mm = [&](const glm::dvec3& camera_mm) {

@@ -534,8 +534,8 @@ TEST(ink, what_casts_lies_deep_in_the_skin_at_the_nostrils) {
   for (const char* name : {"nr_0", "nr_4", "ni_2"}) EXPECT_NEAR(measure_mm(name), deep_mm, 0.01) << name;
   for (const char* name : {"q12_C4", "m12_D1", "p_F2"}) EXPECT_NEAR(measure_mm(name), 3.5, 0.01) << name;
   EXPECT_EQ(subject.ink.below_mm.size(), caster.size());
-  EXPECT_EQ(subject.ink.hull.size(), subject.figure.folds.skin.vertex_count());
-  EXPECT_EQ(subject.ink.hull_beside.size(), subject.ink.hull.size());
+  EXPECT_EQ(subject.ink.hull_faced.size(), subject.figure.folds.skin.vertex_count());
+  EXPECT_EQ(subject.ink.hull_beside.size(), subject.ink.hull_faced.size());
 }
 
 // Where the skin between the eyes is dark: nowhere, whatever a face does. The nose has one shade below it.
