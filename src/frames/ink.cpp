@@ -98,11 +98,13 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   compute_tones(*ink.tone, turned, buffers.soft, buffers.tone, buffers.tones);
   draw_mouth(ink, asked, sight, mouth, view.line_mm, drawing);
 
+  // Seen from below a nose would cast a chip beside its nostril.
+  const float deeper = ink.redraw.lens.is_on() ? std::max(beside, below) : beside;
   PartShape& caster = drawing.parts[ink.caster];
   caster.positions.resize(ink.model.parts[ink.caster].rest.positions.size());
   for (std::size_t v = 0; v < caster.positions.size(); ++v)
     caster.positions[v] =
-        skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], beside) * buffers.tones[v];
+        skin.positions[v] - std::lerp(ink.below_mm[v], ink.below_beside_mm[v], deeper) * buffers.tones[v];
 
   lift_tones(ink, sight, glm::vec3(view.to_light), buffers.tones);
   std::size_t next = ink.first_outline;
@@ -115,8 +117,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
       const float faced_or_turned = std::lerp(ink.hull_faced[v], ink.hull_turned[v], turned_out);
-      const float share =
-          std::lerp(faced_or_turned, ink.hull_beside[v], beside) * (1 - sight.faced * ink.folded[v]);
+      const float share = std::lerp(faced_or_turned, ink.hull_beside[v], beside) *
+                          (1 - sight.faced * ink.folded[v]) * (1 - below * ink.button[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];
     }

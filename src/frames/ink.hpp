@@ -29,12 +29,13 @@ struct Ink {
   std::vector<float> hull_turned;            // and where lips and nose are seen against the ground
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before
+  std::vector<float> button;                 // 1: there it has none where the head is seen from below
   std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
   std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
   InkTonePointer tone;
   std::size_t caster = 0;              // in `model`: what the skin's shadow is cast by
   std::vector<float> below_mm;         // of each of its vertices: how deep it lies in the skin
-  std::vector<float> below_beside_mm;  // and where the head is seen from the side
+  std::vector<float> below_beside_mm;  // and where the head is seen from the side or below
   std::size_t first_outline =
       0;  // in `model`: the skin's, then those of `outlined`, then the two of strokes and that of hair
   std::array<std::size_t, 2> whites{};  // in `model`: of the left and the right eye
@@ -43,11 +44,12 @@ struct Ink {
   std::vector<std::uint32_t>
       sheet_points;             // vertices of the skin that it lies through, upper and lower in turn
   std::size_t mouth_edge = 0;   // in `model`: the line before it
-  std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile
+  std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile, or the tongue
+  bool is_toothless = false;
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
   // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
   std::vector<float> cheek, lower_cheek;
-  std::vector<float> flushed;                  // of them: 1 in a blush, 0 some way off it
+  std::vector<glm::vec3> flush_places;         // of them: where in the blush they lie, see InkRegions
   std::size_t teeth = 0, gum = 0, tongue = 0;  // in `model`; the upper teeth and their gum
   std::array<std::size_t, 2> lower{};          // in `model`: the lower teeth and their gum
   std::vector<std::size_t> bones;              // in `model`: all teeth and gums

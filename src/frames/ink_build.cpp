@@ -97,6 +97,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> nostrils;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
+  // Seen from below a button of a nose would have a caret on it.
+  constexpr float kButton_mm = 10, kBesideButton_mm = 16;
+  const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
+  const glm::vec3 tip = positions[find_point(figure.head.cage, "p_tip")];
   const std::uint32_t outer = find_point(figure.head.cage, "E3_8");
   ink.sides = {outer, figure.head.cage.mirror[outer]};
   const auto measure = [](const std::vector<glm::vec3>& places, const glm::vec3& at, float most) {
@@ -113,6 +117,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
+    const float from_tip = glm::distance(tip, positions[v]) / ink.eye_size;
+    ink.button.push_back(is_button ? 1 - smooth_step(kButton_mm, kBesideButton_mm, from_tip) : 0);
     const float lip = measure(lips, positions[v], 2 * kAll_mm) / ink.eye_size;
     const float mouth = measure(slit, positions[v], 2 * kSeamAll_mm) / ink.eye_size;
     const float beside_mouth = smooth_step(kNone_mm, kAll_mm, margin) *
@@ -304,7 +310,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.cheek = std::move(regions.cheek);
   ink.lower_cheek = std::move(regions.lower_cheek);
-  ink.flushed = std::move(regions.flushed);
+  ink.flush_places = std::move(regions.flush_places);
   hide_ears(figure, ink);
   clear_ears(figure, ink);
   ink.tone = build_ink_tone(figure);

@@ -73,11 +73,29 @@ void lift_veil(float parted, std::vector<glm::vec3>& veil) {
   for (glm::vec3& p : veil) p = glm::mix(p, middle, parted);
 }
 
+// What is toothless would have an empty wedge in profile: its tongue rises behind the lower lip of a wide
+// mouth.
+void raise_tongue(const Ink& ink, float share, float gap_mm, Drawing& drawing) {
+  constexpr float kHigh = 0.45f, kEnds = 0.8f;    // of the gap; of the way to the corners
+  constexpr float kNarrow_mm = 8, kWide_mm = 14;  // between an adult's lips
+  const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  const glm::vec3 up = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[1]));
+  const float high_mm = share * kHigh * gap_mm * ink.eye_size * smooth_step(kNarrow_mm, kWide_mm, gap_mm);
+  const std::size_t last = ink.strip_points.size() - 1;
+  std::vector<glm::vec3>& strip = drawing.parts[ink.tooth_strip].positions;
+  strip.clear();
+  for (std::size_t i = 0; i <= last; ++i) {
+    const float aside = std::abs(2 * static_cast<float>(i) / static_cast<float>(last) - 1),
+                along = std::min(aside / kEnds, 1.0f);
+    strip.push_back(skin[ink.strip_points[i]]);
+    strip.push_back(strip.back() + high_mm * 4 * along * (1 - along) * up);
+  }
+}
+
 // Instead of the teeth, which would be pieces of their row between lips that are drawn out in profile, a
-// strip hangs from the upper lip as low as they do. They and their gums are drawn together in the throat.
-void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
-  constexpr float kBegins = 0.5f, kLeast = 0.02f, kBehind_mm = 1, kSlant_mm = 2, kThroat_mm = 25;
-  const float share = smooth_step(kBegins, 1.0f, beside);
+// strip hangs from the upper lip as low as they do.
+void hang_strip(const Ink& ink, float share, Drawing& drawing) {
+  constexpr float kBehind_mm = 1, kSlant_mm = 2;
   const PartShape& teeth = drawing.parts[ink.teeth];
   const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const glm::vec3 up = glm::normalize(glm::vec3(teeth.world_from_rest[1])),
@@ -89,8 +107,7 @@ void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
     end = glm::dot(glm::vec3(teeth.world_from_rest * rest_end), up);
   }
   const std::size_t last = ink.strip_points.size() - 1;
-  const glm::vec3& middle = skin[ink.strip_points[last / 2]];
-  const float high = std::max(0.0f, glm::dot(middle, up) - end);
+  const float high = std::max(0.0f, glm::dot(skin[ink.strip_points[last / 2]], up) - end);
   PartShape& strip = drawing.parts[ink.tooth_strip];
   strip.positions.clear();
   for (std::size_t i = 0; i <= last; ++i) {
@@ -100,9 +117,21 @@ void hang_teeth(const Ink& ink, float beside, Drawing& drawing) {
     strip.positions.push_back(top);
     strip.positions.push_back(top + share * (kSlant_mm * behind - high * (1 - aside * aside) * up));
   }
+}
+
+// The strip stands for teeth and gums, which are drawn together in the throat.
+void show_strip(const Ink& ink, float beside, float gap_mm, Drawing& drawing) {
+  constexpr float kBegins = 0.5f, kLeast = 0.02f, kThroat_mm = 25;
+  const float share = smooth_step(kBegins, 1.0f, beside);
+  if (ink.is_toothless)
+    raise_tongue(ink, share, gap_mm, drawing);
+  else
+    hang_strip(ink, share, drawing);
   if (share == 0) return;
   const float size = std::max(kLeast, 1 - share);
-  const glm::vec3 at = middle - kThroat_mm * ink.eye_size * forward;
+  const glm::vec3 forward = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[2])),
+                  lip = drawing.parts.front().positions[ink.strip_points[ink.strip_points.size() / 2]];
+  const glm::vec3 at = lip - kThroat_mm * ink.eye_size * forward;
   for (const std::size_t part : ink.bones) {
     PartShape& bone = drawing.parts[part];
     if (bone.positions.empty()) {
@@ -272,7 +301,7 @@ void draw_mouth(const Ink& ink, const Pose& pose, const InkSight& sight, const I
                 ink.taper_over_mm, row.positions);
   }
   hide_teeth(ink, mouth.gap_mm, drawing);
-  hang_teeth(ink, sight.beside, drawing);
+  show_strip(ink, sight.beside, mouth.gap_mm, drawing);
   lift_veil(mouth.parted, drawing.parts[ink.veil].positions);
   sink_lower_teeth(ink, pose, mouth.gap_mm, drawing);
   place_mouth_sheet(ink, sight.beside * mouth.parted, mouth.slit, drawing.parts.front().positions,

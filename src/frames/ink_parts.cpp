@@ -209,11 +209,13 @@ Part make_mouth_edge(const InkColours& colours) {
 Part make_tooth_strip(const Figure& figure, const InkColours& colours, Ink& ink) {
   const Cage& cage = figure.head.cage;
   constexpr int kCorner = 6;
+  ink.is_toothless = !has_teeth(ink);
   for (int column = -kCorner; column <= kCorner; ++column) {
-    const std::uint32_t left = find_point(cage, fmt::format("M0_{}", std::abs(column)));
+    const int place = ink.is_toothless ? 2 * kCorner - std::abs(column) : std::abs(column);
+    const std::uint32_t left = find_point(cage, fmt::format("M0_{}", place));
     ink.strip_points.push_back(column < 0 ? cage.mirror[left] : left);
   }
-  Part part = make_flat_part("tooth_strip", "ink_flat", has_teeth(ink) ? colours.bone : colours.cavity);
+  Part part = make_flat_part("tooth_strip", "ink_flat", ink.is_toothless ? colours.flesh : colours.bone);
   part.rest.positions.resize(2 * ink.strip_points.size());
   append_band(part.rest.positions.size(), part.rest.triangles);
   return part;

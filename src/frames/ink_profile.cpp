@@ -93,6 +93,36 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   return mouth;
 }
 
+// Wherever a cheek goes its blush is as round in profile as at rest. What is between it and the eye comes
+// nearer, or the ball would stand before it.
+void hold_flush(const Ink& ink, float beside, const DrawnOut& eyes, std::vector<glm::vec3>& skin) {
+  constexpr float kSeen = 0.9f, kHigh = 0.8f;  // of how far it reaches outward, along a cheek, and up
+  constexpr float kWhole = 0.999f, kNearer = 0.5f, kNearer_mm = 4;
+  const std::vector<glm::vec3>& rest = ink.model.parts.front().rest.positions;
+  const auto find_offset = [&](std::size_t v) {
+    const glm::vec3& place = ink.flush_places[v];
+    return ink.eye_size * (kHigh * place.y * eyes.up - kSeen * place.x * eyes.forward);
+  };
+  std::array<glm::vec3, 2> middles{};
+  std::array<float, 2> counts{};
+  for (std::size_t v = 0; v < skin.size(); ++v) {
+    if (ink.flush_places[v].z < kWhole) continue;
+    const std::size_t side = rest[v].x > 0 ? 0 : 1;
+    middles[side] += skin[v] - find_offset(v);
+    counts[side] += 1;
+  }
+  for (std::size_t v = 0; v < skin.size(); ++v) {
+    const float held = ink.flush_places[v].z;
+    if (held == 0) continue;
+    const std::size_t side = rest[v].x > 0 ? 0 : 1;
+    const glm::vec3 way = middles[side] / std::max(1.0f, counts[side]) + find_offset(v) - skin[v],
+                    out = side == 0 ? eyes.aside : -eyes.aside;
+    skin[v] +=
+        beside * (held * (glm::dot(way, eyes.forward) * eyes.forward + glm::dot(way, eyes.up) * eyes.up) +
+                  kNearer_mm * ink.eye_size * smooth_step(0.0f, kNearer, held) * out);
+  }
+}
+
 // How far cheeks are seen from below, as a share, and not from the side.
 float measure_below(const InkSight& sight) {
   constexpr float kLevel = 0.08f, kBelow = 0.5f;  // sines of the camera's way below
@@ -126,6 +156,7 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
     draw_out(mouth, skin[v]);
     skin[v] -= beside * kCheek_mm * ink.eye_size * ink.cheek[v] * eyes.forward;
   }
+  hold_flush(ink, beside, eyes, skin);
   for (const std::size_t part : ink.balls)
     for (glm::vec3& p : drawing.parts[part].positions) draw_out(eyes, p);
   // Or cheeks that are drawn out would have teeth through them.
@@ -151,12 +182,15 @@ void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
 
 void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
                 std::vector<glm::vec3>& tones) {
-  constexpr float kLit = 0.7f, kFlushLit = 0.3f;
-  constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;  // heights of unit normals
+  constexpr float kLit = 0.7f, kLitBelow = 0.4f;
+  // Heights of unit normals: from below, and in profile.
+  constexpr float kUnder = -0.7f, kLevel = -0.25f;
+  constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;
   const float beside = sight.beside, below = measure_below(sight);
   if (below > 0 && ink.redraw.lens.is_on())
-    for (std::size_t v = 0; v < tones.size(); ++v)
-      tones[v] = glm::normalize(glm::mix(tones[v], to_light, kFlushLit * below * ink.flushed[v]));
+    for (glm::vec3& tone : tones)
+      tone =
+          glm::normalize(glm::mix(tone, to_light, kLitBelow * below * smooth_step(kUnder, kLevel, tone.y)));
   if (beside == 0) return;
   for (std::size_t v = 0; v < tones.size(); ++v)
     tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.off_strokes[v])));

@@ -14,7 +14,8 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawi
 
 // Eyes that are tall ovals would be slits, and open mouths notches: skin and balls about them are drawn out
 // in depth, behind what stands forth of balls and lips, as far as the head is seen from the side, the mouth
-// as far as its lips are `parted`, 0..1. A head without a lens stays as it is: its eyes are not tall.
+// as far as its lips are `parted`, 0..1. A blush keeps its form. A head without a lens stays as it is: its
+// eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
 // Seen from below, a cheek's pad would cut the blush off: it lies farther back below the middle of that.
@@ -22,7 +23,7 @@ void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing);
 
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade. Seen
-// from below, the edge of the shade goes round a blush: it would cut it.
+// from below, it is that of what looks down, too: its edge would cut a blush or go round it.
 void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
                 std::vector<glm::vec3>& tones);
 

@@ -92,6 +92,7 @@ struct Flush {
   std::vector<float> cheek;
   // Seen from below it would stand before the upper half: below the middle it lies farther back.
   std::vector<float> lower_cheek;
+  std::vector<glm::vec3> places;  // see InkRegions
 };
 
 Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions) {
@@ -104,7 +105,8 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
   constexpr float kWide_mm = 13.5f, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
   constexpr glm::vec3 kAside_mm(15, 4.7f, 0);                        // the middle of the cheek so told
   constexpr float kNearer_mm = 6, kOver_mm = 2;  // the blush: nearer to the nose, where light is whole
-  constexpr float kRise_deg = 17, kBow = 0.3f;   // its outer end lies higher, as the cheekbone does; it hangs
+  constexpr float kHeldNone = -0.35f, kHeldWhole = 0.1f;
+  constexpr float kRise_deg = 17, kBow = 0.3f;  // its outer end lies higher, as the cheekbone does; it hangs
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;
   // Round on the cheek, which turns to the side, and not on a plane before the face.
@@ -114,6 +116,7 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
   const float rise = glm::radians(kRise_deg);
   const glm::vec3 level = std::cos(rise) * across + std::sin(rise) * over,
                   up = std::cos(rise) * over - std::sin(rise) * across;
+  const glm::vec3 red_middle = kOver_mm * up - kNearer_mm * level;
   Flush flush;
   for (const glm::vec3& p : positions) {
     const glm::vec3 arm = (glm::vec3(std::abs(p.x), p.y, p.z) - middle) / size;
@@ -123,6 +126,8 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
                           glm::dot(arm, out) / kDeep_mm);
     const float red_up = (glm::dot(arm, up) - kOver_mm) / kHigh_mm - kBow * red_along * red_along;
     flush.field.push_back(1 - glm::length(glm::vec3(red_along, red_up, share.z)));
+    flush.places.emplace_back(glm::dot(arm - red_middle, across), glm::dot(arm - red_middle, over),
+                              smooth_step(kHeldNone, kHeldWhole, flush.field.back()));
     flush.cheek.push_back(smooth_step(kInner, kMiddle, share.x) *
                           (1 - smooth_step(kOuter, kBeyond, share.x)) *
                           smooth_step(kDeepNone, kDeepWhole, share.z) * smooth_step(kLow, -kWhole, share.y) *
@@ -197,7 +202,8 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   const Flush flush = is_flushed ? paint_flush(figure, positions)
                                  : Flush{std::vector<float>(positions.size(), -1.0f),
                                          std::vector<float>(positions.size(), 0.0f),
-                                         std::vector<float>(positions.size(), 0.0f)};
+                                         std::vector<float>(positions.size(), 0.0f),
+                                         std::vector<glm::vec3>(positions.size(), glm::vec3(0))};
   for (int step = 0; step < kFlushSteps; ++step) {
     std::vector<float>& field = cutting.fields[static_cast<std::size_t>(kFlush + step)];
     field = flush.field;
@@ -208,8 +214,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   InkRegions regions;
   regions.cheek = flush.cheek;
   regions.lower_cheek = flush.lower_cheek;
-  constexpr float kOff = -0.35f, kIn = 0.25f;  // of the way from its edge to its middle
-  for (const float value : flush.field) regions.flushed.push_back(smooth_step(kOff, kIn, value));
+  regions.flush_places = flush.places;
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] + kMouthBorder >= kMouthRim ||
                                  cutting.fields[kHole][v] + kNostrilBorder >= kNostrilRim);

@@ -23,7 +23,9 @@ struct InkRegions {
   std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
   // Of them: how far it lies farther back, for the blush to be seen, 0..1: from the side, and from below.
   std::vector<float> cheek, lower_cheek;
-  std::vector<float> flushed;  // of them: 1 in a blush, 0 some way off it
+  // And where in the blush they lie: outward and up from its middle, mm on an adult's head, and how far they
+  // keep that place in profile, 0..1.
+  std::vector<glm::vec3> flush_places;
 };
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at

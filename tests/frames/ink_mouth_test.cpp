@@ -233,6 +233,24 @@ TEST(ink_mouth, teeth_are_a_strip) {
   for (std::size_t v = 0; v < none.size(); v += 2) EXPECT_EQ(none[v], none[v + 1]) << v;
 }
 
+// Its mouth would be an empty wedge.
+TEST(ink_mouth, a_toothless_laugh_has_a_tongue_in_profile) {
+  const Subject infant = build_of_age("infant");
+  const auto measure_share = [&](const InkView& view, double jaw) {
+    const Drawing drawing =
+        draw(infant, make_pose({{"chin.down", jaw}, {"corner.up", 0.8}}), TurnKey{}, view);
+    const std::vector<glm::vec3>& strip = drawing.parts[infant.ink.tooth_strip].positions;
+    float high_mm = 0;
+    for (std::size_t v = 0; v < strip.size(); v += 2)
+      high_mm = std::max(high_mm, glm::distance(strip[v], strip[v + 1]));
+    const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+    return high_mm / glm::distance(skin[infant.ink.lips[0]], skin[infant.ink.lips[1]]);
+  };
+  EXPECT_NEAR(measure_share(kBeside, 0.9), 0.45f, 0.06f);
+  EXPECT_LT(measure_share(kBeside, 0.2), 0.01f);
+  EXPECT_EQ(measure_share(kBefore, 0.9), 0);
+}
+
 // What shows of the lips before it would be crumbs; an open mouth's ends behind them.
 TEST(ink_mouth, a_slit_is_dark_to_the_edge_of_the_lips) {
   const auto measure_mm = [](double jaw) {

@@ -55,8 +55,9 @@ TEST(ink_parts, the_row_of_teeth_ends_before_it_turns_back) {
 // Their edges would be dots.
 TEST(ink_parts, the_first_teeth_of_an_infant_are_not_seen) {
   const Subject infant = build_of_age("infant");
-  for (const char* name : {"teeth_upper", "gum_upper", "tooth_strip"})
+  for (const char* name : {"teeth_upper", "gum_upper"})
     for (const Shade& shade : find(infant, name).palette) EXPECT_EQ(shade.srgb, InkColours{}.cavity) << name;
+  EXPECT_EQ(find(infant, "tooth_strip").palette[0].srgb, InkColours{}.flesh);
 }
 
 // Shade in the dark would be a stain, and light on the lids' edge a chip beside a far eye: over 1 the

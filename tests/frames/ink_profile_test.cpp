@@ -363,8 +363,8 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
 }
 
-// Of the blush on the side of the shade: how much is lit.
-TEST(ink_profile, the_shade_goes_round_a_blush_that_is_seen_from_below) {
+// Its edge would cut the blush on the side of the shade, or leave a lobe of light about it.
+TEST(ink_profile, from_below_cheeks_are_lit_and_what_looks_down_is_not) {
   constexpr float kShade = 0.12f;  // cosine at the border of the two tones
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.55, 0.55, 0.63));
   const Pose laugh =
@@ -372,13 +372,84 @@ TEST(ink_profile, the_shade_goes_round_a_blush_that_is_seen_from_below) {
   for (const Subject* subject : {&child(), &infant()}) {
     const Drawing drawing = draw(*subject, laugh, TurnKey{}, {{0, -450, 780}, to_light, 1});
     const PartShape& skin = drawing.parts.front();
+    const auto is_lit = [&](std::size_t v) {
+      return glm::dot(skin.normals[v], glm::vec3(to_light)) > kShade;
+    };
     glm::ivec2 lit(0);  // and all
-    for (std::size_t v = 0; v < subject->ink.flushed.size(); ++v)
-      if (subject->ink.flushed[v] > 0.9f && skin.positions[v].x > 0)
-        lit += glm::ivec2(glm::dot(skin.normals[v], glm::vec3(to_light)) > kShade, 1);
+    for (std::size_t v = 0; v < subject->ink.flush_places.size(); ++v)
+      if (subject->ink.flush_places[v].z > 0.9f && skin.positions[v].x > 0) lit += glm::ivec2(is_lit(v), 1);
     EXPECT_GT(lit.x, 0.9f * static_cast<float>(lit.y)) << lit.x << " of " << lit.y;
     EXPECT_GT(lit.y, 20);
+    EXPECT_FALSE(is_lit(find_point(subject->figure.head.cage, "m12_D3")));
   }
+}
+
+// A cheek that laughs would stand before half of it, and the wedge of the mouth would square it.
+TEST(ink_profile, a_blush_is_as_round_in_a_laugh_as_at_rest) {
+  const auto measure = [](const Subject& subject, const Pose& pose) {
+    const Drawing drawing = draw(subject, pose, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    glm::vec3 low(1e9f), high(-1e9f);
+    for (std::size_t v = 0; v < subject.ink.flush_places.size(); ++v) {
+      if (subject.ink.flush_places[v].z < 0.999f || p[v].x < 0) continue;
+      low = glm::min(low, p[v]);
+      high = glm::max(high, p[v]);
+    }
+    return high - low;
+  };
+  const Pose laugh = make_pose(
+      {{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}, {"lips.upper", 0.5}});
+  for (const Subject* subject : {&child(), &infant()}) {
+    const glm::vec3 rest = measure(*subject, {}), laughing = measure(*subject, laugh);
+    EXPECT_NEAR(laughing.y / rest.y, 1, 0.05);
+    EXPECT_NEAR(laughing.z / rest.z, 1, 0.05);
+    EXPECT_GT(rest.z, 1.2f * rest.y);
+  }
+}
+
+// Skin that goes back with a blush would lie behind the ball.
+TEST(ink_profile, no_ball_comes_through_the_cheek_below_an_eye_that_laughs) {
+  const Pose laugh = make_pose(
+      {{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}, {"lips.upper", 0.5}});
+  for (const Subject* subject : {&child(), &infant()}) {
+    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    const std::vector<glm::vec3>& white = drawing.parts[subject->ink.whites[0]].positions;
+    ASSERT_FALSE(white.empty());
+    std::size_t covered = 0, through = 0;
+    for (const Triangle& t : subject->figure.folds.skin.triangles) {
+      if (subject->ink.flush_places[t[0]].z == 0 || p[t[0]].x < 0) continue;
+      const auto turn = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& at) {
+        return (b.z - a.z) * (at.y - a.y) - (b.y - a.y) * (at.z - a.z);
+      };
+      const glm::vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
+      for (const glm::vec3& ball : white) {
+        const float u = turn(b, c, ball), v = turn(c, a, ball), w = turn(a, b, ball), all = u + v + w;
+        if (std::min({u * all, v * all, w * all}) <= 0) continue;
+        ++covered;
+        through += ball.x > (u * a.x + v * b.x + w * c.x) / all ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(through, 0U) << "of " << covered;
+    EXPECT_GT(covered, 10U);
+  }
+}
+
+// A caret between the eyes.
+TEST(ink_profile, a_button_of_a_nose_has_no_outline_from_below) {
+  const InkView below{{0, -500, 800}, {0, 0.6, 0.8}, 1};
+  EXPECT_LT(measure_outline_mm(infant(), "p_tip", 8, below), 0.05);
+  EXPECT_GT(measure_outline_mm(comic(), "p_tip", 8, below), 0.3);
+}
+
+// The nose would cast a chip beside its nostril.
+TEST(ink_profile, what_casts_lies_as_deep_from_below_as_in_profile) {
+  const auto measure_mm = [](const glm::dvec3& camera_mm) {
+    const Drawing drawing = draw(comic(), Pose{}, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const std::uint32_t v = find_point(comic().figure.head.cage, "q12_C4");
+    return glm::distance(drawing.parts[comic().ink.caster].positions[v], drawing.parts.front().positions[v]);
+  };
+  EXPECT_GT(measure_mm({0, -500, 800}), measure_mm(kBefore_mm) + 1);
 }
 
 // Its ends would turn up beside the chin, as those of a moustache.
