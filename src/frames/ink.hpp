@@ -50,6 +50,7 @@ struct Ink {
   // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
   std::vector<float> cheek, lower_cheek;
   std::vector<glm::vec3> flush_places;         // of them: where in the blush they lie, see InkRegions
+  float flush = 0;                             // how red that is, 0..1
   std::size_t teeth = 0, gum = 0, tongue = 0;  // in `model`; the upper teeth and their gum
   std::array<std::size_t, 2> lower{};          // in `model`: the lower teeth and their gum
   std::vector<std::size_t> bones;              // in `model`: all teeth and gums

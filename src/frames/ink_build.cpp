@@ -311,6 +311,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   ink.cheek = std::move(regions.cheek);
   ink.lower_cheek = std::move(regions.lower_cheek);
   ink.flush_places = std::move(regions.flush_places);
+  ink.flush = regions.flush;
   hide_ears(figure, ink);
   clear_ears(figure, ink);
   ink.tone = build_ink_tone(figure);

@@ -215,6 +215,7 @@ InkRegions cut_regions(const Figure& figure, const HeadSpec& spec, const InkColo
   regions.cheek = flush.cheek;
   regions.lower_cheek = flush.lower_cheek;
   regions.flush_places = flush.places;
+  regions.flush = colours.blush ? 1 : std::clamp(static_cast<float>(figure.head.design.blush), 0.0f, 1.0f);
   for (std::size_t v = 0; v < fine.vertex_count(); ++v)
     regions.is_opening.push_back(cutting.fields[kInside][v] + kMouthBorder >= kMouthRim ||
                                  cutting.fields[kHole][v] + kNostrilBorder >= kNostrilRim);

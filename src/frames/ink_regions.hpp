@@ -26,6 +26,7 @@ struct InkRegions {
   // And where in the blush they lie: outward and up from its middle, mm on an adult's head, and how far they
   // keep that place in profile, 0..1.
   std::vector<glm::vec3> flush_places;
+  float flush = 0;  // how red a blush is, 0..1
 };
 
 // Mouth, nostrils, lips, beard, scalp and blush of a figure of FigureUse::ink, whose skin at rest lies at

@@ -116,10 +116,10 @@ std::uint32_t find_sided(const Cage& cage, std::string_view name, float side) {
 // Depths at even steps along a line of a fold, as the widths of its stroke.
 StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength) {
   constexpr double kEnd = 0.02;
-  constexpr double kThread = 0.3;  // thinner ones would be a tick beside the eye in profile
+  constexpr double kThread = 0.3;  // thinner ones would be a tick beside the eye in profile, or scratches
   StrokeRule rule{.name = set.name.c_str(),
                   .points = {},
-                  .is_of_front = set.ink < kThread,
+                  .is_of_front = set.ink < kThread || set.name == "nose",
                   .is_of_level = set.name == "cheek",
                   .widths = {},
                   .lift_mm = 0.35,

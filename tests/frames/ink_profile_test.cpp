@@ -384,6 +384,40 @@ TEST(ink_profile, from_below_cheeks_are_lit_and_what_looks_down_is_not) {
   }
 }
 
+// But a grown face keeps its shade.
+TEST(ink_profile, from_before_a_blush_is_lit) {
+  constexpr float kShade = 0.12f;  // cosine at the border of the two tones
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.55, 0.55, 0.63));
+  const Pose smile = make_pose({{"corner.up", 1}, {"corner.out", 0.6}});
+  const auto find_lit = [&](const Subject& subject, const auto& is_asked) {
+    const Drawing drawing = draw(subject, smile, TurnKey{}, {kBefore_mm, to_light, 1});
+    const PartShape& skin = drawing.parts.front();
+    glm::ivec2 lit(0);  // and all
+    for (std::size_t v = 0; v < subject.ink.folded.size(); ++v)
+      if (is_asked(v, skin.positions))
+        lit += glm::ivec2(glm::dot(skin.normals[v], glm::vec3(to_light)) > kShade, 1);
+    return static_cast<float>(lit.x) / static_cast<float>(lit.y);
+  };
+  for (const Subject* subject : {&child(), &infant()})
+    EXPECT_GT(
+        find_lit(*subject, [&](std::size_t v, const auto&) { return subject->ink.flush_places[v].z > 0.5f; }),
+        0.93f);
+  const std::uint32_t tip = find_point(comic().figure.head.cage, "p_tip");
+  EXPECT_LT(find_lit(comic(), [&](std::size_t v, const auto& p) { return glm::distance(p[v], p[tip]) < 18; }),
+            0.96f);
+}
+
+// Scratches before the eye.
+TEST(ink_profile, the_lines_beside_a_nose_are_of_the_front) {
+  const Pose disgust = make_pose({{"lips.upper", 1}, {"brow.up", -1}});
+  const auto measure_mm = [&](const glm::dvec3& camera_mm) {
+    return measure_width(
+        find_stroke(comic(), draw(comic(), disgust, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "nose"));
+  };
+  EXPECT_GT(measure_mm(kBefore_mm), 0.3);
+  EXPECT_LT(measure_mm(kBeside_mm), 0.05);
+}
+
 // A cheek that laughs would stand before half of it, and the wedge of the mouth would square it.
 TEST(ink_profile, a_blush_is_as_round_in_a_laugh_as_at_rest) {
   const auto measure = [](const Subject& subject, const Pose& pose) {
