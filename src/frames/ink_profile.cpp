@@ -23,7 +23,6 @@ struct DrawnOut {
   float none_aside = 0.2f, whole_aside = 0.7f;  // of aside_mm
   float whole_high = 1.5f, none_high = 2.6f;    // of high_mm
   float none_lower = 1, most_lower_mm = 0;      // of high_mm; what is farther off goes no farther
-  float none_lower_above = 1;                   // or a blush would have a flat edge
   float none_deep = 3.5f;                       // of deep_mm: the head's back stays
 };
 
@@ -38,8 +37,7 @@ void draw_out(const DrawnOut& out, glm::vec3& p) {
       (1 - smooth_step(1.0f, out.none_deep, behind));
   const float deeper = out.deeper * share * (1 - smooth_step(out.whole_high, out.none_high, high));
   const float above_mm = glm::dot(way, out.up);
-  const float lower =
-      out.lower * share * (1 - smooth_step(0.0f, above_mm > 0 ? out.none_lower_above : out.none_lower, high));
+  const float lower = out.lower * share * (1 - smooth_step(0.0f, out.none_lower, high));
   p -= deeper * out.deep_mm * out.forward +
        lower * std::clamp(above_mm, -out.most_lower_mm, out.most_lower_mm) * out.up;
 }
@@ -73,7 +71,7 @@ DrawnOut measure_eyes(const Ink& ink, const Drawing& drawing) {
 // Of the lips, from their front to their corners, which go farthest: they end in a wedge.
 DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<glm::vec3>& skin) {
   constexpr float kDeeper = 0.7f, kLower = 1, kHeld = 0.6f, kLips_mm = 6, kBeyond_mm = 15,
-                  kBeyondWedge_mm = 12, kBeyondAbove_mm = 1;
+                  kBeyondWedge_mm = 12;
   const glm::vec3 &upper = skin[ink.lips[0]], &lower = skin[ink.lips[1]];
   const glm::vec3 &left = skin[ink.corners[0]], &right = skin[ink.corners[1]];
   DrawnOut mouth{
@@ -88,7 +86,6 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
   mouth.whole_aside = 0.8f;
   mouth.whole_high = 0;
   mouth.none_lower = 1 + kBeyondWedge_mm * ink.eye_size / mouth.high_mm;
-  mouth.none_lower_above = 1 + kBeyondAbove_mm * ink.eye_size / mouth.high_mm;
   mouth.none_high = 1 + kBeyond_mm * ink.eye_size / mouth.high_mm;
   return mouth;
 }

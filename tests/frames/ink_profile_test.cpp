@@ -296,41 +296,23 @@ TEST(ink_profile, the_thin_line_below_an_old_eye_is_of_the_front) {
   EXPECT_LT(measure(kBeside_mm), 0.05);
 }
 
-// A cheek's pad that stands before the half of its blush would cut it: it pales toward the nose as it does
-// toward the ear.
+// A cheek's pad would stand before the half of its blush.
 TEST(ink_profile, the_blush_of_a_laugh_is_seen_whole) {
-  constexpr std::size_t kSteps = 10, kRed = 7;  // of the blush, before the plain skin in its palette
   const Pose laugh = make_pose(
       {{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}, {"lips.upper", 0.5}});
   for (const Subject* subject : {&child(), &infant()}) {
-    const Part& skin = subject->ink.model.parts.front();
-    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
-    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
-    const std::vector<glm::vec3> faced =
-        draw(*subject, laugh, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1}).parts.front().positions;
-    float back = 1e9f, front = -1e9f, red_back = 1e9f, red_front = -1e9f;
-    float low = 1e9f, red_low = 1e9f, low_before = 1e9f, red_low_before = 1e9f;
-    for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
-      const std::size_t from_last = skin.palette.size() - 1 - skin.triangle_shade[i];
-      if (from_last < 1 || from_last > kSteps) continue;
-      for (int k = 0; k < 3; ++k) {
-        const glm::vec3& at = p[skin.rest.triangles[i][k]];
-        if (at.x < 0) continue;
-        const float before = faced[skin.rest.triangles[i][k]].y;
-        low = std::min(low, at.y);
-        low_before = std::min(low_before, before);
-        back = std::min(back, at.z);
-        front = std::max(front, at.z);
-        if (from_last < kRed) continue;
-        red_low = std::min(red_low, at.y);
-        red_low_before = std::min(red_low_before, before);
-        red_back = std::min(red_back, at.z);
-        red_front = std::max(red_front, at.z);
+    const auto find_depth_mm = [&](const glm::dvec3& camera_mm) {
+      const Drawing drawing = draw(*subject, laugh, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+      const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+      float sum_mm = 0, count = 0;
+      for (std::size_t v = 0; v < subject->ink.flush_places.size(); ++v) {
+        if (subject->ink.flush_places[v].z < 0.999f || p[v].x < 0) continue;
+        sum_mm += p[v].z;
+        ++count;
       }
-    }
-    EXPECT_GT(front - red_front, 0.5f * (red_back - back));
-    // Nor is its lower edge flat, where the mouth is drawn to a wedge.
-    EXPECT_GT(red_low - low, 0.5f * (red_low_before - low_before));
+      return sum_mm / count;
+    };
+    EXPECT_LT(find_depth_mm(kBeside_mm), find_depth_mm(kBefore_mm) - 6 * subject->ink.eye_size);
   }
 }
 
@@ -369,15 +351,17 @@ TEST(ink_profile, from_below_cheeks_are_lit_and_what_looks_down_is_not) {
   const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.55, 0.55, 0.63));
   const Pose laugh =
       make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}});
-  for (const Subject* subject : {&child(), &infant()}) {
+  for (const Subject* subject : {&child(), &infant(), &comic()}) {
     const Drawing drawing = draw(*subject, laugh, TurnKey{}, {{0, -450, 780}, to_light, 1});
     const PartShape& skin = drawing.parts.front();
     const auto is_lit = [&](std::size_t v) {
       return glm::dot(skin.normals[v], glm::vec3(to_light)) > kShade;
     };
+    const glm::vec3 cheek = skin.positions[find_point(subject->figure.head.cage, "q12_C4")];
     glm::ivec2 lit(0);  // and all
-    for (std::size_t v = 0; v < subject->ink.flush_places.size(); ++v)
-      if (subject->ink.flush_places[v].z > 0.9f && skin.positions[v].x > 0) lit += glm::ivec2(is_lit(v), 1);
+    for (std::size_t v = 0; v < subject->ink.folded.size(); ++v)
+      if (glm::distance(skin.positions[v], cheek) < 22 * subject->ink.eye_size)
+        lit += glm::ivec2(is_lit(v), 1);
     EXPECT_GT(lit.x, 0.9f * static_cast<float>(lit.y)) << lit.x << " of " << lit.y;
     EXPECT_GT(lit.y, 20);
     EXPECT_FALSE(is_lit(find_point(subject->figure.head.cage, "m12_N1")));
