@@ -83,9 +83,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const InkMouth mouth = measure_mouth(ink, skin.positions);
   const float parted = mouth.parted;
   widen_features(ink, beside, parted, drawing);
-  round_far_corner(ink, sight, mouth, drawing);
+  round_far_corner(ink, pose, sight, mouth, drawing);
   lift_corners(ink, pose, sight, drawing);
-  flatten_cheeks(ink, sight, drawing);
+  flatten_cheeks(ink, pose, sight, drawing);
   buffers.soft = skin.normals;
   soften(ink, kHullRounds, buffers.soft, buffers.turn);
   make_unit(buffers.soft);

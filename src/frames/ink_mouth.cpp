@@ -231,19 +231,22 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
   return {gap_mm, smooth_step(kMet_mm, kParted_mm, gap_mm), 1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm)};
 }
 
-void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing) {
+void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
+                      Drawing& drawing) {
   constexpr float kFront = 0.25f, kQuarter = 0.5f;  // sines of the camera's way round the head
   constexpr float kWide = 1.3f, kWider = 2;         // the mouth against how far its lower lip hangs
   constexpr float kRound = 0.7f, kLow = 0.35f;      // of what hangs: so far below the corners the lips meet
   constexpr float kForth = 0.6f;                    // of how far the corner lies behind the lips
   constexpr float kRoundNear = 0.66f, kRoundFar = 0.77f;  // a round mouth's would stand before the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
+  constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
   if (turned == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const MouthFrame frame = measure_frame(ink, drawing);
-  const glm::vec3 corner = skin[ink.corners[sight.aside > 0 ? 1 : 0]];
+  const std::size_t far = sight.aside > 0 ? 1 : 0;
+  const glm::vec3 corner = skin[ink.corners[far]];
   const glm::vec3 aside = glm::normalize(corner - frame.middle);
   const float hangs_mm = glm::dot(corner - skin[ink.lips[1]], frame.up);
   const float wide = hangs_mm > 0 ? smooth_step(kWide, kWider, 2 * frame.half_mm / hangs_mm) : 0,
@@ -251,6 +254,7 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
   const float most_mm = kLow * std::max(hangs_mm, 0.0f), meeting_mm = glm::dot(corner, frame.up) - most_mm;
   const float stays = (1 - wide) * smooth_step(kRoundNear, kRoundFar, std::abs(sight.aside));
   const float forth_mm = kForth * turned * (1 - stays) * glm::dot(frame.lips - corner, frame.forward);
+  const float nick_mm = kNickForth_mm * turned * (1 - find_smile(pose, far)) * ink.eye_size;
   for (glm::vec3& p : skin) {
     if (glm::dot(p - frame.middle, aside) <= 0) continue;
     const float near = find_nearness(frame, p);
@@ -258,7 +262,9 @@ void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mou
     const float high_mm = glm::dot(p, frame.up) - meeting_mm, off_mm = glm::dot(p - frame.lips, frame.up);
     const float together = share * near * fade_out(high_mm, most_mm, kFade_mm * ink.eye_size),
                 forth = near * fade_out(off_mm, frame.high_mm, kForthFade_mm * ink.eye_size);
-    p += forth * forth_mm * frame.forward - together * std::clamp(high_mm, -most_mm, most_mm) * frame.up;
+    const float nick = 1 - smooth_step(0.0f, kNick_mm * ink.eye_size, glm::distance(p, corner));
+    p += (forth * forth_mm + nick * nick_mm) * frame.forward -
+         together * std::clamp(high_mm, -most_mm, most_mm) * frame.up;
   }
 }
 
@@ -271,12 +277,10 @@ void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawi
   const MouthFrame frame = measure_frame(ink, drawing);
   std::array<float, 2> lifts_mm{};
   for (const std::size_t side : {0, 1}) {
-    const auto smile =
-        static_cast<float>(pose.values[*find_move(Area::corner, side == 0 ? Side::left : Side::right, "up")]);
+    const float smile = find_smile(pose, side);
     const float behind_mm =
         glm::dot(frame.lips - drawing.parts.front().positions[ink.corners[side]], frame.forward);
-    lifts_mm[side] = kLift * std::clamp(smile, 0.0f, 1.0f) * std::max(behind_mm, 0.0f) * below /
-                     std::sqrt(1 - below * below);
+    lifts_mm[side] = kLift * smile * std::max(behind_mm, 0.0f) * below / std::sqrt(1 - below * below);
   }
   for (const std::size_t part : {ink.teeth, ink.gum})
     shift(kRow * 0.5f * (lifts_mm[0] + lifts_mm[1]) * frame.up, drawing.parts[part]);

@@ -15,9 +15,10 @@ struct InkMouth {
 InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin);
 
 // In three-quarter view the far end of an open mouth goes away around the teeth: a wide one would be cut off
-// square, a round one would be a heart. Its corner comes forward, and a wide mouth's lips come together about
-// the middle of its height. A head without a lens stays as it is.
-void round_far_corner(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing);
+// square, a round one would be a heart. Its corner comes forward, most where no smile lifts it, and a wide
+// mouth's lips come together about the middle of its height. A head without a lens stays as it is.
+void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
+                      Drawing& drawing);
 
 // Seen from below, the corners of a smile would hang: they are lifted as far as it takes, and a little more.
 // `pose` is the one that folds are drawn of.

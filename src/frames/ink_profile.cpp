@@ -140,6 +140,12 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawi
           -glm::dot(to_camera, up)};
 }
 
+float find_smile(const Pose& pose, std::size_t side) {
+  const auto up =
+      static_cast<float>(pose.values[*find_move(Area::corner, side == 0 ? Side::left : Side::right, "up")]);
+  return std::clamp(up, 0.0f, 1.0f);
+}
+
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing) {
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
@@ -167,14 +173,21 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
   }
 }
 
-void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing) {
+void flatten_cheeks(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
   constexpr float kBack_mm = 9;
+  constexpr float kQuarter = 0.4f, kHidden = 0.7f,
+                  kRaised = 0.5f;  // sines of the camera's way round the head
   const float below = measure_below(sight);
-  if (below == 0 || !ink.redraw.lens.is_on()) return;
+  const float behind = smooth_step(kQuarter, kHidden, std::abs(sight.aside)) * (1 - sight.beside) *
+                       (1 - kRaised * find_smile(pose, sight.aside > 0 ? 1 : 0));
+  if (std::max(below, behind) == 0 || !ink.redraw.lens.is_on()) return;
+  const std::vector<glm::vec3>& rest = ink.model.parts.front().rest.positions;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const glm::vec3 forward = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[2]));
-  for (std::size_t v = 0; v < skin.size(); ++v)
-    skin[v] -= below * kBack_mm * ink.eye_size * ink.lower_cheek[v] * forward;
+  for (std::size_t v = 0; v < skin.size(); ++v) {
+    const float share = rest[v].x * sight.aside < 0 ? std::max(below, behind) : below;
+    skin[v] -= share * kBack_mm * ink.eye_size * ink.lower_cheek[v] * forward;
+  }
 }
 
 void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,

@@ -12,14 +12,19 @@ struct InkSight {
 };
 InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawing);
 
+// How far a corner of the mouth is lifted, 0..1, on side 0, the left, or 1.
+float find_smile(const Pose& pose, std::size_t side);
+
 // Eyes that are tall ovals would be slits, and open mouths notches: skin and balls about them are drawn out
 // in depth, behind what stands forth of balls and lips, as far as the head is seen from the side, the mouth
 // as far as its lips are `parted`, 0..1. A blush keeps its form. A head without a lens stays as it is: its
 // eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
-// Seen from below, a cheek's pad would cut the blush off: it lies farther back below the middle of that.
-void flatten_cheeks(const Ink& ink, const InkSight& sight, Drawing& drawing);
+// Seen from below, a cheek's pad would cut the blush off: it lies farther back below the middle of that. So
+// does a far cheek of a head that turns away, unless a smile raises it: a sliver of it would stand between
+// nose and lip.
+void flatten_cheeks(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing);
 
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade. Seen

@@ -345,6 +345,24 @@ TEST(ink_profile, cheeks_lie_farther_back_seen_from_below) {
     EXPECT_NEAR(glm::distance(before[find_point(cage, name)], below[find_point(cage, name)]), 0, 0.3) << name;
 }
 
+// A sliver of it would stand between nose and lip.
+TEST(ink_profile, a_far_cheek_lies_farther_back) {
+  const auto draw_at = [](const Pose& pose, const glm::dvec3& camera_mm) {
+    return draw(infant(), pose, TurnKey{}, {camera_mm, {0, 0, 1}, 1}).parts.front().positions;
+  };
+  const auto measure_mm = [&](const Pose& pose, bool is_far) {
+    const std::vector<glm::vec3> before = draw_at(pose, kBefore_mm), turned = draw_at(pose, {-700, 0, 570});
+    float most_mm = 0;
+    for (std::size_t v = 0; v < before.size(); ++v)
+      if ((before[v].x > 0) == is_far && infant().ink.lower_cheek[v] > 0)
+        most_mm = std::max(most_mm, before[v].z - turned[v].z);
+    return most_mm / infant().ink.eye_size;
+  };
+  EXPECT_NEAR(measure_mm({}, true), 9, 1);
+  EXPECT_NEAR(measure_mm(make_pose({{"corner.up", 1}}), true), 4.5, 1.5);
+  EXPECT_LT(measure_mm({}, false), 0.1);
+}
+
 // Its edge would cut the blush on the side of the shade, or leave a lobe of light about it.
 TEST(ink_profile, from_below_cheeks_are_lit_and_what_looks_down_is_not) {
   constexpr float kShade = 0.12f;  // cosine at the border of the two tones
