@@ -163,9 +163,10 @@ std::vector<Shade> list_shades(const Figure& figure, const Look& look, const Ink
   shades[kHaired] = {find_ink_hair(look.hair), 1};  // with the shade of hair
   const glm::vec3 flush =
       colours.blush.value_or(skin * glm::mix(glm::vec3(1), glm::vec3(1, 0.82f, 0.79f), blush));
-  for (int step = 0; step < kFlushSteps; ++step)
-    shades[kFlush + step].srgb =
-        glm::mix(flush, skin, smooth_share(static_cast<float>(step) / static_cast<float>(kFlushSteps)));
+  for (int step = 0; step < kFlushSteps; ++step) {
+    const float paler = smooth_share(static_cast<float>(step) / static_cast<float>(kFlushSteps));
+    shades[kFlush + step] = {glm::mix(flush, skin, paler), paler - 1};
+  }
   return shades;
 }
 

@@ -121,5 +121,17 @@ TEST(ink_parts, no_hair_comes_through_an_ear) {
     }
 }
 
+// In the shade it would be a bruise: under 0 the material makes it paler there.
+TEST(ink_parts, a_blush_is_paler_in_the_shade) {
+  const std::vector<Shade>& palette = build_of_age("child").ink.model.parts.front().palette;
+  const std::size_t plain = palette.size() - 1, reddest = plain - 10;
+  EXPECT_EQ(palette[reddest].gloss, -1);
+  for (std::size_t step = reddest; step < plain; ++step) {
+    EXPECT_LT(palette[step].gloss, palette[step + 1].gloss);
+    EXPECT_LT(palette[step].srgb.g, palette[step + 1].srgb.g);
+  }
+  EXPECT_EQ(palette[plain].gloss, 0);
+}
+
 }  // namespace
 }  // namespace mien
