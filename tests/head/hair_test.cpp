@@ -686,6 +686,28 @@ TEST(beard, grows_on_men_where_beards_grow) {
   }
 }
 
+// Where two of its areas meet, or a light seam would run from the corner of the mouth to the jaw.
+TEST(beard, is_as_dense_between_its_areas_as_in_them) {
+  const std::vector<glm::vec3>& skin = adult().skin.positions;
+  for (const char* name : {"stubble", "short"}) {
+    const std::vector<float> covers = paint_beard(adult(), name);
+    for (const auto& [one, other] : {std::pair{"M6_7", "q12_C7"},
+                                     {"M6_8", "q12_C8"},
+                                     {"M6_9", "q12_C9"},
+                                     {"m8_D1", "q12_D1"},
+                                     {"q11_D1", "q11_D2"},
+                                     {"s1_D1", "s1_D2"},
+                                     {"m10_D1", "m10_D2"}}) {
+      const std::uint32_t a = find_point(adult().cage, one), b = find_point(adult().cage, other);
+      const glm::vec3 between = 0.5f * (skin[a] + skin[b]);
+      const auto nearest =
+          std::ranges::min_element(skin, {}, [&](const glm::vec3& p) { return glm::distance(p, between); });
+      const float cover = covers[static_cast<std::size_t>(nearest - skin.begin())];
+      EXPECT_GT(cover, 0.9f * std::min(covers[a], covers[b])) << name << " " << one << " " << other;
+    }
+  }
+}
+
 TEST(beard, stands_on_the_skin) {
   Look look;
   look.beard = "stubble";
