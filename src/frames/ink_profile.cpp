@@ -93,12 +93,12 @@ DrawnOut measure_mouth(const Ink& ink, const DrawnOut& eyes, const std::vector<g
 // Wherever a cheek goes its blush is as round in profile as at rest. What is between it and the eye comes
 // nearer, or the ball would stand before it.
 void hold_flush(const Ink& ink, float beside, const DrawnOut& eyes, std::vector<glm::vec3>& skin) {
-  constexpr float kSeen = 0.9f, kHigh = 0.8f;  // of how far it reaches outward, along a cheek, and up
+  constexpr float kSeen = 1.1f, kHigh = 1;  // of how far it reaches outward, along a cheek, and up
   constexpr float kWhole = 0.999f, kNearer = 0.5f, kNearer_mm = 4;
   const std::vector<glm::vec3>& rest = ink.model.parts.front().rest.positions;
   const auto find_offset = [&](std::size_t v) {
     const glm::vec3& place = ink.flush_places[v];
-    return ink.eye_size * (kHigh * place.y * eyes.up - kSeen * place.x * eyes.forward);
+    return kHigh * place.y * eyes.up - kSeen * place.x * eyes.forward;
   };
   std::array<glm::vec3, 2> middles{};
   std::array<float, 2> counts{};
@@ -175,8 +175,8 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
 
 void flatten_cheeks(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
   constexpr float kBack_mm = 9;
-  constexpr float kQuarter = 0.4f, kHidden = 0.7f,
-                  kRaised = 0.5f;  // sines of the camera's way round the head
+  constexpr float kQuarter = 0.4f, kHidden = 0.7f;  // sines of the camera's way round the head
+  constexpr float kRaised = 0.5f;                   // of the way stays undone where a smile raises the cheek
   const float below = measure_below(sight);
   const float behind = smooth_step(kQuarter, kHidden, std::abs(sight.aside)) * (1 - sight.beside) *
                        (1 - kRaised * find_smile(pose, sight.aside > 0 ? 1 : 0));

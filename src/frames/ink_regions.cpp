@@ -126,7 +126,8 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
                           glm::dot(arm, out) / kDeep_mm);
     const float red_up = (glm::dot(arm, up) - kOver_mm) / kHigh_mm - kBow * red_along * red_along;
     flush.field.push_back(1 - glm::length(glm::vec3(red_along, red_up, share.z)));
-    flush.places.emplace_back(glm::dot(arm - red_middle, across), glm::dot(arm - red_middle, over),
+    const glm::vec3 place = size * (arm - red_middle);
+    flush.places.emplace_back(glm::dot(place, across), glm::dot(place, over),
                               smooth_step(kHeldNone, kHeldWhole, flush.field.back()));
     flush.cheek.push_back(smooth_step(kInner, kMiddle, share.x) *
                           (1 - smooth_step(kOuter, kBeyond, share.x)) *

@@ -23,8 +23,8 @@ struct InkRegions {
   std::vector<bool> is_opening;  // of the skin's own vertices: in the mouth, in a nostril or at its rim
   // Of them: how far it lies farther back, for the blush to be seen, 0..1: from the side, and from below.
   std::vector<float> cheek, lower_cheek;
-  // And where in the blush they lie: outward and up from its middle, mm on an adult's head, and how far they
-  // keep that place in profile, 0..1.
+  // And where in the blush they lie: outward and up from its middle, mm, and how far they keep that place in
+  // profile, 0..1.
   std::vector<glm::vec3> flush_places;
   float flush = 0;  // how red a blush is, 0..1
 };
