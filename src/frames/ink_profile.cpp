@@ -195,12 +195,14 @@ void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light
   constexpr float kLit = 0.7f, kLitBelow = 0.4f, kLitFaced = 0.08f, kLitFlushed = 0.2f;
   // Heights of unit normals: from before and below, and in profile.
   constexpr float kUnder = -0.7f, kLevel = -0.25f;
+  constexpr float kClear = 0.5f;  // cosine: what is lit as it is
   constexpr float kDown = -0.85f, kMiddle = -0.65f, kLifted = -0.2f;
   const float beside = sight.beside, below = measure_below(sight);
   const float lit = std::max(kLitBelow * below, sight.faced * glm::mix(kLitFaced, kLitFlushed, ink.flush));
   if (lit > 0 && ink.redraw.lens.is_on())
     for (glm::vec3& tone : tones)
-      tone = glm::normalize(glm::mix(tone, to_light, lit * smooth_step(kUnder, kLevel, tone.y)));
+      if (glm::dot(tone, to_light) < kClear)
+        tone = glm::normalize(glm::mix(tone, to_light, lit * smooth_step(kUnder, kLevel, tone.y)));
   if (beside == 0) return;
   for (std::size_t v = 0; v < tones.size(); ++v)
     tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.off_strokes[v])));
