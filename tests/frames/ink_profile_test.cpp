@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -443,32 +444,39 @@ TEST(ink_profile, a_blush_is_as_round_in_a_laugh_as_at_rest) {
   }
 }
 
-// Skin that goes back with a blush would lie behind the ball.
-TEST(ink_profile, no_ball_comes_through_the_cheek_below_an_eye_that_laughs) {
-  const Pose laugh = make_pose(
-      {{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}, {"lips.upper", 0.5}});
-  for (const Subject* subject : {&child(), &infant()}) {
-    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
-    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
-    const std::vector<glm::vec3>& white = drawing.parts[subject->ink.whites[0]].positions;
-    ASSERT_FALSE(white.empty());
-    std::size_t covered = 0, through = 0;
-    for (const Triangle& t : subject->figure.folds.skin.triangles) {
-      if (subject->ink.flush_places[t[0]].z == 0 || p[t[0]].x < 0) continue;
-      const auto turn = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& at) {
-        return (b.z - a.z) * (at.y - a.y) - (b.y - a.y) * (at.z - a.z);
-      };
+// Skin that goes back with a blush would lie behind the ball of the eye.
+TEST(ink_profile, no_ball_comes_through_the_cheek) {
+  const std::array faces{
+      Pose{}, make_pose({{"corner.up", 1}, {"corner.out", 0.9}}),
+      make_pose({{"corner.up", 1}, {"lips.upper", 1}, {"lid.lower", 1}}),
+      make_pose({{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}}),
+      make_pose({{"lips.upper", 1}, {"brow.up", -1}, {"corner.up", -0.6}})};
+  const auto turn = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& at) {
+    return (b.z - a.z) * (at.y - a.y) - (b.y - a.y) * (at.z - a.z);
+  };
+  // Of the points of the ball that a triangle of the cheek stands before or behind: how many it does.
+  const auto count = [&](const Subject& subject, const Pose& face) {
+    const Drawing drawing = draw(subject, face, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3>&p = drawing.parts.front().positions,
+          &ball = drawing.parts[subject.ink.whites[0]].positions;
+    std::array<std::size_t, 2> found{};
+    for (const Triangle& t : subject.figure.folds.skin.triangles) {
       const glm::vec3 &a = p[t[0]], &b = p[t[1]], &c = p[t[2]];
-      for (const glm::vec3& ball : white) {
-        const float u = turn(b, c, ball), v = turn(c, a, ball), w = turn(a, b, ball), all = u + v + w;
-        if (std::min({u * all, v * all, w * all}) <= 0) continue;
-        ++covered;
-        through += ball.x > (u * a.x + v * b.x + w * c.x) / all ? 1 : 0;
+      if (subject.ink.flush_places[t[0]].z == 0 || a.x < 0) continue;
+      for (const glm::vec3& at : ball) {
+        const float u = turn(b, c, at), v = turn(c, a, at), w = turn(a, b, at), all = u + v + w;
+        if (std::min({u * all, v * all, w * all}) > 0)
+          ++found[at.x > (u * a.x + v * b.x + w * c.x) / all ? 1 : 0];
       }
     }
-    EXPECT_EQ(through, 0U) << "of " << covered;
-    EXPECT_GT(covered, 10U);
-  }
+    return found;
+  };
+  for (const Subject* subject : {&child(), &infant()})
+    for (std::size_t face = 0; face < faces.size(); ++face) {
+      const auto [behind, before] = count(*subject, faces[face]);
+      EXPECT_EQ(before, 0U) << face << ": " << behind << " behind";
+      if (face > 0 && face < 4) EXPECT_GT(behind, 10U) << face;
+    }
 }
 
 // A caret between the eyes.
