@@ -475,7 +475,9 @@ TEST(ink_profile, no_ball_comes_through_the_cheek) {
     for (std::size_t face = 0; face < faces.size(); ++face) {
       const auto [behind, before] = count(*subject, faces[face]);
       EXPECT_EQ(before, 0U) << face << ": " << behind << " behind";
-      if (face > 0 && face < 4) EXPECT_GT(behind, 10U) << face;
+      if (face > 0 && face < 4) {
+        EXPECT_GT(behind, 10U) << face;
+      }
     }
 }
 
