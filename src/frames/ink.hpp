@@ -45,8 +45,8 @@ struct Ink {
       sheet_points;             // vertices of the skin that it lies through, upper and lower in turn
   std::size_t mouth_edge = 0;   // in `model`: the line before it
   std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile, or the tongue
-  bool is_toothless = false;
-  std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from, corner to corner
+  bool is_toothless = false;    // as an infant's mouth is drawn
+  std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from or stands on
   // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
   std::vector<float> cheek, lower_cheek;
   std::vector<glm::vec3> flush_places;         // of them: where in the blush they lie, see InkRegions

@@ -105,7 +105,7 @@ Flush paint_flush(const Figure& figure, const std::vector<glm::vec3>& positions)
   constexpr float kWide_mm = 13.5f, kHigh_mm = 8.5f, kDeep_mm = 24;  // half of the patch, on an eye of 16 mm
   constexpr glm::vec3 kAside_mm(15, 4.7f, 0);                        // the middle of the cheek so told
   constexpr float kNearer_mm = 6, kOver_mm = 2;  // the blush: nearer to the nose, where light is whole
-  constexpr float kHeldNone = -0.35f, kHeldWhole = 0.1f;
+  constexpr float kHeldNone = -0.35f, kHeldWhole = 0.1f;  // of the field: about its edge
   constexpr float kRise_deg = 17, kBow = 0.3f;  // its outer end lies higher, as the cheekbone does; it hangs
   const auto size = static_cast<float>(figure.head.eye.radius_mm / 16);
   const glm::vec3 middle = positions[find_point(figure.head.cage, "q12_C4")] + size * kAside_mm;

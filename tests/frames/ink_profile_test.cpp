@@ -317,6 +317,43 @@ TEST(ink_profile, the_blush_of_a_laugh_is_seen_whole) {
   }
 }
 
+// Toward the nose as it does toward the ear.
+TEST(ink_profile, a_blush_pales_on_all_sides) {
+  constexpr std::size_t kSteps = 10, kRed = 7;  // of the blush, before the plain skin in its palette
+  const Pose laugh = make_pose(
+      {{"corner.up", 1}, {"corner.out", 0.9}, {"chin.down", 0.5}, {"lid.lower", 0.95}, {"lips.upper", 0.5}});
+  for (const Subject* subject : {&child(), &infant()}) {
+    const Part& skin = subject->ink.model.parts.front();
+    const Drawing drawing = draw(*subject, laugh, TurnKey{}, {kBeside_mm, {0, 0, 1}, 1});
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    const std::vector<glm::vec3> faced =
+        draw(*subject, laugh, TurnKey{}, {kBefore_mm, {0, 0, 1}, 1}).parts.front().positions;
+    float back = 1e9f, front = -1e9f, red_back = 1e9f, red_front = -1e9f;
+    float low = 1e9f, red_low = 1e9f, low_before = 1e9f, red_low_before = 1e9f;
+    for (std::size_t i = 0; i < skin.rest.triangles.size(); ++i) {
+      const std::size_t from_last = skin.palette.size() - 1 - skin.triangle_shade[i];
+      if (from_last < 1 || from_last > kSteps) continue;
+      for (int k = 0; k < 3; ++k) {
+        const glm::vec3& at = p[skin.rest.triangles[i][k]];
+        if (at.x < 0) continue;
+        const float before = faced[skin.rest.triangles[i][k]].y;
+        low = std::min(low, at.y);
+        low_before = std::min(low_before, before);
+        back = std::min(back, at.z);
+        front = std::max(front, at.z);
+        if (from_last < kRed) continue;
+        red_low = std::min(red_low, at.y);
+        red_low_before = std::min(red_low_before, before);
+        red_back = std::min(red_back, at.z);
+        red_front = std::max(red_front, at.z);
+      }
+    }
+    EXPECT_GT(front - red_front, 0.5f * (red_back - back));
+    // Nor is its lower edge flat, where the mouth is drawn to a wedge.
+    EXPECT_GT(red_low - low, 0.5f * (red_low_before - low_before));
+  }
+}
+
 TEST(ink_profile, an_open_mouth_ends_in_a_wedge) {
   const Pose open = make_pose({{"chin.down", 0.8}, {"corner.up", 0.6}});
   const auto measure_high_mm = [&](const glm::dvec3& camera_mm) {
