@@ -121,7 +121,9 @@ void deform_slots(const Figure& figure, const Surface& surface, const Pose& pose
 }
 
 // Hair of the scalp: it goes with the skull, a fringe that lies over a brow, too.
-bool is_hair(const Part& part) { return part.name == "hair" || part.name == "hair_mass"; }
+bool is_hair(const Part& part) {
+  return part.name == "hair" || part.name == "hair_back" || part.name == "hair_mass";
+}
 
 void move_with_skull(const Mesh& rest, const glm::dmat4& world, PartShape& shape) {
   shape.positions.clear();

@@ -10,9 +10,10 @@
 namespace mien {
 
 // The parts of a cut, bound to the skin (Mount::strands): "hair_mass" (closed, and the only one that throws
-// shadows; none where hair is too short), "hair" (the locks) and "hair_fine" (single hairs). Nothing for
-// "none". Mirror images of each other on both halves where the cut says so. Hair that is drawn has the locks
-// that its cut has in ink, and no "hair_fine". Throws RunError for an unknown cut.
+// shadows; none where hair is too short), "hair" and "hair_back" (the locks before and behind the middle of
+// them all) and "hair_fine" (single hairs). Nothing for "none". Mirror images of each other on both halves
+// where the cut says so. Hair that is drawn has the locks that its cut has in ink, and no "hair_fine". Throws
+// RunError for an unknown cut.
 std::vector<HeadPart> build_hair(const NeutralHead& head, const std::string& cut, const Look& look,
                                  bool is_drawn);
 

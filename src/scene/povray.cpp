@@ -15,6 +15,7 @@
 #include "core/thousandths.hpp"
 #include "scene/plate.hpp"
 #include "scene/povray_stage.hpp"
+#include "scene/surface_look.hpp"
 
 namespace mien {
 
@@ -386,6 +387,7 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
       fail_part(part, "is drawn with another number of vertices");
     const std::string paling = format_number(shape.paling, 2);
     if (paling != "0") text += fmt::format("#declare Paling = {};\n", paling);
+    if (has_strands(part)) text += "light_group { strand_lamps()\n";
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
@@ -396,6 +398,7 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     }
     const bool has_caster = casters && !(*casters)[i].triangles.empty();
     text += fmt::format("surface_of_{}(){} }}\n", part.name, has_caster ? " no_shadow" : "");
+    if (has_strands(part)) text += "global_lights off }\n";
     if (paling != "0") text += "#declare Paling = 0;\n";
     if (has_caster) append_caster(text, (*casters)[i]);
   }

@@ -24,10 +24,9 @@ constexpr std::array kLooks{
     NamedLook{"tress", {0.6f, 1, true}}, NamedLook{"lock", {0.5f, 1, true}},
 };
 
-// Locks and tresses: x across in mm, y from the root, 0, to the tip, 100.
-bool has_strands(const Part& part) { return part.material == "lock" || part.material == "tress"; }
-
 }  // namespace
+
+bool has_strands(const Part& part) { return part.material == "lock" || part.material == "tress"; }
 
 SurfaceLook find_surface_look(const std::string& material) {
   const auto found = std::ranges::find(kLooks, material, &NamedLook::material);

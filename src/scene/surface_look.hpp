@@ -17,6 +17,9 @@ struct SurfaceLook {
 // Of a material's name; one that is not known looks as plain matter does.
 SurfaceLook find_surface_look(const std::string& material);
 
+// Whether it is a lock or a tress of hair: its grain is x across in mm, y from the root, 0, to the tip, 100.
+bool has_strands(const Part& part);
+
 // The linear colour of a vertex, or of a triangle where `shade` is its own; hair is darker at the root.
 glm::vec4 compute_vertex_colour(const Part& part, const SurfaceLook& look, std::size_t vertex,
                                 std::uint16_t shade);

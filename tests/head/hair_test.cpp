@@ -316,13 +316,46 @@ TEST(hair, mirrors_itself_to_the_bit_where_it_is_not_parted) {
     for (const HeadPart& part : build_hair(adult(), name, Look{}, false)) {
       const bool is_even = cut.comb.side_mm == 0 || cut.comb.scalp_mm == 0;  // no groove at a side
       const bool is_mass = part.part.name == "hair_mass" && is_even;
-      const bool is_coil = cut.bun_radius_mm > 0 && part.part.name == "hair";  // a coil turns one way
+      const bool is_coil = cut.bun_radius_mm > 0 && part.part.name != "hair_mass";  // it turns one way
       if ((!cut.is_mirrored && !is_mass) || is_coil) continue;
       ++mirrored;
       EXPECT_EQ(list_places(part.part.rest, 1), list_places(part.part.rest, -1))
           << name << " " << part.part.name;
     }
   EXPECT_GE(mirrored, 10);
+}
+
+TEST(hair, before_its_middle_is_a_part_and_behind_it_another) {
+  std::size_t split = 0;
+  for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
+    const std::vector<HeadPart> parts = build_hair(adult(), name, Look{}, false);
+    const HeadPart *front = find_part(parts, "hair"), *back = find_part(parts, "hair_back");
+    if (cut.locks.count == 0) continue;
+    ASSERT_NE(front, nullptr) << name;
+    ASSERT_NE(back, nullptr) << name;
+    const auto list_middles = [](const HeadPart& part) {
+      std::vector<double> middles;
+      for (const Binding& lock : part.bindings) {
+        double sum = 0;
+        for (std::uint32_t v = 0; v < lock.count; ++v) sum += part.part.rest.positions[lock.first + v].z;
+        middles.push_back(sum / lock.count);
+      }
+      return middles;
+    };
+    const std::vector<double> before = list_middles(*front), behind = list_middles(*back);
+    const double middle = (std::accumulate(before.begin(), before.end(), 0.0) +
+                           std::accumulate(behind.begin(), behind.end(), 0.0)) /
+                          static_cast<double>(before.size() + behind.size());
+    // But for the pieces of a parting, which hang together.
+    std::ptrdiff_t astray = 0;
+    for (const double z : before) astray += z < middle - 0.01 ? 1 : 0;
+    for (const double z : behind) astray += z > middle + 0.01 ? 1 : 0;
+    EXPECT_LE(astray, cut.comb.scalp_mm > 0 ? 40 : 0) << name;
+    EXPECT_GT(before.size(), 40u) << name;
+    EXPECT_GT(behind.size(), 40u) << name;
+    ++split;
+  }
+  EXPECT_GE(split, 8u);
 }
 
 TEST(hair, never_falls_over_the_face) {

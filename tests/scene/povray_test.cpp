@@ -242,6 +242,16 @@ TEST(povray, tells_a_material_how_worn_its_part_is_and_no_other) {
   EXPECT_EQ(text.find("Wear", ends + 20), text.npos);
 }
 
+TEST(povray, strands_have_lamps_of_their_own) {
+  Part skin = build_square("skin", false), locks = build_square("hair", false);
+  locks.material = "lock";
+  const Model model{{locks, skin}};
+  const std::string text = format_frame(model, draw_at_rest(model));
+  EXPECT_THAT(text, HasSubstr("light_group { strand_lamps()\nmesh2 {"));
+  EXPECT_THAT(text, HasSubstr("surface_of_hair() }\nglobal_lights off }\nmesh2 {"));
+  EXPECT_EQ(text.find("light_group"), text.rfind("light_group")) << "skin has the frame's";
+}
+
 TEST(povray, a_stretched_part_pales_where_it_has_blood) {
   Part part = build_square("lips", false);
   part.material = "skin";

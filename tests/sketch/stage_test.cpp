@@ -76,6 +76,39 @@ TEST(sketch_stage, understands_every_light_set_and_background) {
   }
 }
 
+TEST(sketch_stage, lights_strands_by_points_where_the_face_has_cloths) {
+  const std::string prefix = "povray/light_";
+  std::size_t cloths = 0, cards = 0;
+  for (const auto& [path, text] : shipped_stock().templates) {
+    if (!path.starts_with(prefix)) continue;
+    const std::string name = path.substr(prefix.size(), path.size() - prefix.size() - 4);
+    if (name == "ink") continue;
+    std::string start;
+    append_povray_start(start, {{}, {{name, 0.5, 20}}, {}, {}});
+    const RenderSpec render;
+    const std::string include = build_povray_stage("", render, shipped_stock().templates, {{name}, {}});
+    const auto build = [&](const std::string& frame) {
+      return build_sketch_stage(include, frame, render.width_px, render.height_px);
+    };
+    const SketchStage face = build(start), both = build(start + "strand_lamps()\n"),
+                      again = build(start + "strand_lamps()\nframe_lights(Lights_turn)\n");
+    const std::size_t count = face.lamps.size();
+    ASSERT_EQ(both.lamps.size(), 2 * count) << name;
+    EXPECT_EQ(both.cards.size(), face.cards.size()) << name;
+    EXPECT_EQ(again.cards.size(), 2 * face.cards.size()) << name << ": only strands have none";
+    for (std::size_t i = 0; i < count; ++i) {
+      EXPECT_EQ(both.lamps[count + i].at, face.lamps[i].at) << name;
+      EXPECT_EQ(both.lamps[count + i].colour, face.lamps[i].colour) << name;
+      EXPECT_EQ(both.lamps[count + i].has_shadow, face.lamps[i].has_shadow) << name;
+      EXPECT_EQ(both.lamps[count + i].side, glm::vec3(0)) << name;
+      cloths += face.lamps[i].side != glm::vec3(0) ? 1 : 0;
+    }
+    cards += face.cards.size();
+  }
+  EXPECT_GE(cloths, 5u);
+  EXPECT_GE(cards, 5u);
+}
+
 TEST(sketch_stage, mixes_lights_and_backgrounds_by_their_shares) {
   const std::vector<BackgroundShare> grounds{{"", glm::vec3(1, 0, 0), 0.25}, {"", glm::vec3(0, 1, 0), 0.75}};
   const SketchStage stage = build_stage({}, {}, {}, {}, grounds);
