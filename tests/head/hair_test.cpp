@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <functional>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -351,6 +352,15 @@ TEST(hair, before_its_middle_is_a_part_and_behind_it_another) {
     for (const double z : before) astray += z < middle - 0.01 ? 1 : 0;
     for (const double z : behind) astray += z > middle + 0.01 ? 1 : 0;
     EXPECT_LE(astray, cut.comb.scalp_mm > 0 ? 40 : 0) << name;
+    for (const HeadPart* part : {front, back}) {
+      std::vector<bool> is_used(part->part.rest.positions.size(), false);
+      for (const Triangle& triangle : part->part.rest.triangles)
+        for (const std::uint32_t v : triangle) {
+          ASSERT_LT(v, is_used.size()) << name;
+          is_used[v] = true;
+        }
+      EXPECT_TRUE(std::ranges::all_of(is_used, std::identity{})) << name << " " << part->part.name;
+    }
     EXPECT_GT(before.size(), 40u) << name;
     EXPECT_GT(behind.size(), 40u) << name;
     ++split;
