@@ -138,7 +138,7 @@ HeadPart build_locks(const NeutralHead& head, const HairScene& scene, const Look
   append_locks(locks, scene);
   if (scene.cut.comb.scalp_mm > 0) {
     // Of the skin, in the shade of the hair on both sides of it.
-    locks.part.palette.push_back({glm::mix(look.skin, colour, 0.72f), 0});
+    locks.part.palette.push_back({glm::mix(look.skin, colour, 0.86f), 0});
     append_part_line(locks, scene);
   }
   if (scene.cut.tail.radius_mm > 0) append_tail(locks, scene);

@@ -42,7 +42,7 @@ double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t famil
   constexpr double kFamily = 0.5;
   const double own = scatter(kSeries, index, kTone);
   const double tone = index == family ? own : std::lerp(own, scatter(kSeries, family, kTone), kFamily);
-  return 0.15 + 0.5 * layer + 0.5 * (tone - 0.5) * (0.4 + 0.6 * layer);
+  return 0.15 + 0.5 * layer + 0.35 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
 double compute_tail_radius(double s) {
@@ -67,8 +67,8 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
                  double shade, std::uint32_t index, const LockForm& form) {
   constexpr double kFan_deg = 26;  // more and neighbours look like rods, less and the mass like a sheet
   constexpr double kGround =
-      0.5;  // of the head's own roundness: none and every lock shines by itself, all and none does
-  constexpr double kRoll_deg = 22;  // about its own way, or all lie in one plane
+      0.75;  // of the head's own roundness: none and every lock shines by itself, all and none does
+  constexpr double kRoll_deg = 12;  // about its own way, or all lie in one plane
   const double fan = kFan_deg * kPi / 180,
                roll = kRoll_deg * kPi / 180 * (2 * scatter(kSeries, index, kRoll) - 1);
   Mesh& mesh = part.part.rest;
@@ -114,16 +114,18 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr double kAtFace = 0.24;
   constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
   constexpr double kFaceAway = 0.35;   // more, and all of it is swept behind the ears
-  constexpr LockForm kAboutFace{0.3, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
+  constexpr LockForm kAboutFace{0.55, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
       kAtPartLine{0.5, 18, 0.04};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
   // Over an open forehead they begin at its border, or it is a bare edge.
   constexpr double kAtFront = 0.2;
   const bool is_open = cut.locks.from_part > 0 && sample_border(scene.hangs, 0) == 0;
   const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
-  // And beside their part, where few of the others begin: it would be a bare strip too.
-  constexpr double kAtPart = 0.3;
-  const int at_part = is_open ? static_cast<int>(kAtPart * cut.locks.count) : 0;
+  // And beside their part, where few of the others begin: it would be a bare strip too. Short hair lies down
+  // at once there.
+  constexpr double kAtPart = 0.3, kAtShortPart = 0.07;
+  const double share_at_part = is_open ? kAtPart : cut.comb.scalp_mm > 0 ? kAtShortPart : 0;
+  const int at_part = static_cast<int>(share_at_part * cut.locks.count);
   std::vector<HairPlace> roots = spread_roots(scene, cut.locks.count - at_face - at_front - at_part,
                                               cut.locks.root_band, cut.is_mirrored);
   const std::size_t first_at_part = roots.size();
@@ -137,6 +139,9 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
+  HairScene at_short_part = scene;
+  at_short_part.cut.locks.risen = 0.08;
+  at_short_part.cut.locks.rise_mm = 4;
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   const std::vector<HairStrand> families = grow_families(scene);
@@ -147,10 +152,13 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     const bool is_about_face = index >= first_at_face && !is_over_forehead;
     const bool is_at_part = index >= first_at_part && index < first_at_face;
     const bool is_long = index < first_at_part && scatter(kSeries, index, kBegin) < cut.locks.from_part;
+    // They come through those that lie over them here and there: all at once, and there is a row of ends.
+    about_face.cut.locks.rise_mm = kFaceRise_mm * (0.5 + 1.2 * scatter(kSeries, index, kReach));
     HairStrand strand =
-        grow_strand(is_about_face      ? about_face
-                    : is_over_forehead ? over_forehead
-                                       : scene,
+        grow_strand(is_about_face            ? about_face
+                    : is_over_forehead       ? over_forehead
+                    : is_at_part && !is_open ? at_short_part
+                                             : scene,
                     is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
     if (strand.points.empty()) continue;
     if (middle != nullptr) fall_in(scene, *middle, strand);

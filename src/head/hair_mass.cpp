@@ -59,6 +59,17 @@ glm::dvec2 compute_mass_grain(const HairScene& scene, const HairPlace& place) {
   return {flow.across_mm, 100 * std::min(1.0, flow.along_mm / (kWhole_mm * scene.chart.size))};
 }
 
+// The grain where the mass hangs free, `share` 1, and ends after so many mm: over the last of them it ends
+// strand by strand (materials.inc), and nowhere else. Rows are farther apart than that, so the one before the
+// last lies as far below that grain as it is away.
+glm::dvec2 end_in_strands(glm::dvec2 grain, double left_mm, double share) {
+  constexpr double kHem_mm = 20, kWhole = 84, kLeast = 30;
+  grain.y = std::min(grain.y, kWhole);
+  const double near = 100 - (100 - kWhole) * left_mm / kHem_mm;
+  if (near > kLeast) grain.y = std::lerp(grain.y, near, share);
+  return grain;
+}
+
 void append_vertex(HeadPart& part, const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
                    const glm::dvec2& grain) {
   const auto index = static_cast<std::uint32_t>(part.part.rest.positions.size());
@@ -103,7 +114,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
     // A fringe's tips are locks alone: the mass would stand over the brows as a roof.
-    constexpr double kFringe_mm = 9, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
+    constexpr double kFringe_mm = 1, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
     const double inset_mm =
         std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below)) +
         (cut.locks.from_part > 0 ? kFringe_mm : 0) * smooth_step(kHigh, 2 * kHigh, below) *
@@ -163,11 +174,18 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       outer[other].push_back(distance);
       points[other].push_back(mirror(points[at].back()));
     }
+  const auto compute_grain = [&](int column, int row, int rows, glm::dvec2 grain) {
+    const auto at = static_cast<std::size_t>(column);
+    const double left_mm = shell.border[at] * (1 - static_cast<double>(row) / rows) * chart.drop_mm;
+    return end_in_strands(grain, left_mm, smooth_step(0.05, 0.4, shell.hangs[at]));
+  };
   for (int column = 0; column < kColumns; ++column)
-    for (int row = 1; row <= kRows; ++row)
-      append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kRows),
+    for (int row = 1; row <= kRows; ++row) {
+      const HairPlace place = find_place(shell, column, static_cast<double>(row) / kRows);
+      append_vertex(part, scene, place,
                     points[static_cast<std::size_t>(column)][static_cast<std::size_t>(row - 1)],
-                    compute_mass_grain(scene, find_place(shell, column, static_cast<double>(row) / kRows)));
+                    compute_grain(column, row, kRows, compute_mass_grain(scene, place)));
+    }
   const auto first_inner = static_cast<std::uint32_t>(part.part.rest.positions.size());
   constexpr double kSunk_mm = 3.5;  // the inside lies so deep in the skin: no light comes through a gap
   const double inner_top_mm = compute_ground_mm(scene, {0, 0}) - kSunk_mm;
@@ -184,7 +202,8 @@ void append_shell(HeadPart& part, const HairScene& scene) {
                                   outer[static_cast<std::size_t>(kColumns - 1 - left)][at]);
       const glm::dvec3 p = compute_hair_point(chart, place, std::min(out - 0.5, std::max(skin, out - sheet)));
       append_vertex(part, scene, find_place(shell, column, static_cast<double>(row) / kInnerRows),
-                    left == column ? p : mirror(p), {4.0 * column, 100.0 * row / kInnerRows});
+                    left == column ? p : mirror(p),
+                    compute_grain(column, row, kInnerRows, {4.0 * column, 100.0 * row / kInnerRows}));
     }
   sew_shell(part.part.rest.triangles, {first_outer, kRows}, {first_inner, kInnerRows}, kColumns);
 }
