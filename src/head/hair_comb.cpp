@@ -79,7 +79,7 @@ double compute_part_distance_mm(const HairScene& scene, const HairPlace& place) 
 }
 
 double compute_part_depth(const HairScene& scene, const HairPlace& place) {
-  constexpr double kWide_mm = 16, kShallowest = 0.6;  // to either side; of the thickness, in the part itself
+  constexpr double kWide_mm = 16, kShallowest = 0.8;  // to either side; of the thickness, in the part itself
   if (scene.cut.comb.scalp_mm <= 0) return 1;
   return std::lerp(kShallowest, 1.0,
                    smooth_step(0, kWide_mm * scene.chart.size, compute_part_distance_mm(scene, place)));

@@ -63,7 +63,7 @@ glm::dvec2 compute_mass_grain(const HairScene& scene, const HairPlace& place) {
 // strand by strand (materials.inc), and nowhere else. Rows are farther apart than that, so the one before the
 // last lies as far below that grain as it is away.
 glm::dvec2 end_in_strands(glm::dvec2 grain, double left_mm, double share) {
-  constexpr double kHem_mm = 20, kWhole = 84, kLeast = 30;
+  constexpr double kHem_mm = 13, kWhole = 84, kLeast = 30;
   grain.y = std::min(grain.y, kWhole);
   const double near = 100 - (100 - kWhole) * left_mm / kHem_mm;
   if (near > kLeast) grain.y = std::lerp(grain.y, near, share);
@@ -256,7 +256,14 @@ void append_knot(HeadPart& part, const HairScene& scene) {
 
 double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
   const HairCut& cut = scene.cut;
-  double height = cut.mass * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
+  // Locks come up beside the part, not in it: it would be a notch in the outline.
+  constexpr double kAtPart = 0.85, kWide_mm = 15;
+  const double from_part =
+      smooth_step(0, kWide_mm * scene.chart.size, compute_part_distance_mm(scene, place));
+  const double share = cut.covers_ears && !cut.is_drawn
+                           ? std::lerp(std::max(cut.mass, kAtPart), cut.mass, from_part)
+                           : cut.mass;
+  double height = share * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
   if (cut.locks.wave_mm > 0)
     height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
               (1 + std::cos(2 * kPi * compute_wave(scene, place)));

@@ -118,9 +118,9 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   // Till there it comes out of the skin.
   const double risen = std::max(locks.risen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
   // Over the mass, which hides what is deeper.
-  constexpr double kSpread = 0.7;  // more, and those on top stand off by themselves, as wires
+  const double spread = cut.is_drawn ? 1 : 0.7;  // more, and those on top stand off by themselves, as wires
   const double deepest = locks.deepest * cut.mass,
-               lift = deepest + kSpread * (1 - deepest) * strand.layer * strand.layer;
+               lift = deepest + spread * (1 - deepest) * strand.layer * strand.layer;
   const int rings = count_rings(scene, strand.length_mm);
   // What hangs bends over the crown, and then falls straight: rings lie closer there.
   constexpr double kCloser = 1.5;
