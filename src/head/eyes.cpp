@@ -117,7 +117,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
 // collarette), the plain colour, a dark limbal ring.
 glm::vec3 compute_iris_colour(const glm::vec3& iris, double share) {
   static const std::vector<double> at{0, 0.05, 0.16, 0.27, 0.40, 0.68, 0.82, 0.92, 1.0};
-  static const std::vector<double> brightness{0.22, 0.62, 0.98, 1.22, 1.06, 1.02, 0.80, 0.42, 0.22};
+  static const std::vector<double> brightness{0.22, 0.62, 0.96, 1.16, 1.02, 0.98, 0.80, 0.52, 0.34};
   const float grey = glm::dot(iris, glm::vec3(0.30f, 0.59f, 0.11f));
   const glm::vec3 warm = glm::vec3(1.25f, 0.95f, 0.58f) * (0.85f * grey + 0.06f);
   const auto warmth = static_cast<float>(0.6 * (1 - smooth_step(0.10, 0.36, share)));
@@ -130,7 +130,7 @@ std::vector<Shade> make_iris_palette(const glm::vec3& iris) {
   std::vector<Shade> palette;
   for (int row = 0; row < kIrisRows; ++row)
     for (int level = 0; level < kIrisLevels; ++level) {
-      const float fibre = 0.62f + 0.76f * static_cast<float>(level) / (kIrisLevels - 1);
+      const float fibre = 0.70f + 0.60f * static_cast<float>(level) / (kIrisLevels - 1);
       const glm::vec3 colour = compute_iris_colour(iris, static_cast<double>(row) / (kIrisRows - 1));
       palette.push_back({glm::clamp(colour * fibre, 0.0f, 1.0f), 0.15f});
     }
