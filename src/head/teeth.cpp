@@ -119,9 +119,9 @@ std::uint16_t compute_tooth_shade(const ToothShape& shape, double height, double
   const Tooth& tooth = shape.tooth;
   const auto up = std::lround(std::clamp(height, 0.0, 1.0) * (kHeightShades - 1));
   // The lower row lies in the shade of the cheek and the upper one: bright, its sides look like broken ones.
-  const double dark = shape.row.sign < 0 ? 0.8 : 0.95;
+  const double dark = shape.row.sign < 0 ? 0.62 : 0.95;
   // Its tables are seen from above, and are lit from there.
-  const double turned = shape.row.sign < 0 ? std::lerp(0.2, 1.0, smooth_step(0, 0.35, height)) : 1;
+  const double turned = shape.row.sign < 0 ? std::lerp(0.65, 1.0, smooth_step(0, 0.35, height)) : 1;
   const double far = std::max(smooth_step(0.12, dark, tooth.share), kBehind * turned * behind);
   const auto depth = std::lround(far * (kDepthShades - 1));
   const auto gap = std::lround(smooth_step(0.8, 1.0, std::abs(across)) * (kGapShades - 1));
