@@ -231,6 +231,29 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
   return {gap_mm, smooth_step(kMet_mm, kParted_mm, gap_mm), 1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm)};
 }
 
+namespace {
+
+// Lips that go straight from the middle to the corners are a kite, once the head is turned: they bow out as
+// an ellipse does, by `share` of the way there.
+void bow_lips(const MouthFrame& frame, float share, float fade_mm, std::vector<glm::vec3>& skin) {
+  constexpr float kDeep = 0.9f, kReach_mm = 3, kSoft = 0.4f;  // the first of half the mouth's width
+  for (glm::vec3& p : skin) {
+    const glm::vec3 off = p - frame.middle;
+    const float out = std::abs(glm::dot(off, frame.aside)) / frame.half_mm,
+                deep = -glm::dot(off, frame.forward) / frame.half_mm;
+    if (out >= 1 || deep >= kDeep) continue;
+    const float straight_mm = frame.high_mm * (1 - out);
+    const float bow_mm =
+        (frame.high_mm * std::sqrt(1 - out * out) - straight_mm) * smooth_step(0.1f, 0.75f, out);
+    const float off_mm = glm::dot(p - frame.lips, frame.up);
+    const float side = std::clamp(off_mm / (kSoft * straight_mm + 0.1f), -1.0f, 1.0f);
+    p += share * bow_mm * side * fade_out(off_mm, straight_mm + kReach_mm, fade_mm) *
+         (1 - smooth_step(0.5f * kDeep, kDeep, deep)) * frame.up;
+  }
+}
+
+}  // namespace
+
 void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
                       Drawing& drawing) {
   constexpr float kFront = 0.25f, kQuarter = 0.5f;  // sines of the camera's way round the head
@@ -239,6 +262,8 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   constexpr float kForth = 0.6f;                    // of how far the corner lies behind the lips
   constexpr float kRoundNear = 0.66f, kRoundFar = 0.77f;  // a round mouth's would stand before the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
+  constexpr float kTall = 0.5f, kTaller = 0.75f;  // a round mouth's height against its width
+  constexpr float kBow = 0.5f, kBowFade_mm = 12;
   constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -266,6 +291,9 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
     p += (forth * forth_mm + nick * nick_mm) * frame.forward -
          together * std::clamp(high_mm, -most_mm, most_mm) * frame.up;
   }
+  const float round =
+      smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
+  bow_lips(frame, kBow * turned * round, kBowFade_mm * ink.eye_size, skin);
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {

@@ -73,7 +73,8 @@ TEST(ink_mouth, a_real_mouth_stays_as_it_is) {
     EXPECT_TRUE(draw(man, laugh, TurnKey{}, view).parts.front().positions == before.parts.front().positions);
 }
 
-// It is round already; but its far corner comes forward, or it would be a heart.
+// Its corners stay as high as they are; but the far one comes forward, or it would be a heart, and lips bow
+// out beside their middle on either side, or it would be a kite.
 TEST(ink_mouth, a_round_mouth_stays_round) {
   const Pose round = make_pose({{"corner.out", -0.65}, {"chin.down", 1}});
   const Drawing before = draw(comic(), round, TurnKey{}, kBefore),
@@ -82,7 +83,16 @@ TEST(ink_mouth, a_round_mouth_stays_round) {
     return find_place(comic(), quarter, name, true) - find_place(comic(), before, name, true);
   };
   EXPECT_GT(find_way("M1_6").z, 3 * comic().ink.eye_size + 2);
-  for (const char* name : {"M1_4", "M1_6", "M1_8"}) EXPECT_LT(std::abs(find_way(name).y), 0.2f) << name;
+  EXPECT_LT(std::abs(find_way("M1_6").y), 0.2f);
+  for (const bool is_right : {false, true}) {
+    const auto find_up_mm = [&](const char* name) {
+      return find_place(comic(), quarter, name, is_right).y - find_place(comic(), before, name, is_right).y;
+    };
+    EXPECT_GT(find_up_mm("M1_4"), 0.5) << is_right;
+    EXPECT_LT(find_up_mm("M1_8"), -0.5) << is_right;
+    EXPECT_LT(std::abs(find_up_mm("M1_0")), 0.05) << is_right;
+    EXPECT_LT(std::abs(find_up_mm("M1_12")), 0.05) << is_right;
+  }
   // Farther round its far corner would stand before the lips; but it makes no nick in the outline.
   const Drawing far = draw(comic(), round, TurnKey{}, kFarther);
   EXPECT_NEAR(find_place(comic(), far, "M1_6", true).z,
