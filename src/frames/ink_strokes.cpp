@@ -97,13 +97,13 @@ const std::vector<StrokeRule>& list_stroke_rules() {
                   "R:m8_D1", "R:q12_D1", "R:q11_D1", "R:q10_D1", "R:s1_D1",  "R:s2_D1",  "R:s3_C9"},
        .is_sided = false,
        .is_ridge = true,
+       .in_profile = 0,  // it would hang between chin and ear, tied to neither
        .widths = {{0, 0.02}, {0.12, 0.6}, {0.5, 0.75}, {0.88, 0.6}, {1, 0.02}},
        .lift_mm = 0.35,
        .flat = 0.4,
        .from = 0.03,
        .to = 0.97,
-       .less_below = 0.27,
-       .parted_beside = 0.7f}};
+       .less_below = 0.27}};
   return rules;
 }
 
@@ -241,7 +241,6 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
   // and none is a row of dots.
   constexpr double kThin = 0.12, kDrawn = 0.22, kDived_mm = -1.5;
   constexpr float kAside = 0.2f;  // of a rule's `faced`: there nothing is drawn
-  constexpr float kGap = 0.5f;    // of its `parted_beside`: within it nothing is
   constexpr float kShown = 0.3f;
   constexpr int kRounds = 3;                                    // of smoothing
   constexpr float kProfile = 0.1f, kEdge = 0.1f, kFace = 0.5f;  // of its lift; cosines as well
@@ -316,10 +315,7 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     // Of ridges and of folds no more is drawn where they are seen along.
     const float faced = smooth_step(kAside * rule.faced, rule.faced,
                                     glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
-    float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
-    if (rule.parted_beside > 0)
-      shown *= 1 - ground.beside * (1 - smooth_step(kGap * rule.parted_beside, rule.parted_beside,
-                                                    static_cast<float>(std::abs(2 * at - 1))));
+    const float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =

@@ -29,11 +29,10 @@ struct StrokeRule {
   bool is_on_hair = false;   // its points are those of the mass of hair
   bool lies_in_profile = false;  // comes down to the skin where that is seen along
   std::vector<StrokeWidth> widths;
-  double lift_mm = 0.5, flat = 0.5;  // off the skin; how thick along its normal against across
-  glm::vec3 wing{0};                 // a last point beyond the last, mm on such an eye; x outward
-  double from = 0, to = 1;           // the part of the way that is drawn
-  double less_below = 0;             // seen from below, how much sooner it ends on either side
-  float parted_beside = 0;  // in profile, on either side of its middle: so much of half of it is not drawn
+  double lift_mm = 0.5, flat = 0.5;      // off the skin; how thick along its normal against across
+  glm::vec3 wing{0};                     // a last point beyond the last, mm on such an eye; x outward
+  double from = 0, to = 1;               // the part of the way that is drawn
+  double less_below = 0;                 // seen from below, how much sooner it ends on either side
   std::vector<const char*> facing = {};  // points whose normals tell where it faces; none: its own
   std::vector<std::array<const char*, 2>> before =
       {};  // of each of its points two of the lips, which would hide it where they meet
