@@ -231,6 +231,8 @@ void find_mouth(const Figure& figure, Ink& ink) {
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};
+  ink.lids[0] = {find_point(cage, "E1_4"), find_point(cage, "E1_12")};
+  ink.lids[1] = {cage.mirror[ink.lids[0][0]], cage.mirror[ink.lids[0][1]]};
 }
 
 void find_eyes(Ink& ink) {

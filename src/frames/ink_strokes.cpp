@@ -18,6 +18,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
   static const std::vector<StrokeRule> rules{
       {.name = "upper_lashes",
        .points = {"E1_0", "E1_1", "E1_2", "E1_3", "E1_4", "E1_5", "E1_6", "E1_7", "E1_8"},
+       .is_of_lid = true,
        .widths = {{0, 0.3}, {0.15, 0.9}, {0.5, 1.6}, {0.8, 2.1}, {0.9, 1.6}, {1, 0.05}},
        .lift_mm = 0.5,
        .flat = 0.45,
@@ -27,6 +28,7 @@ const std::vector<StrokeRule>& list_stroke_rules() {
        .is_ridge = true,
        .in_profile = 2,
        .faced = 0.08f,
+       .is_of_lid = true,
        .widths = {{0, 0.05}, {0.3, 0.3}, {0.6, 0.45}, {0.85, 0.7}, {1, 0.5}},
        .lift_mm = 0.3,
        .flat = 0.4,

@@ -23,6 +23,7 @@ struct StrokeRule {
   float faced = 0.22f;       // there it is drawn whole: the cosine of its normal's angle to the view
   bool is_of_front = false;  // seen from the side it would fork off another
   bool is_of_level = false;  // from below it would be a stub above a corner that is lifted
+  bool is_of_lid = false;    // seen from the side it would fill an eye that is nearly shut
   bool is_smooth = false;    // no waves: drawn along the mean of its points
   bool is_seam = false;      // where lips all but meet one line is enough: this one fades
   bool is_brow = false;      // in the brow's colour, its widths mm on an adult's eye of 16 mm

@@ -540,6 +540,19 @@ TEST(ink_profile, a_chin_has_its_line_from_below_and_the_jaw_beside_it_none) {
   EXPECT_GT(below_mm, 0.3f * before_mm);
 }
 
+// What is left of an iris would be lost between them.
+TEST(ink_profile, lashes_of_an_eye_that_is_nearly_shut_are_thin) {
+  const Pose narrow = make_pose({{"lid.upper", -0.5}, {"lid.lower", 0.5}});
+  for (const char* lashes : {"upper_lashes", "lower_lashes"}) {
+    const auto measure_mm = [&](const Pose& pose, const glm::dvec3& camera_mm) {
+      return measure_width(
+          find_stroke(child(), draw(child(), pose, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), lashes));
+    };
+    EXPECT_LT(measure_mm(narrow, kBeside_mm), 0.75f * measure_mm(Pose{}, kBeside_mm)) << lashes;
+    EXPECT_NEAR(measure_mm(narrow, kBefore_mm), measure_mm(Pose{}, kBefore_mm), 0.1) << lashes;
+  }
+}
+
 // It would hang between chin and ear, tied to neither.
 TEST(ink_profile, the_jaw_has_no_line) {
   for (const double open : {0.0, 1.0}) {
