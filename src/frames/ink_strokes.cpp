@@ -118,10 +118,10 @@ std::uint32_t find_sided(const Cage& cage, std::string_view name, float side) {
 // Depths at even steps along a line of a fold, as the widths of its stroke.
 StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength) {
   constexpr double kEnd = 0.02;
-  constexpr double kThread = 0.3;  // thinner ones would be a tick beside the eye in profile, or scratches
   StrokeRule rule{.name = set.name.c_str(),
                   .points = {},
-                  .is_of_front = set.ink < kThread || set.name == "nose",
+                  // In profile the others would be scratches, and beside an outline a second one.
+                  .is_of_front = set.name != "forehead",
                   .is_of_level = set.name == "cheek",
                   .widths = {},
                   .lift_mm = 0.35,
@@ -317,7 +317,8 @@ void append_stroke(const InkStroke& stroke, double amount, const StrokeGround& g
     // Of ridges and of folds no more is drawn where they are seen along.
     const float faced = smooth_step(kAside * rule.faced, rule.faced,
                                     glm::dot(lifts[i], glm::normalize(ground.camera_mm - centres[i])));
-    const float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
+    float shown = rule.is_ridge ? static_cast<float>(amount) * faced : stroke.fold ? faced : 1.0f;
+    shown *= std::lerp(1.0f, std::min(rule.in_profile, 1.0f), static_cast<float>(ground.beside));
     // A thread that is as thin as it may be would be a row of dots.
     if (shown < kShown) centres[i] += static_cast<float>(kDived_mm) * (1 - shown / kShown) * eye * lifts[i];
     const auto half =

@@ -440,15 +440,18 @@ TEST(ink_profile, from_before_a_blush_is_lit) {
             0.96f);
 }
 
-// Scratches before the eye.
-TEST(ink_profile, the_lines_beside_a_nose_are_of_the_front) {
-  const Pose disgust = make_pose({{"lips.upper", 1}, {"brow.up", -1}});
-  const auto measure_mm = [&](const glm::dvec3& camera_mm) {
-    return measure_width(
-        find_stroke(comic(), draw(comic(), disgust, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), "nose"));
-  };
-  EXPECT_GT(measure_mm(kBefore_mm), 0.3);
-  EXPECT_LT(measure_mm(kBeside_mm), 0.05);
+// Scratches before the eye, a second line beside the brow's, a piece of a smile.
+TEST(ink_profile, folds_are_of_the_front_but_the_forehead) {
+  const Pose pose = make_pose(
+      {{"lips.upper", 1}, {"brow.up", -1}, {"brow.out", -1}, {"corner.up", 1}, {"corner.out", 0.9}});
+  for (const char* fold : {"nose", "frown", "cheek"}) {
+    const auto measure_mm = [&](const glm::dvec3& camera_mm) {
+      return measure_width(
+          find_stroke(comic(), draw(comic(), pose, TurnKey{}, {camera_mm, {0, 0, 1}, 1}), fold));
+    };
+    EXPECT_GT(measure_mm(kBefore_mm), 0.3) << fold;
+    EXPECT_LT(measure_mm(kBeside_mm), 0.05) << fold;
+  }
 }
 
 // A cheek that laughs would stand before half of it, and the wedge of the mouth would square it.
