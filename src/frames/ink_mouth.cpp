@@ -235,11 +235,13 @@ namespace {
 
 // Lips that go straight from the middle to the corners are a kite, once the head is turned: they bow out as
 // an ellipse does, by `share` of the way there.
-void bow_lips(const MouthFrame& frame, float share, float fade_mm, std::vector<glm::vec3>& skin) {
+// `shares` are those of the left and of the right half.
+void bow_lips(const MouthFrame& frame, const std::array<float, 2>& shares, float fade_mm,
+              std::vector<glm::vec3>& skin) {
   constexpr float kDeep = 0.9f, kReach_mm = 3, kSoft = 0.4f;  // the first of half the mouth's width
   for (glm::vec3& p : skin) {
     const glm::vec3 off = p - frame.middle;
-    const float out = std::abs(glm::dot(off, frame.aside)) / frame.half_mm,
+    const float left = glm::dot(off, frame.aside), out = std::abs(left) / frame.half_mm,
                 deep = -glm::dot(off, frame.forward) / frame.half_mm;
     if (out >= 1 || deep >= kDeep) continue;
     const float straight_mm = frame.high_mm * (1 - out);
@@ -247,7 +249,7 @@ void bow_lips(const MouthFrame& frame, float share, float fade_mm, std::vector<g
         (frame.high_mm * std::sqrt(1 - out * out) - straight_mm) * smooth_step(0.1f, 0.75f, out);
     const float off_mm = glm::dot(p - frame.lips, frame.up);
     const float side = std::clamp(off_mm / (kSoft * straight_mm + 0.1f), -1.0f, 1.0f);
-    p += share * bow_mm * side * fade_out(off_mm, straight_mm + kReach_mm, fade_mm) *
+    p += shares[left > 0 ? 0 : 1] * bow_mm * side * fade_out(off_mm, straight_mm + kReach_mm, fade_mm) *
          (1 - smooth_step(0.5f * kDeep, kDeep, deep)) * frame.up;
   }
 }
@@ -264,6 +266,7 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   constexpr float kTall = 0.5f, kTaller = 0.75f;  // a round mouth's height against its width
   constexpr float kBow = 0.5f, kBowFade_mm = 12;
+  constexpr float kFarBow = 0.5f, kNoBow = 0.75f;   // sines: on the face's outline it would be a corner
   constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -293,7 +296,10 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   }
   const float round =
       smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
-  bow_lips(frame, kBow * turned * round, kBowFade_mm * ink.eye_size, skin);
+  const float bow = kBow * turned * round;
+  const float at_far = 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
+  bow_lips(frame, {far == 0 ? bow * at_far : bow, far == 0 ? bow : bow * at_far}, kBowFade_mm * ink.eye_size,
+           skin);
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {
