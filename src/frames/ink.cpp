@@ -82,6 +82,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const float beside = sight.beside;
   const InkMouth mouth = measure_mouth(ink, skin.positions);
   const float parted = mouth.parted;
+  const std::array<float, 2> slits{measure_slit(ink, skin.positions, 0),
+                                   measure_slit(ink, skin.positions, 1)};
+  part_lids(ink, beside, drawing);
   widen_features(ink, beside, parted, drawing);
   round_far_corner(ink, pose, sight, mouth, drawing);
   lift_corners(ink, pose, sight, drawing);
@@ -166,19 +169,14 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   clear_shape(lines);
   clear_shape(brows);
   constexpr float kNear = 0.3f, kFar = 0.5f;  // sines: so far round the head a nose hides the fold behind it
-  constexpr float kThinner = 0.5f, kShut_mm = 1, kSlit_mm = 4, kOpen_mm = 12;  // between an adult's lids
-  const auto measure_narrow = [&](std::size_t side) {
-    const auto [upper, lower] = ink.lids[side];
-    const float gap_mm = glm::distance(skin.positions[upper], skin.positions[lower]) / ink.eye_size;
-    return smooth_step(kShut_mm, kSlit_mm, gap_mm) * (1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm));
-  };
+  constexpr double kThinner = 0.5;
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
     const bool is_lifted = stroke.rule.is_of_level && ink.redraw.lens.is_on();
     const double level = is_lifted ? 1.0 - below : 1.0;
     const double near = is_lifted ? 1.0 - smooth_step(kNear, kFar, -stroke.side * sight.aside) : 1.0;
-    if (stroke.rule.is_of_lid) return 1.0 - kThinner * beside * measure_narrow(stroke.side < 0 ? 1 : 0);
+    if (stroke.rule.is_of_lid) return 1.0 - kThinner * beside * slits[stroke.side < 0 ? 1 : 0];
     if (stroke.fold) return level * near * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;
   };

@@ -146,6 +146,34 @@ float find_smile(const Pose& pose, std::size_t side) {
   return std::clamp(up, 0.0f, 1.0f);
 }
 
+float measure_slit(const Ink& ink, const std::vector<glm::vec3>& skin, std::size_t side) {
+  constexpr float kShut_mm = 1, kSlit_mm = 4,
+                  kOpen_mm = 12;  // between the lids of an eye as large as an adult's
+  const auto [upper, lower] = ink.lids[side];
+  const float gap_mm = glm::distance(skin[upper], skin[lower]) / ink.eye_size;
+  return smooth_step(kShut_mm, kSlit_mm, gap_mm) * (1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm));
+}
+
+void part_lids(const Ink& ink, float beside, Drawing& drawing) {
+  if (beside == 0 || !ink.redraw.lens.is_on()) return;
+  constexpr float kUp_mm = 2.4f, kDown = 0.3f, kNear_mm = 9, kFar_mm = 24;  // the second of what goes up
+  std::vector<glm::vec3>& skin = drawing.parts.front().positions;
+  const glm::vec3 up = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[1]));
+  for (const std::size_t side : {0, 1}) {
+    const float up_mm = kUp_mm * beside * measure_slit(ink, skin, side) * ink.eye_size;
+    if (up_mm == 0) continue;
+    const glm::vec3 upper = skin[ink.lids[side][0]], lower = skin[ink.lids[side][1]];
+    const glm::vec3 middle = 0.5f * (upper + lower);
+    const float half_mm = 0.5f * glm::distance(upper, lower);
+    for (glm::vec3& p : skin) {
+      const float far_mm = glm::distance(p, middle) / ink.eye_size;
+      if (far_mm >= kFar_mm) continue;
+      const float way = std::clamp(glm::dot(p - middle, up) / half_mm, -kDown, 1.0f);
+      p += up_mm * way * (1 - smooth_step(kNear_mm, kFar_mm, far_mm)) * up;
+    }
+  }
+}
+
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing) {
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;

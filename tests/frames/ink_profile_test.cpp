@@ -556,6 +556,19 @@ TEST(ink_profile, lashes_of_an_eye_that_is_nearly_shut_are_thin) {
   }
 }
 
+TEST(ink_profile, an_eye_that_is_nearly_shut_opens_a_little_and_one_that_is_shut_does_not) {
+  const auto measure_gap_mm = [](double upper, double lower, const glm::dvec3& camera_mm) {
+    const Pose pose = make_pose({{"lid.upper", upper}, {"lid.lower", lower}});
+    const Drawing drawing = draw(child(), pose, TurnKey{}, {camera_mm, {0, 0, 1}, 1});
+    const auto [above, below] = child().ink.lids[0];
+    const std::vector<glm::vec3>& p = drawing.parts.front().positions;
+    return p[above].y - p[below].y;
+  };
+  EXPECT_GT(measure_gap_mm(-0.5, 0.5, kBeside_mm), measure_gap_mm(-0.5, 0.5, kBefore_mm) + 1.5f);
+  for (const double upper : {-1.0, 0.0})
+    EXPECT_NEAR(measure_gap_mm(upper, 0, kBeside_mm), measure_gap_mm(upper, 0, kBefore_mm), 0.1) << upper;
+}
+
 // It would hang between chin and ear, tied to neither.
 TEST(ink_profile, the_jaw_has_no_line) {
   for (const double open : {0.0, 1.0}) {
