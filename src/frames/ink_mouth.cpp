@@ -233,9 +233,8 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
 
 namespace {
 
-// Lips that go straight from the middle to the corners are a kite, once the head is turned: they bow out as
-// an ellipse does, by `share` of the way there.
-// `shares` are those of the left and of the right half.
+// Lips that go straight to the corners are a kite, once the head is turned: beside their middle, which is
+// round, they bow out as an ellipse does, by the left and the right half's share of the way there.
 void bow_lips(const MouthFrame& frame, const std::array<float, 2>& shares, float fade_mm,
               std::vector<glm::vec3>& skin) {
   constexpr float kDeep = 0.9f, kReach_mm = 3, kSoft = 0.4f;  // the first of half the mouth's width
