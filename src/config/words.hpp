@@ -94,8 +94,8 @@ inline constexpr std::array kDrawWords{Word{"ones", "a new drawing each frame: s
 inline constexpr std::array kQualityWords{
     Word{"sketch", "drawn by mien itself, ten times as quick as draft or more"},
     Word{"draft", "POV-Ray at its quickest: to see the timing"},
-    Word{"good", "about 2.5 times as long as draft: the default"},
-    Word{"best", "about 6 times as long as draft: for the last run"}};
+    Word{"good", "about twice as long as draft: the default"},
+    Word{"best", "about 4 times as long as draft: for the last run"}};
 inline constexpr std::array kBackgroundWords{Word{"studio", "cool grey, lighter behind the head"},
                                              Word{"light", "a bright wall"},
                                              Word{"dark", "a black room"},
