@@ -84,7 +84,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   const float parted = mouth.parted;
   const std::array<float, 2> slits{measure_slit(ink, skin.positions, 0),
                                    measure_slit(ink, skin.positions, 1)};
-  part_lids(ink, beside, drawing);
+  part_lids(ink, beside, slits, drawing);
   widen_features(ink, beside, parted, drawing);
   round_far_corner(ink, pose, sight, mouth, drawing);
   lift_corners(ink, pose, sight, drawing);

@@ -296,9 +296,9 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   const float round =
       smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
   const float bow = kBow * turned * round;
-  const float at_far = 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
-  bow_lips(frame, {far == 0 ? bow * at_far : bow, far == 0 ? bow : bow * at_far}, kBowFade_mm * ink.eye_size,
-           skin);
+  std::array<float, 2> bows{bow, bow};
+  bows[far] *= 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
+  bow_lips(frame, bows, kBowFade_mm * ink.eye_size, skin);
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {

@@ -154,13 +154,13 @@ float measure_slit(const Ink& ink, const std::vector<glm::vec3>& skin, std::size
   return smooth_step(kShut_mm, kSlit_mm, gap_mm) * (1 - smooth_step(kSlit_mm, kOpen_mm, gap_mm));
 }
 
-void part_lids(const Ink& ink, float beside, Drawing& drawing) {
+void part_lids(const Ink& ink, float beside, const std::array<float, 2>& slits, Drawing& drawing) {
   if (beside == 0 || !ink.redraw.lens.is_on()) return;
   constexpr float kUp_mm = 2.4f, kDown = 0.3f, kNear_mm = 9, kFar_mm = 24;  // the second of what goes up
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   const glm::vec3 up = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[1]));
   for (const std::size_t side : {0, 1}) {
-    const float up_mm = kUp_mm * beside * measure_slit(ink, skin, side) * ink.eye_size;
+    const float up_mm = kUp_mm * beside * slits[side] * ink.eye_size;
     if (up_mm == 0) continue;
     const glm::vec3 upper = skin[ink.lids[side][0]], lower = skin[ink.lids[side][1]];
     const glm::vec3 middle = 0.5f * (upper + lower);

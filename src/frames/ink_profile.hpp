@@ -21,11 +21,12 @@ float find_smile(const Pose& pose, std::size_t side);
 // eyes are not tall.
 void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing);
 
-// An eye that is nearly shut shows no iris from the side: its lids part a little, the upper one above all.
-void part_lids(const Ink& ink, float beside, Drawing& drawing);
-
 // 1 of an eye that is a slit, 0 of one that is open or shut, on side 0, the left, or 1.
 float measure_slit(const Ink& ink, const std::vector<glm::vec3>& skin, std::size_t side);
+
+// An eye that is nearly shut shows no iris from the side: its lids part a little, the upper one above all.
+// `slits` are what measure_slit gives of both.
+void part_lids(const Ink& ink, float beside, const std::array<float, 2>& slits, Drawing& drawing);
 
 // Seen from below, a cheek's pad would cut the blush off: it lies farther back below the middle of that. So
 // does a far cheek of a head that turns away, unless a smile raises it: a sliver of it would stand between

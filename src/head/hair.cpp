@@ -200,7 +200,7 @@ HeadPart take_locks(const HeadPart& locks, const char* name, const std::vector<b
 }
 
 // The locks before their middle and those behind it: a ray that ends at a face need not try the hair behind
-// that, and is traced in a fraction of the time.
+// that.
 void split_locks(std::vector<HeadPart>& parts) {
   const auto locks = std::ranges::find(parts, "hair", [](const HeadPart& part) { return part.part.name; });
   if (locks == parts.end()) return;

@@ -137,7 +137,6 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene over_forehead = scene;
   over_forehead.cut.locks.rise_mm = kFaceRise_mm;
   HairScene about_face = scene;
-  about_face.cut.locks.rise_mm = kFaceRise_mm;
   about_face.cut.comb.away *= kFaceAway;
   HairScene at_short_part = scene;
   at_short_part.cut.locks.risen = 0.08;

@@ -387,7 +387,8 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
       fail_part(part, "is drawn with another number of vertices");
     const std::string paling = format_number(shape.paling, 2);
     if (paling != "0") text += fmt::format("#declare Paling = {};\n", paling);
-    if (has_strands(part)) text += "light_group { strand_lamps()\n";
+    const bool has_own_lamps = has_strands(part) && !part.is_rigid;
+    if (has_own_lamps) text += "light_group { strand_lamps()\n";
     text += "mesh2 {\n";
     append_vectors(text, "vertex_vectors", shape.positions, kPositionDecimals);
     if (!shape.normals.empty()) append_vectors(text, "normal_vectors", shape.normals, kNormalDecimals);
@@ -398,7 +399,7 @@ void append_povray_figure(std::string& text, const Model& model, const Drawing& 
     }
     const bool has_caster = casters && !(*casters)[i].triangles.empty();
     text += fmt::format("surface_of_{}(){} }}\n", part.name, has_caster ? " no_shadow" : "");
-    if (has_strands(part)) text += "global_lights off }\n";
+    if (has_own_lamps) text += "global_lights off }\n";
     if (paling != "0") text += "#declare Paling = 0;\n";
     if (has_caster) append_caster(text, (*casters)[i]);
   }
