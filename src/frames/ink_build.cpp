@@ -231,11 +231,12 @@ void find_mouth(const Figure& figure, Ink& ink) {
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};
-  ink.lids[0] = {find_point(cage, "E1_4"), find_point(cage, "E1_12")};
-  ink.lids[1] = {cage.mirror[ink.lids[0][0]], cage.mirror[ink.lids[0][1]]};
 }
 
-void find_eyes(Ink& ink) {
+void find_eyes(const Figure& figure, Ink& ink) {
+  const Cage& cage = figure.head.cage;
+  ink.lids[0] = {find_point(cage, "E1_4"), find_point(cage, "E1_12")};
+  ink.lids[1] = {cage.mirror[ink.lids[0][0]], cage.mirror[ink.lids[0][1]]};
   ink.whites = {find_model_part(ink.model, "eye_left"), find_model_part(ink.model, "eye_right")};
   for (std::size_t i = 0; i < ink.model.parts.size(); ++i)
     for (const char* name : {"eye_", "iris_", "pupil_"})
@@ -307,7 +308,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
     skin.rest.positions.push_back(glm::mix(skin.rest.positions[from], skin.rest.positions[to], share));
   skin.rest.normals.resize(skin.rest.positions.size(), glm::vec3(0, 0, 1));
   list_neighbours(figure.folds.skin, ink);
-  find_eyes(ink);
+  find_eyes(figure, ink);
   find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
   ink.cheek = std::move(regions.cheek);

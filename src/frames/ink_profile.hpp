@@ -1,6 +1,8 @@
 // What who draws a profile does to a head that a camera from the side would not show.
 #pragma once
 
+#include <array>
+
 #include "frames/ink.hpp"
 
 namespace mien {
