@@ -42,7 +42,7 @@ double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t famil
   constexpr double kFamily = 0.5;
   const double own = scatter(kSeries, index, kTone);
   const double tone = index == family ? own : std::lerp(own, scatter(kSeries, family, kTone), kFamily);
-  return 0.15 + 0.5 * layer + 0.35 * (tone - 0.5) * (0.4 + 0.6 * layer);
+  return 0.35 + 0.25 * layer + 0.25 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
 double compute_tail_radius(double s) {
@@ -65,10 +65,10 @@ const HairSeat& find_seat(const HairScene& scene, const HairPlace& place) {
 
 void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand, double width_mm,
                  double shade, std::uint32_t index, const LockForm& form) {
-  constexpr double kFan_deg = 26;  // more and neighbours look like rods, less and the mass like a sheet
+  constexpr double kFan_deg = 16;  // more and neighbours look like rods, less and the mass like a sheet
   constexpr double kGround =
       0.75;  // of the head's own roundness: none and every lock shines by itself, all and none does
-  constexpr double kRoll_deg = 12;  // about its own way, or all lie in one plane
+  constexpr double kRoll_deg = 5;  // about its own way, or all lie in one plane
   const double fan = kFan_deg * kPi / 180,
                roll = kRoll_deg * kPi / 180 * (2 * scatter(kSeries, index, kRoll) - 1);
   Mesh& mesh = part.part.rest;

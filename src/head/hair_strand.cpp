@@ -89,6 +89,38 @@ int count_rings(const HairScene& scene, double length_mm) {
   return std::clamp(needed, std::min(kLeast, locks.rings), locks.rings);
 }
 
+// Where rings lie on a way, 0..1: as much of it turns between any two of them, or a lock's straight pieces
+// cut through its neighbours'.
+std::vector<double> spread_rings(const HairScene& scene, const Path& path, int rings) {
+  constexpr double kStraight = 0.06;            // of a radian a step: what is straight has rings too
+  constexpr double kRoot = 0.5, kRoot_mm = 12;  // more at its root, where it comes out of the skin
+  std::vector<glm::dvec3> points;
+  for (const HairPlace& place : path.places)
+    points.push_back(compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)));
+  std::vector<double> gone{0};
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    double turn = 0;
+    if (i + 1 < points.size()) {
+      const glm::dvec3 into = points[i] - points[i - 1], away = points[i + 1] - points[i];
+      turn = std::atan2(glm::length(glm::cross(into, away)), glm::dot(into, away));
+    }
+    const double gone_mm = static_cast<double>(i) * path.step_mm;
+    gone.push_back(gone.back() + kStraight + kRoot * std::exp(-gone_mm / (kRoot_mm * scene.chart.size)) +
+                   std::sqrt(turn));
+  }
+  std::vector<double> shares;
+  std::size_t i = 1;
+  for (int ring = 0; ring < rings; ++ring) {
+    const double wanted = gone.back() * ring / (rings - 1);
+    while (i + 1 < gone.size() && gone[i] < wanted) ++i;
+    const double within = gone.size() < 2 ? 0 : (wanted - gone[i - 1]) / (gone[i] - gone[i - 1]);
+    shares.push_back(gone.size() < 2
+                         ? static_cast<double>(ring) / (rings - 1)
+                         : (static_cast<double>(i - 1) + within) / static_cast<double>(gone.size() - 1));
+  }
+  return shares;
+}
+
 }  // namespace
 
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index,
@@ -123,10 +155,12 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
                lift = deepest + spread * (1 - deepest) * strand.layer * strand.layer;
   const int rings = count_rings(scene, strand.length_mm);
   // What hangs bends over the crown, and then falls straight: rings lie closer there.
-  constexpr double kCloser = 1.5;
-  const double closer = cut.covers_ears && !cut.is_drawn && locks.wave_mm == 0 ? kCloser : 1;
+  const std::vector<double> shares = cut.covers_ears && !cut.is_drawn && locks.wave_mm == 0
+                                         ? spread_rings(scene, path, rings)
+                                         : std::vector<double>();
   for (int ring = 0; ring < rings; ++ring) {
-    const double s = std::pow(static_cast<double>(ring) / (rings - 1), closer), at = s * steps;
+    const double even = static_cast<double>(ring) / (rings - 1);
+    const double s = shares.empty() ? even : shares[static_cast<std::size_t>(ring)], at = s * steps;
     const auto i = std::min(static_cast<std::size_t>(at), path.places.size() - 1);
     const auto j = std::min(i + 1, path.places.size() - 1);
     const HairPlace &a = path.places[i], &b = path.places[j];
@@ -222,7 +256,6 @@ const HairStrand* find_family(const HairScene& scene, const std::vector<HairStra
 
 void fall_in(const HairScene& scene, const HairStrand& middle, HairStrand& strand) {
   constexpr double kBegins = 0.12, kWhole = 0.95;  // of its way
-  constexpr double kLevel = 0.3;                   // of what it lies higher or lower: a lock is flat
   constexpr double kNear_mm = 12, kFar_mm = 28;    // from the middle: what is farther falls by itself
   const double pull = scene.cut.locks.gathered;
   for (std::size_t i = 0; i < strand.points.size(); ++i) {
@@ -239,9 +272,15 @@ void fall_in(const HairScene& scene, const HairStrand& middle, HairStrand& stran
         arm = away;
       }
     }
-    arm -= (1 - kLevel) * glm::dot(arm, strand.outs[i]) * strand.outs[i];
+    arm -= glm::dot(arm, strand.outs[i]) * strand.outs[i];
     const double near = 1 - smooth_step(kNear_mm, kFar_mm, glm::length(arm) / scene.chart.size);
+    // Each stays as high over the ground as it was, or those beside each other pass through one another.
+    const HairPlace before = compute_hair_place(scene.chart, at);
+    const double high_mm =
+        glm::distance(at, compute_hair_point(scene.chart, before, 0)) - compute_ground_mm(scene, before);
     at += pull * near * smooth_step(kBegins, kWhole, s) * arm;
+    const HairPlace after = compute_hair_place(scene.chart, at);
+    at = compute_hair_point(scene.chart, after, compute_ground_mm(scene, after) + high_mm);
   }
 }
 
