@@ -92,7 +92,7 @@ int count_rings(const HairScene& scene, double length_mm) {
 // Where rings lie on a way, 0..1: as much of it turns between any two of them, or a lock's straight pieces
 // cut through its neighbours'.
 std::vector<double> spread_rings(const HairScene& scene, const Path& path, int rings) {
-  constexpr double kStraight = 0.06;            // of a radian a step: what is straight has rings too
+  constexpr double kStraight = 0.2;             // of a radian a step: what is straight has rings too
   constexpr double kRoot = 0.5, kRoot_mm = 12;  // more at its root, where it comes out of the skin
   std::vector<glm::dvec3> points;
   for (const HairPlace& place : path.places)
@@ -150,7 +150,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   // Till there it comes out of the skin.
   const double risen = std::max(locks.risen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
   // Over the mass, which hides what is deeper.
-  const double spread = cut.is_drawn ? 1 : 0.7;  // more, and those on top stand off by themselves, as wires
+  const double spread = cut.is_drawn ? 1 : 0.5;  // more, and those on top stand off by themselves, as wires
   const double deepest = locks.deepest * cut.mass,
                lift = deepest + spread * (1 - deepest) * strand.layer * strand.layer;
   const int rings = count_rings(scene, strand.length_mm);
@@ -186,10 +186,12 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
     const double gone_mm = s * strand.length_mm;
     if (locks.wave_mm > 0) {
       constexpr double kOwn = 0.16;  // of a wave: more and neighbours part
-      const double turn =
-          2 * std::numbers::pi * (compute_wave(scene, compute_hair_place(scene.chart, point)) + kOwn * phase);
+      // Outward as the mass below waves, one and all: locks that rise where their neighbours sink cut through
+      // them.
+      const double wave = compute_wave(scene, compute_hair_place(scene.chart, point)),
+                   turn = 2 * std::numbers::pi * (wave + kOwn * phase), common = 2 * std::numbers::pi * wave;
       const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size;
-      point += side * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(turn)));
+      point += side * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(common)));
     }
     if (locks.curl_mm > 0) {
       const double turn = 2 * std::numbers::pi * (gone_mm / (locks.curl_length_mm * size) + phase);
