@@ -99,7 +99,11 @@ TEST(sketch_stage, lights_strands_by_points_where_the_face_has_cloths) {
     for (std::size_t i = 0; i < count; ++i) {
       EXPECT_EQ(both.lamps[count + i].at, face.lamps[i].at) << name;
       EXPECT_EQ(both.lamps[count + i].colour, face.lamps[i].colour) << name;
-      EXPECT_EQ(both.lamps[count + i].has_shadow, face.lamps[i].has_shadow) << name;
+      // A rim behind the head may throw none among strands.
+      const bool is_behind = glm::dot(face.lamps[i].at, face.camera.forward) > 0;
+      EXPECT_TRUE(both.lamps[count + i].has_shadow == face.lamps[i].has_shadow ||
+                  (is_behind && !both.lamps[count + i].has_shadow))
+          << name;
       EXPECT_EQ(both.lamps[count + i].side, glm::vec3(0)) << name;
       cloths += face.lamps[i].side != glm::vec3(0) ? 1 : 0;
     }
