@@ -36,7 +36,7 @@ float compute_greyness(const glm::vec3& srgb) {
 
 std::vector<Shade> make_tones(const glm::vec3& colour) {
   const float grey = compute_greyness(colour);
-  const float spread = 0.16f - 0.1f * compute_luminance(colour) + 0.2f * grey;
+  const float spread = 0.16f - 0.1f * compute_luminance(colour) + 0.1f * grey;
   std::vector<Shade> palette;
   for (int i = 0; i < kHairTones; ++i) {
     const float way = 2.0f * static_cast<float>(i) / (kHairTones - 1) - 1;
@@ -138,7 +138,7 @@ HeadPart build_locks(const NeutralHead& head, const HairScene& scene, const Look
   append_locks(locks, scene);
   if (scene.cut.comb.scalp_mm > 0) {
     // Of the skin, in the shade of the hair on both sides of it.
-    locks.part.palette.push_back({glm::mix(look.skin, colour, 0.86f), 0});
+    locks.part.palette.push_back({glm::mix(look.skin, 0.8f * colour, 0.9f), 0});
     append_part_line(locks, scene);
   }
   if (scene.cut.tail.radius_mm > 0) append_tail(locks, scene);

@@ -30,10 +30,12 @@ std::uint16_t compute_tone(double shade) {
 
 // How far along the grain a place of a lock is, 0 at the root, 100 at the tip. From kThins on strands end one
 // by one (materials.inc): over the last centimetres of a long lock, or all of it would be threads.
-double compute_grain(double way, double length_mm) {
-  constexpr double kThins = 0.5, kThinning_mm = 34;
+// Where it comes up through others it does so likewise, or it has a whole edge there.
+double compute_grain(double way, double length_mm, double comes_up) {
+  constexpr double kThins = 0.5, kThinning_mm = 34, kRoot = 4;
   const double last = length_mm > 0 ? std::min(1 - kThins, kThinning_mm / length_mm) : 1 - kThins;
   const double first = 1 - last;
+  if (way < comes_up) return kRoot * way / comes_up;
   return 100 * (way < first ? kThins * way / first : kThins + (1 - kThins) * (way - first) / last);
 }
 
@@ -93,7 +95,7 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
           glm::normalize(std::cos(fan) * lit + (is_tip ? 0 : hand) * std::sin(fan) * side));
       part.part.grain.emplace_back(
           grain + (is_tip ? 0 : hand) * 0.5 * width_mm * (0.6 + 0.4 * compute_lock_width(s, form)),
-          compute_grain(s, strand.length_mm));
+          compute_grain(s, strand.length_mm, form.comes_up));
     }
   }
   const auto count = static_cast<std::uint32_t>(mesh.positions.size()) - first;
@@ -143,6 +145,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   at_short_part.cut.locks.rise_mm = 4;
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
+  constexpr double kComesUp_mm = 30;       // that begin between others
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
@@ -163,19 +166,22 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
+    LockForm form = is_about_face       ? kAboutFace
+                    : is_over_forehead  ? kOverForehead
+                    : is_at_part        ? kAtPartLine
+                    : middle != nullptr ? (is_long ? kTogether : kBetween)
+                                        : kAlone;
+    if (is_about_face) form.comes_up = std::min(0.4, about_face.cut.locks.rise_mm * size / strand.length_mm);
+    if (middle != nullptr && !is_long && index < first_at_part)
+      form.comes_up = std::min(0.4, kComesUp_mm * size / strand.length_mm);
     append_lock(part, find_seat(scene, strand.root), strand, width,
-                compute_lock_shade(strand.layer, index, family), index,
-                is_about_face       ? kAboutFace
-                : is_over_forehead  ? kOverForehead
-                : is_at_part        ? kAtPartLine
-                : middle != nullptr ? (is_long ? kTogether : kBetween)
-                                    : kAlone);
+                compute_lock_shade(strand.layer, index, family), index, form);
   }
 }
 
 void append_part_line(HeadPart& part, const HairScene& scene) {
   constexpr int kRings = 22;
-  constexpr double kAbove_mm = 0.7;  // the mass, in its groove
+  constexpr double kAbove_mm = 0.3;  // the mass, in its groove
   constexpr double kWander_mm = 0.8;
   const HairComb& comb = scene.cut.comb;
   const double size = scene.chart.size;
@@ -267,7 +273,7 @@ void append_bun(HeadPart& part, const HairScene& scene) {
 void append_down(HeadPart& part, const HairScene& scene) {
   const HairDown& down = scene.cut.down;
   const double size = scene.chart.size;
-  constexpr double kBeyond = 0.5;  // of the band, outside the border
+  constexpr double kBeyond = 0.3;  // of the band, outside the border
   constexpr double kFirst = 0.7548776662466927, kSecond = 0.5698402909980532;  // see spread_roots
   const bool is_left = scene.cut.is_mirrored;
   const int wanted = is_left ? down.count / 2 : down.count;

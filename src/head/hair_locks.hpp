@@ -8,9 +8,9 @@ namespace mien {
 inline constexpr int kHairTones = 8;  // of one head of hair, dark to light
 
 // Of a lock's way: where it has come to its width; how late it runs out in its tip, as a power; and how much
-// of its width it begins with.
+// of its width it begins with; till where it comes up strand by strand.
 struct LockForm {
-  double widens = 0.16, runs_out = 2.2, begins = 0.25;
+  double widens = 0.16, runs_out = 2.2, begins = 0.25, comes_up = 0;
 };
 
 // One lock as a ribbon that ends in a point, its normals fanned across as if it were round; its vertices get
