@@ -87,6 +87,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   part_lids(ink, beside, slits, drawing);
   widen_features(ink, beside, parted, drawing);
   round_far_corner(ink, pose, sight, mouth, drawing);
+  round_profile(ink, sight, mouth, drawing);
   lift_corners(ink, pose, sight, drawing);
   flatten_cheeks(ink, pose, sight, drawing);
   buffers.soft = skin.normals;

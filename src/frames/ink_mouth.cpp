@@ -234,8 +234,12 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
 namespace {
 
 // Lips that go straight to the corners are a kite, once the head is turned: beside their middle, which is
-// round, they bow out as an ellipse does, by the left and the right half's share of the way there.
-void bow_lips(const MouthFrame& frame, const std::array<float, 2>& shares, float fade_mm,
+// round, they bow out as an ellipse does, by the left and the right half's shares of the way there.
+struct LipBow {
+  float upper = 0, lower = 0;
+};
+
+void bow_lips(const MouthFrame& frame, const std::array<LipBow, 2>& bows, float fade_mm,
               std::vector<glm::vec3>& skin) {
   constexpr float kDeep = 0.9f, kReach_mm = 3, kSoft = 0.4f;  // the first of half the mouth's width
   for (glm::vec3& p : skin) {
@@ -248,8 +252,10 @@ void bow_lips(const MouthFrame& frame, const std::array<float, 2>& shares, float
         (frame.high_mm * std::sqrt(1 - out * out) - straight_mm) * smooth_step(0.1f, 0.75f, out);
     const float off_mm = glm::dot(p - frame.lips, frame.up);
     const float side = std::clamp(off_mm / (kSoft * straight_mm + 0.1f), -1.0f, 1.0f);
-    p += shares[left > 0 ? 0 : 1] * bow_mm * side * fade_out(off_mm, straight_mm + kReach_mm, fade_mm) *
-         (1 - smooth_step(0.5f * kDeep, kDeep, deep)) * frame.up;
+    const LipBow& bow = bows[left > 0 ? 0 : 1];
+    p += (side > 0 ? bow.upper : bow.lower) * bow_mm * side *
+         fade_out(off_mm, straight_mm + kReach_mm, fade_mm) * (1 - smooth_step(0.5f * kDeep, kDeep, deep)) *
+         frame.up;
   }
 }
 
@@ -265,7 +271,8 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   constexpr float kTall = 0.5f, kTaller = 0.75f;  // a round mouth's height against its width
   constexpr float kBow = 0.5f, kBowFade_mm = 12;
-  constexpr float kFarBow = 0.5f, kNoBow = 0.75f;   // sines: on the face's outline it would be a corner
+  constexpr float kFarLower = 1.15f;
+  constexpr float kFarBow = 0.5f, kNoBow = 0.75f;   // sines: on the outline the upper lip's would be a corner
   constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -296,9 +303,18 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   const float round =
       smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
   const float bow = kBow * turned * round;
-  std::array<float, 2> bows{bow, bow};
-  bows[far] *= 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
+  std::array<LipBow, 2> bows{LipBow{bow, bow}, LipBow{bow, bow}};
+  bows[far].upper *= 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
+  bows[far].lower *= kFarLower;
   bow_lips(frame, bows, kBowFade_mm * ink.eye_size, skin);
+}
+
+void round_profile(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing) {
+  constexpr float kUpper = 0.2f, kLower = 0.4f, kFade_mm = 8;
+  const float share = sight.beside * mouth.parted * (1 - mouth.slit);
+  if (share == 0 || !ink.redraw.lens.is_on()) return;
+  const LipBow bow{kUpper * share, kLower * share};
+  bow_lips(measure_frame(ink, drawing), {bow, bow}, kFade_mm * ink.eye_size, drawing.parts.front().positions);
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {

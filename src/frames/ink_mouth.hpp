@@ -20,6 +20,10 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin);
 void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
                       Drawing& drawing);
 
+// From the side an open mouth's lips bow out between its middle and its corner, the lower one most: straight
+// they are a beak.
+void round_profile(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing);
+
 // Seen from below, the corners of a smile would hang: they are lifted as far as it takes, and a little more.
 // `pose` is the one that folds are drawn of.
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing);
