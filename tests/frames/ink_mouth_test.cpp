@@ -97,6 +97,23 @@ TEST(ink_mouth, a_round_mouth_stays_round) {
   const Drawing far = draw(comic(), round, TurnKey{}, kFarther);
   EXPECT_NEAR(find_place(comic(), far, "M1_6", true).z,
               find_place(comic(), before, "M1_6", true).z + 3 * comic().ink.eye_size, 0.3);
+  // Of its far half the lower lip alone bows there: the upper one's lies on the outline.
+  const auto find_far_up_mm = [&](const char* name) {
+    return find_place(comic(), far, name, true).y - find_place(comic(), before, name, true).y;
+  };
+  EXPECT_LT(find_far_up_mm("M1_8"), -0.5);
+  EXPECT_LT(std::abs(find_far_up_mm("M1_4")), 0.2);
+}
+
+// Straight ones would be a beak.
+TEST(ink_mouth, the_lower_lip_of_an_open_mouth_bows_in_profile) {
+  const Drawing beside =
+      draw(infant(), make_pose({{"chin.down", 0.8}, {"corner.out", -0.3}}), TurnKey{}, kBeside);
+  const glm::vec3 middle = find_place(infant(), beside, "M1_12", false),
+                  between = find_place(infant(), beside, "M1_9", false),
+                  corner = find_place(infant(), beside, "M1_6", false);
+  const float share = (between.z - middle.z) / (corner.z - middle.z);
+  EXPECT_LT(between.y, glm::mix(middle.y, corner.y, share) - 0.2f);
 }
 
 // Or a smile would be a frown from below.
