@@ -41,10 +41,10 @@ double compute_grain(double way, double length_mm, double comes_up) {
 
 // What lies deep is dark, and no two locks are the same.
 double compute_lock_shade(double layer, std::uint32_t index, std::uint32_t family) {
-  constexpr double kFamily = 0.5;
+  constexpr double kFamily = 0.85;
   const double own = scatter(kSeries, index, kTone);
   const double tone = index == family ? own : std::lerp(own, scatter(kSeries, family, kTone), kFamily);
-  return 0.35 + 0.25 * layer + 0.25 * (tone - 0.5) * (0.4 + 0.6 * layer);
+  return 0.4 + 0.15 * layer + 0.25 * (tone - 0.5) * (0.4 + 0.6 * layer);
 }
 
 double compute_tail_radius(double s) {

@@ -98,6 +98,33 @@ void fray(Shell& shell, const HairBorder& border) {
   }
 }
 
+// How much the shell's edge runs down at a column instead of round the head, 0..1.
+double measure_steepness(const Shell& shell, int column) {
+  constexpr double kLevel_mm = 6, kSteep_mm = 14;  // from one column to the next but one
+  const auto find_mm = [&](int other) {
+    return shell.border[static_cast<std::size_t>((other + kColumns) % kColumns)] * shell.scene.chart.drop_mm;
+  };
+  return smooth_step(kLevel_mm, kSteep_mm, std::abs(find_mm(column + 1) - find_mm(column - 1)));
+}
+
+// The grain across along the edge: one for all of a stretch that runs down, as strands do there.
+std::vector<double> find_rim_grain(const Shell& shell) {
+  constexpr int kReach = 6;  // columns to either side
+  std::vector<double> grains, rims;
+  for (int column = 0; column < kColumns; ++column)
+    grains.push_back(compute_mass_grain(shell.scene, find_place(shell, column, 1)).x);
+  for (int column = 0; column < kColumns; ++column) {
+    double sum = 0, weight = 0;
+    for (int other = column - kReach; other <= column + kReach; ++other) {
+      const double steep = measure_steepness(shell, other);
+      sum += steep * grains[static_cast<std::size_t>((other + kColumns) % kColumns)];
+      weight += steep;
+    }
+    rims.push_back(weight > 0 ? sum / weight : grains[static_cast<std::size_t>(column)]);
+  }
+  return rims;
+}
+
 void append_shell(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const HairChart& chart = scene.chart;
@@ -174,8 +201,12 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       outer[other].push_back(distance);
       points[other].push_back(mirror(points[at].back()));
     }
+  const std::vector<double> rims = find_rim_grain(shell);
   const auto compute_grain = [&](int column, int row, int rows, glm::dvec2 grain) {
     const auto at = static_cast<std::size_t>(column);
+    if (row == rows)
+      grain.x = std::lerp(grain.x, rims[at] + (rows == kInnerRows ? cut.sheet_mm : 0),
+                          measure_steepness(shell, column));
     const double left_mm = shell.border[at] * (1 - static_cast<double>(row) / rows) * chart.drop_mm;
     return end_in_strands(grain, left_mm, smooth_step(0.05, 0.4, shell.hangs[at]));
   };
