@@ -24,6 +24,7 @@ double compute_azimuth(int column) { return 360 * (column + 0.5) / kColumns - 18
 struct Shell {
   const HairScene& scene;
   std::vector<double> border;    // by column
+  std::vector<double> even;      // the same without tips
   std::vector<double> hangs;     // 0: it ends in the skin at the hairline .. 1: it hangs free
   std::vector<glm::dvec3> edge;  // where that is
 };
@@ -98,29 +99,24 @@ void fray(Shell& shell, const HairBorder& border) {
   }
 }
 
-// How much the shell's edge runs down at a column instead of round the head, 0..1.
-double measure_steepness(const Shell& shell, int column) {
-  constexpr double kLevel_mm = 6, kSteep_mm = 14;  // from one column to the next but one
-  const auto find_mm = [&](int other) {
-    return shell.border[static_cast<std::size_t>((other + kColumns) % kColumns)] * shell.scene.chart.drop_mm;
+// How far the shell's edge runs down at a column, mm from the one before it to the one after it.
+double measure_fall_mm(const Shell& shell, int column) {
+  const auto find_border = [&](int other) {
+    return shell.even[static_cast<std::size_t>((other + kColumns) % kColumns)];
   };
-  return smooth_step(kLevel_mm, kSteep_mm, std::abs(find_mm(column + 1) - find_mm(column - 1)));
+  return std::abs(find_border(column + 1) - find_border(column - 1)) * shell.scene.chart.drop_mm;
 }
 
-// The grain across along the edge: one for all of a stretch that runs down, as strands do there.
+// The grain across along the edge: that of the steepest place for all of a stretch that runs down, as strands
+// do there.
 std::vector<double> find_rim_grain(const Shell& shell) {
   constexpr int kReach = 6;  // columns to either side
-  std::vector<double> grains, rims;
-  for (int column = 0; column < kColumns; ++column)
-    grains.push_back(compute_mass_grain(shell.scene, find_place(shell, column, 1)).x);
+  std::vector<double> rims;
   for (int column = 0; column < kColumns; ++column) {
-    double sum = 0, weight = 0;
-    for (int other = column - kReach; other <= column + kReach; ++other) {
-      const double steep = measure_steepness(shell, other);
-      sum += steep * grains[static_cast<std::size_t>((other + kColumns) % kColumns)];
-      weight += steep;
-    }
-    rims.push_back(weight > 0 ? sum / weight : grains[static_cast<std::size_t>(column)]);
+    int steepest = column;
+    for (int other = column - kReach; other <= column + kReach; ++other)
+      if (measure_fall_mm(shell, other) > measure_fall_mm(shell, steepest)) steepest = other;
+    rims.push_back(compute_mass_grain(shell.scene, find_place(shell, (steepest + kColumns) % kColumns, 1)).x);
   }
   return rims;
 }
@@ -128,7 +124,7 @@ std::vector<double> find_rim_grain(const Shell& shell) {
 void append_shell(HeadPart& part, const HairScene& scene) {
   const HairCut& cut = scene.cut;
   const HairChart& chart = scene.chart;
-  Shell shell{scene, {}, {}, {}};
+  Shell shell{scene, {}, {}, {}, {}};
   const bool is_free = !scene.ends.empty() && cut.covers_ears;
   // Its edge lies so far inside the border, above and beside, that locks hide it.
   constexpr double kInset_mm = 7, kBeside_deg = 9;
@@ -170,6 +166,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
           std::min(before[i], 0.5 * before[i] + 0.25 * (before[(i + 1) % before.size()] +
                                                         before[(i + before.size() - 1) % before.size()]));
   }
+  shell.even = shell.border;
   fray(shell, is_free ? scene.ends : scene.hairline);
   for (int column = 0; column < kColumns; ++column) {
     const HairPlace place = find_place(shell, column, 1);
@@ -201,12 +198,14 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       outer[other].push_back(distance);
       points[other].push_back(mirror(points[at].back()));
     }
+  constexpr double kLevel_mm = 6, kSteep_mm = 14;
+  constexpr double kStrands = 3;  // they lie that much closer there than over the mass
   const std::vector<double> rims = find_rim_grain(shell);
   const auto compute_grain = [&](int column, int row, int rows, glm::dvec2 grain) {
     const auto at = static_cast<std::size_t>(column);
+    const double rim = rims[at] + (rows == kInnerRows ? kStrands * cut.sheet_mm : 0);
     if (row == rows)
-      grain.x = std::lerp(grain.x, rims[at] + (rows == kInnerRows ? cut.sheet_mm : 0),
-                          measure_steepness(shell, column));
+      grain.x = std::lerp(grain.x, rim, smooth_step(kLevel_mm, kSteep_mm, measure_fall_mm(shell, column)));
     const double left_mm = shell.border[at] * (1 - static_cast<double>(row) / rows) * chart.drop_mm;
     return end_in_strands(grain, left_mm, smooth_step(0.05, 0.4, shell.hangs[at]));
   };
