@@ -60,6 +60,7 @@ struct Ink {
   float taper_over_mm = 0;              // so far above their top the ends of the row go
   std::array<std::uint32_t, 2> lips{};  // vertices of the skin: the middle of the upper and of the lower one
   std::array<std::uint32_t, 2> corners{};              // and where they meet
+  std::vector<std::uint32_t> mouth_ring;               // the lips' edge, once round
   std::array<std::array<std::uint32_t, 2>, 2> lids{};  // the middles of each eye's upper and lower lid
   std::vector<std::size_t> outlined;       // parts of the figure besides the skin that have outlines
   std::vector<std::vector<float>> before;  // of each of them, of its vertices: how far it is drawn over skin

@@ -231,6 +231,10 @@ void find_mouth(const Figure& figure, Ink& ink) {
   const Cage& cage = figure.head.cage;
   ink.lips = {find_point(cage, "M1_0"), find_point(cage, "M1_12")};
   ink.corners = {find_point(cage, "M1_6"), cage.mirror[find_point(cage, "M1_6")]};
+  constexpr int kLipPoints = 12;  // of the left half's edge from the upper lip's middle to the lower one's
+  for (int i = 0; i <= kLipPoints; ++i) ink.mouth_ring.push_back(find_point(cage, fmt::format("M1_{}", i)));
+  for (int i = kLipPoints - 1; i > 0; --i)
+    ink.mouth_ring.push_back(cage.mirror[ink.mouth_ring[static_cast<std::size_t>(i)]]);
 }
 
 void find_eyes(const Figure& figure, Ink& ink) {

@@ -7,6 +7,7 @@
 
 #include "core/smooth.hpp"
 #include "frames/ink_parts.hpp"
+#include "frames/ink_round.hpp"
 #include "frames/ink_strokes.hpp"
 #include "head/tubes.hpp"
 
@@ -270,9 +271,7 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   constexpr float kRoundNear = 0.66f, kRoundFar = 0.77f;  // a round mouth's would stand before the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   constexpr float kTall = 0.5f, kTaller = 0.75f;  // a round mouth's height against its width
-  constexpr float kBow = 0.5f, kBowFade_mm = 12;
-  constexpr float kFarLower = 1.15f;
-  constexpr float kFarBow = 0.5f, kNoBow = 0.75f;   // sines: on the outline the upper lip's would be a corner
+  constexpr float kEllipse = 0.9f;
   constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -302,11 +301,7 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   }
   const float round =
       smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
-  const float bow = kBow * turned * round;
-  std::array<LipBow, 2> bows{LipBow{bow, bow}, LipBow{bow, bow}};
-  bows[far].upper *= 1 - smooth_step(kFarBow, kNoBow, std::abs(sight.aside));
-  bows[far].lower *= kFarLower;
-  bow_lips(frame, bows, kBowFade_mm * ink.eye_size, skin);
+  round_mouth(ink, kEllipse * turned * round, sight.to_camera, drawing);
 }
 
 void round_profile(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing) {

@@ -137,7 +137,7 @@ InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawi
   const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm) - 0.5f * (left + right));
   const float aside = glm::dot(to_camera, glm::normalize(left - right)), sine = std::abs(aside);
   return {smooth_step(kQuarter, kProfile, sine), 1 - smooth_step(kFront, kTurned, sine), aside,
-          -glm::dot(to_camera, up)};
+          -glm::dot(to_camera, up), to_camera};
 }
 
 float find_smile(const Pose& pose, std::size_t side) {

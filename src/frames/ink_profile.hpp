@@ -8,9 +8,11 @@
 namespace mien {
 
 // How the head is seen, as shares: from the side (0 up to three-quarter view, 1 in profile), and from before;
-// and the sines of the camera's way round it, more than 0 on its left, and below it.
+// and the sines of the camera's way round it, more than 0 on its left, and below it; and the unit way to the
+// camera.
 struct InkSight {
   float beside = 0, faced = 0, aside = 0, below = 0;
+  glm::vec3 to_camera{0, 0, 1};
 };
 InkSight measure_sight(const Ink& ink, const InkView& view, const Drawing& drawing);
 
