@@ -24,6 +24,7 @@ struct DrawnOut {
   float whole_high = 1.5f, none_high = 2.6f;    // of high_mm
   float none_lower = 1, most_lower_mm = 0;      // of high_mm; what is farther off goes no farther
   float none_deep = 3.5f;                       // of deep_mm: the head's back stays
+  float late = 1;                               // as a power: the front less, and more what lies behind
 };
 
 void draw_out(const DrawnOut& out, glm::vec3& p) {
@@ -32,7 +33,7 @@ void draw_out(const DrawnOut& out, glm::vec3& p) {
   const float high = std::abs(glm::dot(way, out.up)) / out.high_mm;
   if (behind <= 0 || behind >= out.none_deep || high >= out.none_high) return;
   const float share =
-      std::min(behind, 1.0f) *
+      std::pow(std::min(behind, 1.0f), out.late) *
       smooth_step(out.none_aside, out.whole_aside, std::abs(glm::dot(way, out.aside)) / out.aside_mm) *
       (1 - smooth_step(1.0f, out.none_deep, behind));
   const float deeper = out.deeper * share * (1 - smooth_step(out.whole_high, out.none_high, high));
@@ -188,8 +189,11 @@ void widen_features(const Ink& ink, float beside, float parted, Drawing& drawing
     skin[v] -= beside * kCheek_mm * ink.eye_size * ink.cheek[v] * eyes.forward;
   }
   hold_flush(ink, beside, eyes, skin);
+  constexpr float kLate = 1.8f;  // or an iris is as broad as it is from before
+  DrawnOut balls = eyes;
+  balls.late = kLate;
   for (const std::size_t part : ink.balls)
-    for (glm::vec3& p : drawing.parts[part].positions) draw_out(eyes, p);
+    for (glm::vec3& p : drawing.parts[part].positions) draw_out(balls, p);
   // Or cheeks that are drawn out would have teeth through them.
   constexpr float kNarrower = 0.35f;
   for (const std::size_t part : ink.bones) {
