@@ -234,18 +234,14 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin) {
 
 namespace {
 
-// Lips that go straight to the corners are a kite, once the head is turned: beside their middle, which is
-// round, they bow out as an ellipse does, by the left and the right half's shares of the way there.
-struct LipBow {
-  float upper = 0, lower = 0;
-};
-
-void bow_lips(const MouthFrame& frame, const std::array<LipBow, 2>& bows, float fade_mm,
+// Lips that go straight to the corners are a beak from the side: beside their middle they bow out as an
+// ellipse does, by the upper and the lower one's share of the way there.
+void bow_lips(const MouthFrame& frame, float upper, float lower, float fade_mm,
               std::vector<glm::vec3>& skin) {
   constexpr float kDeep = 0.9f, kReach_mm = 3, kSoft = 0.4f;  // the first of half the mouth's width
   for (glm::vec3& p : skin) {
     const glm::vec3 off = p - frame.middle;
-    const float left = glm::dot(off, frame.aside), out = std::abs(left) / frame.half_mm,
+    const float out = std::abs(glm::dot(off, frame.aside)) / frame.half_mm,
                 deep = -glm::dot(off, frame.forward) / frame.half_mm;
     if (out >= 1 || deep >= kDeep) continue;
     const float straight_mm = frame.high_mm * (1 - out);
@@ -253,10 +249,8 @@ void bow_lips(const MouthFrame& frame, const std::array<LipBow, 2>& bows, float 
         (frame.high_mm * std::sqrt(1 - out * out) - straight_mm) * smooth_step(0.1f, 0.75f, out);
     const float off_mm = glm::dot(p - frame.lips, frame.up);
     const float side = std::clamp(off_mm / (kSoft * straight_mm + 0.1f), -1.0f, 1.0f);
-    const LipBow& bow = bows[left > 0 ? 0 : 1];
-    p += (side > 0 ? bow.upper : bow.lower) * bow_mm * side *
-         fade_out(off_mm, straight_mm + kReach_mm, fade_mm) * (1 - smooth_step(0.5f * kDeep, kDeep, deep)) *
-         frame.up;
+    p += (side > 0 ? upper : lower) * bow_mm * side * fade_out(off_mm, straight_mm + kReach_mm, fade_mm) *
+         (1 - smooth_step(0.5f * kDeep, kDeep, deep)) * frame.up;
   }
 }
 
@@ -308,8 +302,8 @@ void round_profile(const Ink& ink, const InkSight& sight, const InkMouth& mouth,
   constexpr float kUpper = 0.2f, kLower = 0.4f, kFade_mm = 8;
   const float share = sight.beside * mouth.parted * (1 - mouth.slit);
   if (share == 0 || !ink.redraw.lens.is_on()) return;
-  const LipBow bow{kUpper * share, kLower * share};
-  bow_lips(measure_frame(ink, drawing), {bow, bow}, kFade_mm * ink.eye_size, drawing.parts.front().positions);
+  bow_lips(measure_frame(ink, drawing), kUpper * share, kLower * share, kFade_mm * ink.eye_size,
+           drawing.parts.front().positions);
 }
 
 void lift_corners(const Ink& ink, const Pose& pose, const InkSight& sight, Drawing& drawing) {

@@ -16,7 +16,8 @@ InkMouth measure_mouth(const Ink& ink, const std::vector<glm::vec3>& skin);
 
 // In three-quarter view the far end of an open mouth goes away around the teeth: a wide one would be cut off
 // square, a round one would be a heart. Its corner comes forward, most where no smile lifts it, and a wide
-// mouth's lips come together about the middle of its height. A head without a lens stays as it is.
+// mouth's lips come together about the middle of its height; a round one is an ellipse, as it is seen. A head
+// without a lens stays as it is.
 void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, const InkMouth& mouth,
                       Drawing& drawing);
 
