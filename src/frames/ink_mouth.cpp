@@ -265,7 +265,7 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   constexpr float kRoundNear = 0.66f, kRoundFar = 0.77f;  // a round mouth's would stand before the lips
   constexpr float kFade_mm = 20, kForthFade_mm = 8;
   constexpr float kTall = 0.5f, kTaller = 0.75f;  // a round mouth's height against its width
-  constexpr float kEllipse = 0.9f;
+  constexpr float kEllipse = 0.9f, kInset = 0.12f;
   constexpr float kNick_mm = 9, kNickForth_mm = 3;  // about the corner, which would nick the far outline
   const float turned =
       smooth_step(kFront, kQuarter, std::abs(sight.aside)) * (1 - sight.beside) * mouth.parted;
@@ -295,7 +295,8 @@ void round_far_corner(const Ink& ink, const Pose& pose, const InkSight& sight, c
   }
   const float round =
       smooth_step(kTall, kTaller, frame.high_mm / frame.half_mm) * (1 - find_smile(pose, far));
-  round_mouth(ink, kEllipse * turned * round, sight.to_camera, drawing);
+  round_mouth(ink, kEllipse * turned * round,
+              kInset * smooth_step(kRoundNear, kRoundFar, std::abs(sight.aside)), sight.to_camera, drawing);
 }
 
 void round_profile(const Ink& ink, const InkSight& sight, const InkMouth& mouth, Drawing& drawing) {

@@ -56,8 +56,9 @@ float find_length(const SeenEdge& edge, float angle) {
 
 }  // namespace
 
-void round_mouth(const Ink& ink, float share, const glm::vec3& to_camera, Drawing& drawing) {
-  constexpr float kFade_mm = 10, kNear = 1.2f, kFar = 2.2f;  // the latter: behind the edge, of half its width
+void round_mouth(const Ink& ink, float share, float inset, const glm::vec3& to_camera, Drawing& drawing) {
+  constexpr float kFade_mm = 10, kLips_mm = 7, kNear = 1.2f,
+                  kFar = 2.2f;  // the latter: behind the edge, of half its width
   if (share == 0) return;
   std::vector<glm::vec3>& skin = drawing.parts.front().positions;
   std::vector<glm::vec3> ring;
@@ -65,6 +66,8 @@ void round_mouth(const Ink& ink, float share, const glm::vec3& to_camera, Drawin
   const glm::vec3 up = glm::normalize(glm::vec3(drawing.parts[ink.teeth].world_from_rest[1]));
   const SeenEdge edge = see_edge(ring, up, to_camera);
   const float wide_mm = 0.5f * glm::distance(skin[ink.corners[0]], skin[ink.corners[1]]);
+  const glm::vec3 across = skin[ink.corners[0]] - skin[ink.corners[1]];
+  const float far = glm::dot(across, edge.right) * glm::dot(across, to_camera) > 0 ? -1.0f : 1.0f;
   for (glm::vec3& p : skin) {
     const glm::vec3 off = p - edge.middle;
     const float deep = -glm::dot(off, to_camera) / wide_mm;
@@ -75,10 +78,11 @@ void round_mouth(const Ink& ink, float share, const glm::vec3& to_camera, Drawin
     const glm::vec2 way = q / away;
     const float length = find_length(edge, std::atan2(q.y, q.x));
     const float beyond_mm = std::max(away - length, 0.0f) * glm::length(way * edge.half_mm);
-    const float near = std::min(away / length, 1.0f) *
-                       (1 - smooth_step(0.0f, kFade_mm * ink.eye_size, beyond_mm)) *
-                       (1 - smooth_step(kNear, kFar, std::abs(deep)));
-    const glm::vec2 shift = share * near * (1 - length) * way * edge.half_mm;
+    const float about = (1 - smooth_step(0.0f, kFade_mm * ink.eye_size, beyond_mm)) *
+                        (1 - smooth_step(kNear, kFar, std::abs(deep)));
+    glm::vec2 shift = share * about * std::min(away / length, 1.0f) * (1 - length) * way * edge.half_mm;
+    shift.x -= share * about * (1 - smooth_step(0.0f, kLips_mm * ink.eye_size, beyond_mm)) * inset * far *
+               std::max(far * q.x + 1, 0.0f) * edge.half_mm.x;
     p += shift.x * edge.right + shift.y * edge.up;
   }
 }
