@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "config/head_words.hpp"
 #include "config/words.hpp"
 #include "core/error.hpp"
 #include "sheet/area_table.hpp"
@@ -82,7 +83,7 @@ const Pose& find_pose(const Spec& spec, const std::string& library, const std::s
 
 }  // namespace
 
-SheetPlan plan_heads(const SheetSubject& subject, const HeadData&) {
+SheetPlan plan_heads(const SheetSubject& subject, const HeadData& data) {
   SheetPlan plan;
   plan.cell_px = {400, 480};
   const Expression& expression = subject.expression;
@@ -98,6 +99,7 @@ SheetPlan plan_heads(const SheetSubject& subject, const HeadData&) {
       plan.heads.back().age = {{age, 1.0}};
       plan.heads.back().skull = {{skull, 1.0}};
       plan.heads.back().guides.clear();  // each age has its own
+      set_greying(data.words.greying, plan.heads.back().look);
     }
   }
   const std::string library = expression.library.empty() ? "" : expression.library + "/";

@@ -247,6 +247,9 @@ TEST(sheet_plans, show_one_expression_on_every_age_of_four_skulls) {
       EXPECT_EQ(cell.pose, subject.expression.pose);
       EXPECT_EQ(plan.heads[cell.head].features, spec.head.features);
       heads.emplace(plan.heads[cell.head].age, plan.heads[cell.head].skull);
+      const Look& look = plan.heads[cell.head].look;
+      ASSERT_TRUE(look.hair_old.has_value()) << "an old head is grey";
+      EXPECT_GT(look.hair_old->r, look.hair.r + 0.2f);
     }
   EXPECT_EQ(heads.size(), 24u);
 }
