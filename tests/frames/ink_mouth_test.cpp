@@ -100,6 +100,16 @@ TEST(ink_mouth, a_round_mouth_stays_round) {
       EXPECT_GT(*std::min_element(lengths.begin(), lengths.end()), 0.88f) << view.camera_mm.x;
       EXPECT_LT(*std::max_element(lengths.begin(), lengths.end()), 1.12f) << view.camera_mm.x;
     }
+  // Its far corner comes forward, or it would be a heart; farther round it would stand before the lips, but
+  // it makes no nick in the outline. Rounding moves across the view alone.
+  const auto measure_forth_mm = [&](const InkView& view) {
+    const glm::vec3 way = find_place(comic(), draw(comic(), round, TurnKey{}, view), "M1_6", true) -
+                          find_place(comic(), draw(comic(), round, TurnKey{}, kBefore), "M1_6", true);
+    const glm::vec3 to_camera = glm::normalize(glm::vec3(view.camera_mm));
+    return glm::dot(way, to_camera) / to_camera.z;
+  };
+  EXPECT_GT(measure_forth_mm(kQuarter), 3 * comic().ink.eye_size + 2);
+  EXPECT_NEAR(measure_forth_mm(kFarther), 3 * comic().ink.eye_size, 0.3);
   // A smile is none.
   const std::vector<float> smile = measure_edge(
       comic(), draw(comic(), make_pose({{"corner.up", 0.8}, {"chin.down", 0.4}}), TurnKey{}, kQuarter),
