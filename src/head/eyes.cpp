@@ -22,8 +22,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr int kScleraSpokes = 48;
 constexpr int kIrisSpokes = 128;  // three to a fibre: fewer would draw polygons, more would not be seen
 constexpr int kIrisRings = 13;
-constexpr int kIrisRows = 22;   // colours from the pupil to the white
-constexpr int kIrisLevels = 8;  // dark to bright fibres of each
+constexpr int kIrisRows = 22;    // colours from the pupil to the white
+constexpr int kIrisLevels = 12;  // of each: a dark fibre below the upper lid to a bright one in the open
 
 struct EyeFrame {
   glm::mat4 head_from_eye{1};  // from the ball's own frame at the adult size
@@ -101,7 +101,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
   part.part.palette = make_sclera_palette();
   for (const glm::vec3& p : mesh.positions) {
     const double radius = std::hypot(p.x, p.y);
-    const double limbus = p.z > 0 ? 1 - smooth_step(eye.limbus_mm - 0.1, eye.limbus_mm + 1.0, radius) : 0;
+    const double limbus = p.z > 0 ? 1 - smooth_step(eye.limbus_mm - 0.1, eye.limbus_mm + 1.3, radius) : 0;
     const double corner = smooth_step(0.5, 0.95, std::abs(p.x) / eye.ball_mm);
     const double lid = std::max(compute_lid_shadow(p.y), kLowerShadow * compute_lid_shadow(-p.y));
     const auto row = std::lround(limbus * (kLimbusSteps - 1)),
@@ -117,7 +117,7 @@ HeadPart build_sclera(const EyeFrame& frame) {
 // collarette), the plain colour, a dark limbal ring.
 glm::vec3 compute_iris_colour(const glm::vec3& iris, double share) {
   static const std::vector<double> at{0, 0.05, 0.16, 0.27, 0.40, 0.68, 0.82, 0.92, 1.0};
-  static const std::vector<double> brightness{0.22, 0.62, 0.96, 1.16, 1.02, 0.98, 0.80, 0.52, 0.34};
+  static const std::vector<double> brightness{0.22, 0.60, 0.94, 1.12, 0.98, 0.90, 0.68, 0.40, 0.26};
   const float grey = glm::dot(iris, glm::vec3(0.30f, 0.59f, 0.11f));
   const glm::vec3 warm = glm::vec3(1.25f, 0.95f, 0.58f) * (0.85f * grey + 0.06f);
   const auto warmth = static_cast<float>(0.6 * (1 - smooth_step(0.10, 0.36, share)));
@@ -130,7 +130,7 @@ std::vector<Shade> make_iris_palette(const glm::vec3& iris) {
   std::vector<Shade> palette;
   for (int row = 0; row < kIrisRows; ++row)
     for (int level = 0; level < kIrisLevels; ++level) {
-      const float fibre = 0.70f + 0.60f * static_cast<float>(level) / (kIrisLevels - 1);
+      const float fibre = 0.36f + 0.94f * static_cast<float>(level) / (kIrisLevels - 1);
       const glm::vec3 colour = compute_iris_colour(iris, static_cast<double>(row) / (kIrisRows - 1));
       palette.push_back({glm::clamp(colour * fibre, 0.0f, 1.0f), 0.15f});
     }
@@ -147,8 +147,8 @@ std::uint16_t compute_iris_shade(double turn, double share, double up_mm, int fi
       0.62 * sample_noise(1, cells + waver, fibres) + 0.42 * sample_noise(2, 2 * cells, 2 * fibres);
   const double sector = 0.35 * sample_noise(3, turn * 7, 7);
   const double envelope = 0.45 + 0.55 * std::sin(kPi * std::clamp(share, 0.0, 1.0));
-  const double shadow = 0.7 * compute_lid_shadow(up_mm);
-  const double level = 0.5 + 0.5 * std::clamp(streak * envelope + sector - shadow, -1.0, 1.0);
+  const double fibre = 0.32 * std::clamp(streak * envelope + sector, -1.0, 1.0);
+  const double level = std::clamp(0.68 + fibre - 0.62 * smooth_step(-0.4, 4.6, up_mm), 0.0, 1.0);
   const double wreath = 0.05 * sample_noise(4, turn * 23, 23) * (1 - smooth_step(0.4, 0.7, share));
   const auto row = std::lround(std::clamp(share + wreath, 0.0, 1.0) * (kIrisRows - 1));
   return static_cast<std::uint16_t>(row * kIrisLevels + std::lround(level * (kIrisLevels - 1)));
