@@ -228,6 +228,31 @@ TEST(parts, irises_look_ahead_or_a_little_outward) {
   EXPECT_NEAR(axis.y, 0, 0.01);
 }
 
+// What the upper lid keeps off, and the dark rim: an iris as bright above as below is a painted disc.
+TEST(parts, irises_are_darker_below_the_upper_lid_and_at_their_rim) {
+  const EyeNumbers& eye = average_head().data->parts.eye;
+  const Part& iris = find_part(average_parts(), "iris_left").part;
+  const glm::vec3 axis = iris.rest.positions.front();
+  struct Mean {
+    double sum = 0;
+    int count = 0;
+  } above, below, middle, rim;
+  const auto add = [](Mean& mean, double value) { mean.sum += value, ++mean.count; };
+  for (std::size_t i = 0; i < iris.rest.positions.size(); ++i) {
+    const glm::vec3 from = iris.rest.positions[i] - axis;
+    const double radius = std::hypot(from.x, from.y);
+    if (radius < eye.iris_inner_mm[0] + 0.1) continue;
+    const glm::vec3 colour = iris.palette[iris.shade[i]].srgb;
+    const double light = colour.r + colour.g + colour.b;
+    if (std::abs(from.y) > 2.5) add(from.y > 0 ? above : below, light);
+    if (from.y < 0 && radius > eye.limbus_mm - 0.5) add(rim, light);
+    if (from.y < 0 && radius > 3 && radius < 4) add(middle, light);
+  }
+  const auto mean = [](const Mean& of) { return of.sum / of.count; };
+  EXPECT_LT(mean(above), 0.75 * mean(below));
+  EXPECT_LT(mean(rim), 0.6 * mean(middle));
+}
+
 // Bare teeth, right behind the lips: no vertex comes nearer than half a millimetre to the flesh, or into it.
 TEST(parts, teeth_stay_behind_the_lips) {
   for (const NeutralHead* head : {&average_head(), &infant_head()}) {
