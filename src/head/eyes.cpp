@@ -58,6 +58,11 @@ double compute_lid_shadow(double up_mm) { return smooth_step(1.2, 5.4, up_mm); }
 constexpr float kLidShadow = 0.46f;    // share of the light that is kept off
 constexpr double kLowerShadow = 0.35;  // of that, above the lower lid
 
+// The iris lies deeper, in the shadow from its middle on. Shares of the way from a palette's darkest fibre to
+// its brightest: the plain one in the open, how far fibres go to either side of it, and the whole shadow.
+double compute_iris_shadow(double up_mm) { return smooth_step(-0.4, 4.6, up_mm); }
+constexpr double kIrisOpen = 0.68, kIrisFibres = 0.32, kIrisShadow = 0.62;
+
 double sphere_z(double ball, double radius) {
   return std::sqrt(std::max(0.0, ball * ball - radius * radius));
 }
@@ -147,8 +152,8 @@ std::uint16_t compute_iris_shade(double turn, double share, double up_mm, int fi
       0.62 * sample_noise(1, cells + waver, fibres) + 0.42 * sample_noise(2, 2 * cells, 2 * fibres);
   const double sector = 0.35 * sample_noise(3, turn * 7, 7);
   const double envelope = 0.45 + 0.55 * std::sin(kPi * std::clamp(share, 0.0, 1.0));
-  const double fibre = 0.32 * std::clamp(streak * envelope + sector, -1.0, 1.0);
-  const double level = std::clamp(0.68 + fibre - 0.62 * smooth_step(-0.4, 4.6, up_mm), 0.0, 1.0);
+  const double fibre = kIrisFibres * std::clamp(streak * envelope + sector, -1.0, 1.0);
+  const double level = std::clamp(kIrisOpen + fibre - kIrisShadow * compute_iris_shadow(up_mm), 0.0, 1.0);
   const double wreath = 0.05 * sample_noise(4, turn * 23, 23) * (1 - smooth_step(0.4, 0.7, share));
   const auto row = std::lround(std::clamp(share + wreath, 0.0, 1.0) * (kIrisRows - 1));
   return static_cast<std::uint16_t>(row * kIrisLevels + std::lround(level * (kIrisLevels - 1)));
