@@ -98,6 +98,8 @@ HairCut draw_cut(HairCut cut) {
       const double way = static_cast<double>(i) / static_cast<double>(thick->size() - 1);
       (*thick)[i] *= 1 + kBody * 4 * way * (1 - way) * (thick == &cut.thick_mm.front ? 1 : 0.6);
     }
+  constexpr double kTucked = 1.7;  // its outline turns in at the nape
+  cut.tuck *= kTucked;
   cut.comb.scalp_mm = 0;  // in an outline its groove is a notch
   cut.down.count = 0;
   cut.is_drawn = true;

@@ -9,6 +9,7 @@
 #include "core/smooth.hpp"
 #include "head/hair_comb.hpp"
 #include "head/hair_edge.hpp"
+#include "head/hair_light.hpp"
 #include "head/hair_locks.hpp"
 #include "head/hair_mass.hpp"
 #include "head/tubes.hpp"
@@ -16,12 +17,6 @@
 namespace mien {
 
 namespace {
-
-// Where the ring of light lies along a column: from which way to which.
-struct LightBand {
-  double high = 0, low = 0;
-  bool is_there = false;
-};
 
 struct DrawnShell {
   const HairScene& scene;
@@ -154,39 +149,13 @@ double compute_up(const DrawnShell& shell, const HairPlace& place) {
   return way.y + kBows * (way.x * way.x - way.z * way.z) / std::max(1e-9, 1 - way.y * way.y);
 }
 
-// The ring of light: over each lock it points down as the lock does, and it is thin where locks part.
-std::vector<LightBand> trace_light(const DrawnShell& shell) {
-  constexpr double kUp = 0.64, kLeast = 0.12, kAbove = 0.86;  // how far up it looks; ways
-  constexpr double kThin_mm = 2, kThick_mm = 13, kPoint_mm = 9;
-  constexpr std::uint32_t kLightSeries = 62;
-  const HairScene& scene = shell.scene;
-  const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
-  std::vector<LightBand> bands;
-  for (const DrawnEdge& edge : shell.edge) {
-    const double azimuth = wrap_azimuth(edge.turn_deg);
-    double high = 0, low = std::min(1.0, edge.way);
-    for (int i = 0; i < 24; ++i) {
-      const double middle = 0.5 * (high + low);
-      (compute_up(shell, {azimuth, middle}) > kUp ? high : low) = middle;
-    }
-    const double size = scatter(kLightSeries, static_cast<std::uint32_t>(edge.lock), 0);
-    const double full = 1 - std::abs(edge.across);
-    const double most = kAbove * edge.way;
-    const bool is_there = high > kLeast;
-    const double thick = way_of_mm * (kThin_mm + (0.35 + size) * kThick_mm * full);
-    const double end = std::min(most, high + way_of_mm * (0.4 + size) * kPoint_mm * full + 0.5 * thick);
-    bands.push_back({std::max(kLeast * 0.5, end - thick), end, is_there});
-    if (!is_there) bands.back() = {0.5 * most, 0.55 * most, false};
-  }
-  return bands;
-}
-
 void append_drawn_shell(HeadPart& part, const HairScene& scene) {
   DrawnShell shell{scene, trace_drawn_edge(scene), find_fall(scene), 0, {}, list_puffs(scene)};
   constexpr double kLevel = 0.9;  // of the highest place where locks part
   shell.level = 1e9;
   for (const DrawnEdge& edge : shell.edge) shell.level = std::min(shell.level, kLevel * edge.way);
-  shell.light = trace_light(shell);
+  shell.light =
+      trace_light(scene, shell.edge, [&](const HairPlace& place) { return compute_up(shell, place); });
   const int columns = static_cast<int>(shell.edge.size());
   const auto first_outer = static_cast<std::uint32_t>(part.part.rest.positions.size());
   const double top_mm = compute_outer_mm(shell, shell.edge.front(), {0, 0});

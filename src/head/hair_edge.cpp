@@ -14,7 +14,18 @@ namespace mien {
 namespace {
 
 constexpr std::uint32_t kDrawnSeries = 61;  // of scatter()
+constexpr double kBehindEar_deg = 104;
 enum DrawnChannel : std::uint32_t { kBreadth, kDeep, kTipAside, kBent, kShort };
+
+// How much further back than its cut says what falls beside a face goes by the eye.
+double find_back_deg(const HairScene& scene) {
+  constexpr double kEye = 1.3, kEye_deg = 57;  // a way: as low as an eye; there it is that far aside
+  constexpr int kLast_deg = 57;
+  if (!scene.cut.covers_ears) return 0;
+  for (int degree = 0; degree < kLast_deg; ++degree)
+    if (sample_border(scene.ends, degree) > kEye) return kEye_deg - degree;
+  return 0;
+}
 
 // Where hair would end if no lock parted from another: where its cut lets tips end, but above ears that it
 // leaves free.
@@ -22,26 +33,40 @@ double compute_knotted_border(const HairScene& scene, double azimuth_deg) {
   constexpr double kBefore_deg = 66, kEar_deg = 78, kBehind_deg = 94, kPast_deg = 108;
   const double azimuth = std::abs(azimuth_deg), line = sample_border(scene.hairline, azimuth);
   if (scene.ends.empty()) return line;
-  // Beside the face what falls reaches over the cheek: before the ear no skin shows behind it.
-  constexpr double kForward_deg = 5, kCheek_deg = 47, kWhole_deg = 62, kPassed_deg = 78, kEnd_deg = 104;
-  const double forward =
-      smooth_step(kCheek_deg, kWhole_deg, azimuth) - smooth_step(kPassed_deg, kEnd_deg, azimuth);
-  const double end =
-      sample_border(scene.ends, azimuth + (scene.cut.covers_ears ? kForward_deg * forward : 0));
+  // As low as an eye it lies behind the eye; below, the lock that frames the face comes forward.
+  constexpr double kFirst_deg = 14, kWhole_deg = 46, kPassed_deg = 84, kEnd_deg = 112;
+  const double beside =
+      smooth_step(kFirst_deg, kWhole_deg, azimuth) - smooth_step(kPassed_deg, kEnd_deg, azimuth);
+  const double end = sample_border(scene.ends, azimuth - beside * find_back_deg(scene));
   // Brows tell more where they are drawn, and go further up: a fringe leaves them room.
   constexpr double kFringe_mm = 6, kFront_deg = 44, kSide_deg = 58;
+  // Its hem is shorter at the nape than beside the face.
+  constexpr double kNape_mm = 20, kCheek_deg = 70, kNape_deg = 165;
   if (scene.cut.covers_ears)
-    return end - kFringe_mm * scene.chart.size / scene.chart.drop_mm * sample_border(scene.hangs, 0) *
-                     (1 - smooth_step(kFront_deg, kSide_deg, azimuth));
+    return end - scene.chart.size / scene.chart.drop_mm *
+                     (kFringe_mm * sample_border(scene.hangs, 0) *
+                          (1 - smooth_step(kFront_deg, kSide_deg, azimuth)) +
+                      kNape_mm * smooth_step(kCheek_deg, kNape_deg, azimuth));
   const double ear =
       smooth_step(kBefore_deg, kEar_deg, azimuth) - smooth_step(kBehind_deg, kPast_deg, azimuth);
   return std::lerp(end, line, ear);
 }
 
-// The same without the corners that it has at its knots: an outline shows them.
+// Behind an ear that is free, down to the nape: one line, straight as it is seen from the side.
+double compute_nape_border(const HairScene& scene, double azimuth_deg) {
+  constexpr double kFuller = 0.85;  // a power; 1: straight
+  const auto find_depth = [](double degree) { return -std::cos(degree * kRadiansPerDegree); };
+  const double first = find_depth(kBehindEar_deg);
+  const double share = std::max(0.0, (find_depth(azimuth_deg) - first) / (1 - first));
+  return std::lerp(compute_knotted_border(scene, kBehindEar_deg), compute_knotted_border(scene, 180),
+                   std::pow(share, kFuller));
+}
+
+// The border without the corners that it has at its knots: an outline shows them.
 double compute_plain_border(const HairScene& scene, double azimuth_deg) {
   constexpr int kReach_deg = 5;
   constexpr double kEarFirst_deg = 68, kEarLast_deg = 112;  // it comes no nearer to an ear
+  constexpr double kSoft_deg = 6;
   double sum = 0, weights = 0;
   for (int i = -kReach_deg; i <= kReach_deg; ++i) {
     const double weight = kReach_deg + 1 - std::abs(i);
@@ -49,8 +74,13 @@ double compute_plain_border(const HairScene& scene, double azimuth_deg) {
     weights += weight;
   }
   const double azimuth = std::abs(azimuth_deg), smooth = sum / weights;
-  const bool is_at_ear = !scene.cut.covers_ears && azimuth > kEarFirst_deg && azimuth < kEarLast_deg;
-  return is_at_ear ? std::min(smooth, compute_knotted_border(scene, azimuth)) : smooth;
+  if (scene.cut.covers_ears || azimuth <= kEarFirst_deg) return smooth;
+  const double knotted = compute_knotted_border(scene, azimuth);
+  if (!scene.ends.empty()) return azimuth < kEarLast_deg ? std::min(smooth, knotted) : smooth;
+  const double border =
+      std::lerp(smooth, compute_nape_border(scene, azimuth),
+                smooth_step(kBehindEar_deg - kSoft_deg, kBehindEar_deg + kSoft_deg, azimuth));
+  return azimuth < kBehindEar_deg - kSoft_deg ? std::min(border, knotted) : border;
 }
 
 // Where hair comes down the furthest before an ear.
@@ -130,7 +160,10 @@ void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
   constexpr double kAside = 0.13, kScattered = 0.07;    // of its breadth: how far off its middle a tip is
   constexpr double kBend = 0.26, kBendScattered = 0.1;  // of its breadth
   constexpr double kShorter = 0.42, kMoreShort = 0.16;  // of how deep it is parted
-  const double width_deg = scene.cut.ink.lock_mm / (kRadius_mm * kRadiansPerDegree);
+  constexpr double kFringe = 0.7, kFront_deg = 60;      // locks of a fringe: of its width
+  const bool is_fringe = std::abs(wrap_azimuth(0.5 * (from_deg + to_deg))) < kFront_deg;
+  const double width_deg = scene.cut.ink.lock_mm / (kRadius_mm * kRadiansPerDegree) *
+                           (scene.cut.covers_ears && is_fringe ? kFringe : 1);
   const int count = std::max(1, static_cast<int>(std::lround((to_deg - from_deg) / width_deg)));
   std::vector<double> sizes, ends{0};
   const auto first = static_cast<std::uint32_t>(locks.size());
@@ -163,12 +196,19 @@ void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
 void part_locks(const HairScene& scene, const Fall& fall, std::vector<DrawnLock>& locks) {
   constexpr double kFrame = 1.2, kSame_deg = 0.5, kShallowest = 0.75, kDeeper = 0.6,
                    kOver = 0.3;  // of how deep the cut says
+  constexpr double kHem = 0.3, kSplit = 1.3,
+                   kFramed = 0.9;  // the same where hair hangs: a few deep ones in one calm hem
   for (std::size_t i = 0; i < locks.size(); ++i) {
     DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
     const double deep = compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg));
-    const double share = kShallowest + kDeeper * scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep);
+    const double at = scatter(kDrawnSeries, static_cast<std::uint32_t>(i), kDeep);
+    const bool is_fringe = std::abs(wrap_azimuth(locks[i].from_deg)) < fall.from_deg;
+    const double share = fall.is_there && !is_fringe ? kHem + kSplit * at * at : kShallowest + kDeeper * at;
     double& beside_mm = before.to_mm;
     beside_mm = std::max(deep * share, std::max(before.tip_mm, locks[i].tip_mm) + kOver * deep);
+    // The one that frames the face ends in a point of its own.
+    const auto frames = [&](const DrawnLock& lock) { return fall.is_there && lock.lean == 0; };
+    if (frames(before) != frames(locks[i])) beside_mm = std::max(beside_mm, kFramed * deep);
     // What frames the face begins well over the forehead, or there is a step.
     if (fall.is_there && std::abs(std::abs(wrap_azimuth(locks[i].from_deg)) - fall.from_deg) < kSame_deg)
       beside_mm = kFrame * deep;
@@ -196,9 +236,10 @@ std::vector<DrawnLock> list_drawn_locks(const HairScene& scene) {
   // The one that frames the face has its tip where hair is as long as it gets.
   constexpr double kFrame = 1.5;  // of the way till there: its end
   const double end_deg = fall.from_deg + kFrame * (fall.to_deg - fall.from_deg);
-  locks.push_back({fall.from_deg, fall.to_deg, end_deg});
+  constexpr double kForward_deg = 13;
+  locks.push_back({fall.from_deg, fall.to_deg, end_deg, 0, 0, 0, -kForward_deg});
   append_drawn_locks(scene, end_deg, 360 - end_deg, locks);
-  locks.push_back({360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg});
+  locks.push_back({360 - end_deg, 360 - fall.to_deg, 360 - fall.from_deg, 0, 0, 0, kForward_deg});
   append_drawn_locks(scene, 360 - fall.from_deg, 360 + fall.from_deg, locks);
   part_locks(scene, fall, locks);
   return locks;
@@ -263,7 +304,7 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
         const double t = static_cast<double>(i) / steps, way = std::pow(is_down ? t : 1 - t, kCloser),
                      s = is_down ? way : 1 - way, low = std::pow(way, power);
         DrawnEdge& at = add(std::lerp(from_deg, to_deg, s), lock.tip_mm + deep_mm * (1 - low));
-        at.bent_deg = low * lock.bent_deg;
+        at.bent_deg = (lock.lean == 0 ? low * low * low : low) * lock.bent_deg;
         at.across = is_down ? way - 1 : 1 - way;
         at.deep_mm = deep_mm;
         at.lock = l;

@@ -108,11 +108,30 @@ void add_gathered(const HairScene& scene, std::vector<LinePath>& paths) {
   }
 }
 
+// A few in what hangs, under the ring of light and over its ends, that begin and end in nothing.
+void add_hanging(const HairScene& scene, std::vector<LinePath>& paths) {
+  constexpr int kStrands = 14;
+  constexpr double kFrom_deg = 62, kHigh = 0.45, kMore = 0.25, kShort_mm = 26, kMore_mm = 40,
+                   kGolden = 0.618034;
+  for (int i = 0; i < kStrands; ++i) {
+    const auto index = static_cast<std::uint32_t>(i);
+    const double at = kGolden * i, share = at - std::floor(at);
+    const double azimuth = wrap_azimuth(std::lerp(kFrom_deg, 360 - kFrom_deg, (i + 0.5) / kStrands));
+    const HairPlace begins{azimuth, (kHigh + kMore * share) * sample_border(scene.ends, azimuth)};
+    paths.push_back(
+        {follow_comb(scene, begins, kShort_mm + kMore_mm * scatter(kLineSeries, index, 5), 1), 0.05, 0.6});
+  }
+}
+
 // A few between the border and the crown that begin and end in nothing.
 void add_free(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kRoots = 26;
   constexpr double kFrom_deg = 52, kLow = 0.5, kHigh = 0.88, kShort_mm = 22, kMore_mm = 30;
-  if (scene.cut.comb.is_gathered || scene.cut.covers_ears) return;
+  if (scene.cut.comb.is_gathered) return;
+  if (scene.cut.covers_ears) {
+    add_hanging(scene, paths);
+    return;
+  }
   const std::vector<HairPlace> roots = spread_roots(scene, kRoots, 0, false);
   for (std::size_t i = 0; i < roots.size(); ++i) {
     const double share = roots[i].way / sample_border(scene.hairline, roots[i].azimuth_deg);
