@@ -272,6 +272,7 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
   constexpr double kCurved_mm = 2;                   // less deep, and there is nothing to see of it
   constexpr double kBellied = 0.85, kFuller = 0.42;  // of its outline, as a power; 1: straight
   constexpr double kCloser = 1.35;                   // columns toward where locks part, as a power
+  constexpr double kBentDeep_mm = 12;                // so deep, and its tip is bent aside all the way
   constexpr double kLifted_mm = 5;                   // deep locks stand off the skin
   constexpr double kNoLock_deg = 20;                 // of hair that ends in none: what it looks like above
   const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
@@ -304,7 +305,8 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
         const double t = static_cast<double>(i) / steps, way = std::pow(is_down ? t : 1 - t, kCloser),
                      s = is_down ? way : 1 - way, low = std::pow(way, power);
         DrawnEdge& at = add(std::lerp(from_deg, to_deg, s), lock.tip_mm + deep_mm * (1 - low));
-        at.bent_deg = (lock.lean == 0 ? low * low * low : low) * lock.bent_deg;
+        at.bent_deg =
+            (lock.lean == 0 ? low * low * low : low) * smooth_step(0, kBentDeep_mm, deep_mm) * lock.bent_deg;
         at.across = is_down ? way - 1 : 1 - way;
         at.deep_mm = deep_mm;
         at.lock = l;
