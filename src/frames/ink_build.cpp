@@ -97,6 +97,11 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> nostrils;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
+  // Seen from below, the shade under a chin is one band along the jaw: what a lamp casts there is a lobe.
+  constexpr float kUnder_mm = 13, kBesideUnder_mm = 27;
+  std::vector<glm::vec3> under;
+  for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2"})
+    add(fmt::format("{}_N0", column).c_str(), under);
   // Seen from below a button of a nose would have a caret on it.
   constexpr float kButton_mm = 10, kBesideButton_mm = 16;
   const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
@@ -117,6 +122,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
+    const float from_under = measure(under, positions[v], 2 * kBesideUnder_mm) / ink.eye_size;
+    ink.throat.push_back(1 - smooth_step(kUnder_mm, kBesideUnder_mm, from_under));
     const float from_tip = glm::distance(tip, positions[v]) / ink.eye_size;
     ink.button.push_back(is_button ? 1 - smooth_step(kButton_mm, kBesideButton_mm, from_tip) : 0);
     const float lip = measure(lips, positions[v], 2 * kAll_mm) / ink.eye_size;

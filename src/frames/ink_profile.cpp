@@ -222,6 +222,18 @@ void flatten_cheeks(const Ink& ink, const Pose& pose, const InkSight& sight, Dra
   }
 }
 
+namespace {
+
+// A direction in the shade, less than a right angle from that of the skin: POV-Ray turns round what is more.
+glm::vec3 turn_into_shade(const glm::vec3& direction, const glm::vec3& to_light) {
+  constexpr float kAway = 0.4f, kWithin = 0.8f;
+  const float along = glm::dot(direction, to_light), across = std::sqrt(std::max(0.0f, 1 - along * along));
+  const float away = std::min(kAway, kWithin * across / std::max(along, 1e-3f));
+  return glm::normalize(direction - (along + away * across) * to_light + glm::vec3(0, 0, 1e-6f));
+}
+
+}  // namespace
+
 void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
                 std::vector<glm::vec3>& tones) {
   constexpr float kLit = 0.7f, kLitBelow = 0.4f, kLitFaced = 0.08f, kLitFlushed = 0.2f;
@@ -235,6 +247,10 @@ void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light
     for (glm::vec3& tone : tones)
       if (glm::dot(tone, to_light) < kClear)
         tone = glm::normalize(glm::mix(tone, to_light, lit * smooth_step(kUnder, kLevel, tone.y)));
+  if (below > 0 && ink.redraw.lens.is_on())
+    for (std::size_t v = 0; v < tones.size(); ++v)
+      tones[v] =
+          glm::normalize(glm::mix(tones[v], turn_into_shade(tones[v], to_light), below * ink.throat[v]));
   if (beside == 0) return;
   for (std::size_t v = 0; v < tones.size(); ++v)
     tones[v] = glm::normalize(glm::mix(tones[v], to_light, kLit * beside * (1 - ink.off_strokes[v])));

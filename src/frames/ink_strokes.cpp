@@ -180,6 +180,8 @@ std::vector<InkStroke> list_strokes(const Figure& figure, const HeadSpec& spec,
     for (const float side : {1.0f, -1.0f}) {
       if (side < 0 && !rule.is_sided) continue;
       InkStroke stroke{rule, {}, {}, {}, side, {}};
+      if (rule.is_brow)
+        for (StrokeWidth& width : stroke.rule.widths) width.width *= figure.head.brow_thickness;
       for (const char* name : rule.points) {
         const std::uint32_t point = find_sided(cage, name, side);
         stroke.points.push_back({{point, point, point}, {1, 0, 0}});
