@@ -74,9 +74,9 @@ void lift_veil(float parted, std::vector<glm::vec3>& veil) {
   for (glm::vec3& p : veil) p = glm::mix(p, middle, parted);
 }
 
-// What is toothless would have an empty wedge in profile: its tongue rises behind the lower lip of a wide
-// mouth.
-void raise_tongue(const Ink& ink, float share, float gap_mm, Drawing& drawing) {
+// What is toothless would have an empty wedge in profile, and an empty hole from below: its tongue rises
+// behind the lower lip of a wide mouth, beside the middle in profile and in it from below.
+void raise_tongue(const Ink& ink, float share, float below, float gap_mm, Drawing& drawing) {
   constexpr float kHigh = 0.45f, kEnds = 0.8f;    // of the gap; of the way to the corners
   constexpr float kNarrow_mm = 8, kWide_mm = 14;  // between an adult's lips
   const std::vector<glm::vec3>& skin = drawing.parts.front().positions;
@@ -89,7 +89,8 @@ void raise_tongue(const Ink& ink, float share, float gap_mm, Drawing& drawing) {
     const float aside = std::abs(2 * static_cast<float>(i) / static_cast<float>(last) - 1),
                 along = std::min(aside / kEnds, 1.0f);
     strip.push_back(skin[ink.strip_points[i]]);
-    strip.push_back(strip.back() + high_mm * 4 * along * (1 - along) * up);
+    strip.push_back(strip.back() +
+                    high_mm * glm::mix(4 * along * (1 - along), 1 - along * along, below) * up);
   }
 }
 
@@ -120,12 +121,16 @@ void hang_strip(const Ink& ink, float share, Drawing& drawing) {
   }
 }
 
-// The strip stands for teeth and gums, which are drawn together in the throat.
-void show_strip(const Ink& ink, float beside, float gap_mm, Drawing& drawing) {
+// The strip stands for teeth and gums, which are drawn together in the throat. A tongue without teeth is
+// raised from below as well, where its own one lies behind the lip.
+void show_strip(const Ink& ink, const InkSight& sight, float gap_mm, Drawing& drawing) {
   constexpr float kBegins = 0.5f, kLeast = 0.02f, kThroat_mm = 25;
-  const float share = smooth_step(kBegins, 1.0f, beside);
+  constexpr float kLevel = 0.15f, kBelow = 0.45f;  // sines of the camera's way below
+  const float beside = smooth_step(kBegins, 1.0f, sight.beside);
+  const float below = ink.is_toothless ? (1 - beside) * smooth_step(kLevel, kBelow, sight.below) : 0;
+  const float share = std::max(beside, below);
   if (ink.is_toothless)
-    raise_tongue(ink, share, gap_mm, drawing);
+    raise_tongue(ink, share, below, gap_mm, drawing);
   else
     hang_strip(ink, share, drawing);
   if (share == 0) return;
@@ -344,7 +349,7 @@ void draw_mouth(const Ink& ink, const Pose& pose, const InkSight& sight, const I
                 ink.taper_over_mm, row.positions);
   }
   hide_teeth(ink, mouth.gap_mm, drawing);
-  show_strip(ink, sight.beside, mouth.gap_mm, drawing);
+  show_strip(ink, sight, mouth.gap_mm, drawing);
   lift_veil(mouth.parted, drawing.parts[ink.veil].positions);
   sink_lower_teeth(ink, pose, mouth.gap_mm, drawing);
   place_mouth_sheet(ink, sight.beside * mouth.parted, mouth.slit, drawing.parts.front().positions,
