@@ -145,6 +145,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     clear_shape(outline);
     buffers.turn.resize(shape.positions.size());
     const std::vector<float>& before = ink.before[index++];
+    if (ink.model.parts[part].name == "hair_mass") tuck_far_lock(ink, sight, drawing, shape.positions);
     for (std::size_t v = 0; v < shape.positions.size(); ++v) {
       const glm::vec3 way = glm::normalize(shape.positions[v] - glm::vec3(view.camera_mm));
       const glm::vec3 aside = shape.normals[v] - glm::dot(shape.normals[v], way) * way;

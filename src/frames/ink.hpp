@@ -47,6 +47,7 @@ struct Ink {
   std::size_t mouth_edge = 0;   // in `model`: the line before it
   std::size_t tooth_strip = 0;  // in `model`: the teeth that are seen in profile, or the tongue
   bool is_toothless = false;    // as an infant's mouth is drawn
+  bool hides_ears = false;      // its hair does
   std::vector<std::uint32_t> strip_points;  // vertices of the skin that it hangs from or stands on
   // Of the skin's vertices: how far it lies farther back in profile, and seen from below, 0..1.
   std::vector<float> cheek, lower_cheek;

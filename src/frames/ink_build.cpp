@@ -98,9 +98,9 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
   // Seen from below, the shade under a chin is one band along the jaw: what a lamp casts there is a lobe.
-  constexpr float kUnder_mm = 13, kBesideUnder_mm = 27;
+  constexpr float kUnder_mm = 10, kBesideUnder_mm = 31;
   std::vector<glm::vec3> under;
-  for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2"})
+  for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
     add(fmt::format("{}_N0", column).c_str(), under);
   // Seen from below a button of a nose would have a caret on it.
   constexpr float kButton_mm = 10, kBesideButton_mm = 16;

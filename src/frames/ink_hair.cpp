@@ -44,6 +44,25 @@ void round_hair(const Box& ball, const glm::vec3& camera, const std::vector<glm:
   }
 }
 
+void tuck_far_lock(const Ink& ink, const InkSight& sight, const Drawing& drawing,
+                   std::vector<glm::vec3>& hair) {
+  constexpr float kFront = 0.2f, kTurned = 0.45f;  // sines of the camera's way round the head
+  constexpr float kBack_mm = 45, kMiddle_mm = 8, kFar_mm = 28, kLow_mm = 22, kFore_mm = 60, kHind_mm = 140;
+  const float turned = smooth_step(kFront, kTurned, std::abs(sight.aside)) * (1 - sight.beside);
+  if (turned == 0 || !ink.hides_ears || !ink.redraw.lens.is_on()) return;
+  const glm::mat4& skull = drawing.parts[ink.teeth].world_from_rest;
+  const glm::vec3 right = glm::normalize(glm::vec3(skull[0])), up = glm::normalize(glm::vec3(skull[1])),
+                  back = -glm::normalize(glm::vec3(skull[2]));
+  const glm::vec3 lip = drawing.parts.front().positions[ink.lips[1]];
+  const float size = ink.eye_size, far = sight.aside > 0 ? -1.0f : 1.0f;
+  for (glm::vec3& p : hair) {
+    const float low = smooth_step(0.0f, kLow_mm * size, glm::dot(lip - p, up)),
+                aside = smooth_step(kMiddle_mm * size, kFar_mm * size, far * glm::dot(p - lip, right)),
+                fore = 1 - smooth_step(kFore_mm * size, kHind_mm * size, glm::dot(p - lip, back));
+    p += turned * low * aside * fore * kBack_mm * size * back;
+  }
+}
+
 std::vector<InkStroke> list_hair_strokes(const NeutralHead& head, const std::string& cut, const Mesh& mass) {
   constexpr double kWidest = 0.3;  // of its way: where it is
   std::vector<InkStroke> strokes;

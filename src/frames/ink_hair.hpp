@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/mesh.hpp"
+#include "frames/ink_profile.hpp"
 #include "frames/ink_strokes.hpp"
 
 namespace mien {
@@ -16,6 +17,11 @@ std::vector<float> measure_before(const std::vector<glm::vec3>& hair);
 // `ball` that it covers, its locks only a little as themselves, and looks toward the camera everywhere.
 void round_hair(const Box& ball, const glm::vec3& camera, const std::vector<glm::vec3>& positions,
                 std::vector<glm::vec3>& normals);
+
+// What hangs lower than the mouth on the far side of a head that is turned lies farther back: a scrap of it
+// would show beyond the chin. `hair` is that of the drawing.
+void tuck_far_lock(const Ink& ink, const InkSight& sight, const Drawing& drawing,
+                   std::vector<glm::vec3>& hair);
 
 // The few lines on the hair of a figure, whose mass is this one; none without any.
 std::vector<InkStroke> list_hair_strokes(const NeutralHead& head, const std::string& cut, const Mesh& mass);

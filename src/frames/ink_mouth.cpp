@@ -122,12 +122,16 @@ void hang_strip(const Ink& ink, float share, Drawing& drawing) {
 }
 
 // The strip stands for teeth and gums, which are drawn together in the throat. A tongue without teeth is
-// raised from below as well, where its own one lies behind the lip.
+// raised from below and aslant as well, where its own one lies behind the lip.
 void show_strip(const Ink& ink, const InkSight& sight, float gap_mm, Drawing& drawing) {
   constexpr float kBegins = 0.5f, kLeast = 0.02f, kThroat_mm = 25;
   constexpr float kLevel = 0.15f, kBelow = 0.45f;  // sines of the camera's way below
+  constexpr float kFront = 0.18f, kTurned = 0.3f;  // and round the head
   const float beside = smooth_step(kBegins, 1.0f, sight.beside);
-  const float below = ink.is_toothless ? (1 - beside) * smooth_step(kLevel, kBelow, sight.below) : 0;
+  const float below = ink.is_toothless
+                          ? (1 - beside) * std::max(smooth_step(kLevel, kBelow, sight.below),
+                                                    smooth_step(kFront, kTurned, std::abs(sight.aside)))
+                          : 0;
   const float share = std::max(beside, below);
   if (ink.is_toothless)
     raise_tongue(ink, share, below, gap_mm, drawing);

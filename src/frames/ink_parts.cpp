@@ -131,6 +131,7 @@ void set_materials(const Look& look, const InkColours& colours, Ink& ink) {
 void hide_ears(const Figure& figure, Ink& ink) {
   const auto cut = figure.head.data->hair.cuts.find(figure.hair);
   if (cut == figure.head.data->hair.cuts.end() || !cut->second.covers_ears) return;
+  ink.hides_ears = true;
   std::vector<bool> is_ear;
   for (const HairGround ground : list_hair_grounds(figure.head)) is_ear.push_back(ground == HairGround::ear);
   for (const auto& [a, b] : figure.folds.skin.parents) is_ear.push_back(is_ear[a] && is_ear[b]);
