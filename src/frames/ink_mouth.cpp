@@ -74,8 +74,8 @@ void lift_veil(float parted, std::vector<glm::vec3>& veil) {
   for (glm::vec3& p : veil) p = glm::mix(p, middle, parted);
 }
 
-// What is toothless would have an empty wedge in profile, and an empty hole from below: its tongue rises
-// behind the lower lip of a wide mouth, beside the middle in profile and in it from below.
+// What is toothless would have an empty wedge in profile, and an empty hole from below and aslant: its tongue
+// rises behind the lower lip of a wide mouth, in profile beside the middle, else, as far as `below`, in it.
 void raise_tongue(const Ink& ink, float share, float below, float gap_mm, Drawing& drawing) {
   constexpr float kHigh = 0.45f, kEnds = 0.8f;    // of the gap; of the way to the corners
   constexpr float kNarrow_mm = 8, kWide_mm = 14;  // between an adult's lips

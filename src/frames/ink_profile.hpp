@@ -40,7 +40,7 @@ void flatten_cheeks(const Ink& ink, const Pose& pose, const InkSight& sight, Dra
 // The shade is that of what looks down, jaw and chin: a cheek that bulges over a mouth's corner would have a
 // blotch of it there. Lids, lips and ears, whose outlines are strokes, are lit: else chips of shade. Seen
 // from before and from below, cheeks have more light than they get: its edge would cut a blush or go round
-// it.
+// it. From below the throat is in the shade, in one band along the jaw.
 void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light,
                 std::vector<glm::vec3>& tones);
 

@@ -56,6 +56,10 @@ std::vector<LightBand> trace_light(const HairScene& scene, const std::vector<Dra
   constexpr double kUp = 0.64, kLeast = 0.12, kAbove = 0.93;  // how far up it looks; ways
   constexpr double kThin_mm = 0.6, kThick_mm = 9, kStrand_mm = 22;
   constexpr double kSwells = 3, kFaster = 2;  // times around the head
+  // Two waves about a mean, of how thick it gets, and where they begin; what runs down a strand where it is
+  // thin.
+  constexpr double kMean = 0.5, kSlow = 0.3, kQuick = 0.2, kSlow_rad = 0.7, kQuick_rad = 2.1,
+                   kLeastRun = 0.35;
   const double way_of_mm = scene.chart.size / scene.chart.drop_mm;
   const std::vector<LightStrand> strands = list_light_strands();
   std::vector<LightBand> bands;
@@ -68,11 +72,11 @@ std::vector<LightBand> trace_light(const HairScene& scene, const std::vector<Dra
     }
     const double most = kAbove * edge.way;
     const bool is_there = high > kLeast;
-    const double swell =
-        0.5 + 0.3 * std::cos(kSwells * turn + 0.7) + 0.2 * std::cos((kSwells + kFaster) * turn + 2.1);
+    const double swell = kMean + kSlow * std::cos(kSwells * turn + kSlow_rad) +
+                         kQuick * std::cos((kSwells + kFaster) * turn + kQuick_rad);
     const double thick = way_of_mm * (kThin_mm + kThick_mm * swell);
-    const double runs =
-        way_of_mm * kStrand_mm * (0.35 + 0.65 * swell) * sample_light_strands(strands, edge.turn_deg);
+    const double runs = way_of_mm * kStrand_mm * std::lerp(kLeastRun, 1.0, swell) *
+                        sample_light_strands(strands, edge.turn_deg);
     const double begins = std::max(kLeast * 0.5, high - 0.5 * thick);
     const double ends = std::min(most, high + 0.5 * thick + runs);
     bands.push_back({std::min(begins, 0.95 * ends), ends, is_there});
