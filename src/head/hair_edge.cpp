@@ -155,8 +155,8 @@ double compute_lean(const HairScene& scene, double azimuth_deg) {
 // are shorter.
 void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
                         std::vector<DrawnLock>& locks) {
-  constexpr double kRadius_mm = 95;  // of the adult's hair: what its width is told on
-  constexpr double kNarrowest = 0.5, kMore = 1.1, kGolden = 0.618034;  // no two neighbours are alike
+  constexpr double kRadius_mm = 95;                     // of the adult's hair: what its width is told on
+  constexpr double kNarrowest = 0.5, kMore = 1.1;       // no two neighbours are alike
   constexpr double kAside = 0.13, kScattered = 0.07;    // of its breadth: how far off its middle a tip is
   constexpr double kBend = 0.26, kBendScattered = 0.1;  // of its breadth
   constexpr double kShorter = 0.42, kMoreShort = 0.16;  // of how deep it is parted
@@ -168,8 +168,7 @@ void append_drawn_locks(const HairScene& scene, double from_deg, double to_deg,
   std::vector<double> sizes, ends{0};
   const auto first = static_cast<std::uint32_t>(locks.size());
   for (int i = 0; i < count; ++i) {
-    const double at = scatter(kDrawnSeries, first, kBreadth) + kGolden * i;
-    sizes.push_back(at - std::floor(at));
+    sizes.push_back(step_golden(static_cast<std::uint32_t>(i), scatter(kDrawnSeries, first, kBreadth)));
     ends.push_back(ends.back() + kNarrowest + kMore * sizes.back());
   }
   for (int i = 0; i < count; ++i) {

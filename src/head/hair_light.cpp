@@ -19,13 +19,12 @@ struct LightStrand {
 
 std::vector<LightStrand> list_light_strands() {
   constexpr std::uint32_t kStrandSeries = 62;
-  constexpr double kNarrow_deg = 13, kMore_deg = 18, kGolden = 0.618034, kOff = 0.28, kLast_deg = 348,
-                   kShortest = 0.35, kFewLong = 1.4;
+  constexpr double kNarrow_deg = 13, kMore_deg = 18, kOff = 0.28, kLast_deg = 348, kShortest = 0.35,
+                   kFewLong = 1.4;
   std::vector<LightStrand> strands;
   for (double from_deg = 0; from_deg < kLast_deg;) {
     const auto index = static_cast<std::uint32_t>(strands.size());
-    const double at = kGolden * (index + 1), share = at - std::floor(at);
-    const double wide_deg = kNarrow_deg + kMore_deg * share, end_deg = from_deg + wide_deg;
+    const double wide_deg = kNarrow_deg + kMore_deg * step_golden(index + 1), end_deg = from_deg + wide_deg;
     const double to_deg = end_deg > kLast_deg ? 360 : end_deg;
     const double off = kOff * (2 * scatter(kStrandSeries, index, 1) - 1);
     const double long_one = scatter(kStrandSeries, index, 0);

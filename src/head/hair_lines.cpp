@@ -54,7 +54,7 @@ std::vector<HairPlace> follow_comb(const HairScene& scene, HairPlace place, doub
 
 // Where locks part, some further up than others; beside the face and at the back, where hair hangs, longest.
 void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
-  constexpr double kLeast_mm = 7, kShort_mm = 14, kLong_mm = 58, kHanging_mm = 46, kGolden = 0.618034;
+  constexpr double kLeast_mm = 7, kShort_mm = 14, kLong_mm = 58, kHanging_mm = 46;
   std::size_t count = 0;
   const std::vector<DrawnEdge> edges = trace_drawn_edge(scene);
   for (std::size_t column = 0; column < edges.size(); ++column) {
@@ -62,7 +62,7 @@ void add_partings(const HairScene& scene, std::vector<LinePath>& paths) {
     if (edge.across != -1 || edge.deep_mm < kLeast_mm) continue;
     const auto index = static_cast<std::uint32_t>(count++);
     const double azimuth = wrap_azimuth(edge.turn_deg);
-    const double at = kGolden * index, share = at - std::floor(at);
+    const double share = step_golden(index);
     const double hangs = std::clamp(2 * (edge.way - 1), 0.0, 1.0);
     paths.push_back({follow_comb(scene, {azimuth, edge.way},
                                  kShort_mm + share * kLong_mm + hangs * (0.3 + share) * kHanging_mm, -1),
@@ -97,12 +97,12 @@ void add_beside_part(const HairScene& scene, std::vector<LinePath>& paths) {
 // From the border toward the knot.
 void add_gathered(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kLines = 23;
-  constexpr double kInside = 0.97, kShort = 0.3, kMore = 0.42, kGolden = 0.618034;
+  constexpr double kInside = 0.97, kShort = 0.3, kMore = 0.42;
   if (!scene.cut.comb.is_gathered) return;
   for (int i = 0; i < kLines; ++i) {
     const double azimuth = wrap_azimuth(360 * (i + 0.3) / kLines);
     const HairPlace begins{azimuth, kInside * sample_border(scene.hairline, azimuth)};
-    const double share = kGolden * i - std::floor(kGolden * i);
+    const double share = step_golden(static_cast<std::uint32_t>(i));
     const double whole_mm = glm::distance(find_on_ground(scene, begins), scene.knot) / scene.chart.size;
     paths.push_back({follow_comb(scene, begins, (kShort + share * kMore) * whole_mm, 1), 0.55, 0.7});
   }
@@ -111,13 +111,12 @@ void add_gathered(const HairScene& scene, std::vector<LinePath>& paths) {
 // A few in what hangs, under the ring of light and over its ends, that begin and end in nothing.
 void add_hanging(const HairScene& scene, std::vector<LinePath>& paths) {
   constexpr int kStrands = 14;
-  constexpr double kFrom_deg = 62, kHigh = 0.45, kMore = 0.25, kShort_mm = 26, kMore_mm = 40,
-                   kGolden = 0.618034;
+  constexpr double kFrom_deg = 62, kHigh = 0.45, kMore = 0.25, kShort_mm = 26, kMore_mm = 40;
   for (int i = 0; i < kStrands; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
-    const double at = kGolden * i, share = at - std::floor(at);
     const double azimuth = wrap_azimuth(std::lerp(kFrom_deg, 360 - kFrom_deg, (i + 0.5) / kStrands));
-    const HairPlace begins{azimuth, (kHigh + kMore * share) * sample_border(scene.ends, azimuth)};
+    const HairPlace begins{azimuth,
+                           (kHigh + kMore * step_golden(index)) * sample_border(scene.ends, azimuth)};
     paths.push_back(
         {follow_comb(scene, begins, kShort_mm + kMore_mm * scatter(kLineSeries, index, 5), 1), 0.05, 0.6});
   }

@@ -115,6 +115,12 @@ double scatter(std::uint32_t series, std::uint32_t index, std::uint32_t channel)
   return static_cast<double>(z >> 11) * 0x1p-53;
 }
 
+double step_golden(std::uint32_t index, double first) {
+  constexpr double kGolden = 0.618034;
+  const double at = first + kGolden * index;
+  return at - std::floor(at);
+}
+
 double sample_noise(std::uint32_t series, double at, int period) {
   const double cell = std::floor(at), share = at - cell;
   const auto value = [&](double k) {

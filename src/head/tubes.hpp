@@ -38,6 +38,10 @@ void append_hair(Mesh& mesh, const std::vector<glm::vec3>& centres, const std::v
 // run.
 double scatter(std::uint32_t series, std::uint32_t index, std::uint32_t channel);
 
+// A number in [0, 1) of each index, 0, 1, 2 ..., as unlike those before it as can be: steps of the golden
+// section from `first` on.
+double step_golden(std::uint32_t index, double first = 0);
+
 // Smooth noise in -1..1 around a circle of `period` cells: `at` counts cells.
 double sample_noise(std::uint32_t series, double at, int period);
 

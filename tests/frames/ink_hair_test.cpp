@@ -24,7 +24,7 @@ InkView look_from(double turn_deg) {
   return {{kAway_mm * std::sin(turn), 0, kAway_mm * std::cos(turn)}, {0, 0, 1}, 1};
 }
 
-// How far hair below the mouth on the left comes forward of the ear's middle.
+// How far forward hair below the mouth on the left comes.
 double measure_front_mm(const Subject& subject, const InkView& view) {
   constexpr float kBelow_mm = 25, kBeside_mm = 30;
   const Drawing drawing = draw(subject, Pose{}, TurnKey{}, view);

@@ -16,10 +16,10 @@ namespace {
 
 constexpr std::array kHanging{"bob", "long", "wavy"};
 
-NeutralHead make_drawn(const char* age) {
+NeutralHead make_drawn(const char* age, const char* design = "comic") {
   HeadSpec spec;
   spec.age = {{age, 1.0}};
-  spec.design = {{"comic", 1.0}};
+  spec.design = {{design, 1.0}};
   return build_neutral_head(shipped().heads, spec);
 }
 
@@ -38,16 +38,17 @@ glm::dvec3 find_spot(const NeutralHead& head, const char* name) {
 
 TEST(hair_edge, leaves_the_eye_free_in_profile) {
   constexpr double kHigh_mm = 4;
-  for (const char* age : {"child", "teenager", "adult", "old"}) {
-    const NeutralHead head = make_drawn(age);
-    const glm::dvec3 corner = find_spot(head, "ex");
-    for (const char* cut : kHanging) {
-      double front_mm = -1e9;
-      for (const glm::vec3& p : make_drawn_mass(head, cut).positions)
-        if (std::abs(p.y - corner.y) < kHigh_mm) front_mm = std::max(front_mm, double(p.z));
-      EXPECT_LT(front_mm, corner.z) << age << ' ' << cut;
+  for (const char* design : {"comic", "manga"})
+    for (const char* age : {"infant", "child", "teenager", "adult", "old"}) {
+      const NeutralHead head = make_drawn(age, design);
+      const glm::dvec3 corner = find_spot(head, "ex");
+      for (const char* cut : kHanging) {
+        double front_mm = -1e9;
+        for (const glm::vec3& p : make_drawn_mass(head, cut).positions)
+          if (std::abs(p.y - corner.y) < kHigh_mm) front_mm = std::max(front_mm, double(p.z));
+        EXPECT_LT(front_mm, corner.z) << design << ' ' << age << ' ' << cut;
+      }
     }
-  }
 }
 
 TEST(hair_edge, is_shorter_at_the_nape_than_beside_the_face) {
