@@ -196,7 +196,7 @@ void part_locks(const HairScene& scene, const Fall& fall, std::vector<DrawnLock>
   constexpr double kFrame = 1.2, kSame_deg = 0.5, kShallowest = 0.75, kDeeper = 0.6,
                    kOver = 0.3;  // of how deep the cut says
   constexpr double kHem = 0.3, kSplit = 1.3,
-                   kFramed = 1.6;  // the same where hair hangs: a few deep ones in one calm hem
+                   kFramed = 0.9;  // the same where hair hangs: a few deep ones in one calm hem
   for (std::size_t i = 0; i < locks.size(); ++i) {
     DrawnLock& before = locks[(i + locks.size() - 1) % locks.size()];
     const double deep = compute_lock_depth_mm(scene, wrap_azimuth(locks[i].from_deg));
