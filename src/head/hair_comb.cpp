@@ -78,6 +78,37 @@ double compute_part_distance_mm(const HairScene& scene, const HairPlace& place) 
       .distance_mm;
 }
 
+double compute_combed_mm(const HairScene& scene, const HairPlace& place) {
+  const HairPlace above{place.azimuth_deg, std::min(1.0, place.way)};
+  const glm::dvec3 direction = compute_hair_direction(scene.chart, above);
+  const glm::dvec3 part = find_part_point(scene, direction).direction;
+  const double turn = 2 * std::asin(std::min(1.0, 0.5 * glm::length(direction - part)));
+  return kSkull_mm * turn + std::max(0.0, place.way - 1) * scene.chart.drop_mm / scene.chart.size;
+}
+
+std::vector<double> spread_ring_stations(const HairScene& scene, int count) {
+  constexpr double kPart_mm = 20, kCrown_mm = 120;           // from the part: so far it rises, so far it bends
+  constexpr double kAtPart = 1.6, kStraight = 0.45, kWaves = 0.9;  // rings a millimetre, of those on the crown
+  constexpr double kStep_mm = 1;
+  const double below = scene.cut.locks.wave_mm > 0 ? kWaves : kStraight;
+  double longest_mm = 0;
+  for (int degree = 0; degree <= 180; ++degree)
+    longest_mm = std::max(
+        longest_mm, compute_combed_mm(scene, {static_cast<double>(degree), sample_border(scene.ends, degree)}));
+  const auto density = [&](double at_mm) {
+    return at_mm < kPart_mm ? kAtPart : at_mm < kCrown_mm ? 1 : below;
+  };
+  double whole = 0;
+  for (double at = 0; at < longest_mm; at += kStep_mm) whole += density(at);
+  std::vector<double> stations;
+  double gone = 0;
+  for (double at = 0; at < longest_mm; at += kStep_mm) {
+    if (gone >= whole * static_cast<double>(stations.size()) / count) stations.push_back(at);
+    gone += density(at);
+  }
+  return stations;
+}
+
 double compute_part_depth(const HairScene& scene, const HairPlace& place) {
   constexpr double kWide_mm = 16, kShallowest = 0.8;  // to either side; of the thickness, in the part itself
   if (scene.cut.comb.scalp_mm <= 0) return 1;

@@ -30,6 +30,12 @@ HairPlace compute_part_place(const HairScene& scene, double share);
 // How far a place is from the part, mm; far away where hair is gathered.
 double compute_part_distance_mm(const HairScene& scene, const HairPlace& place);
 
+// How far combed hair has come from the part at a place, mm of the adult: over the skull, and then down.
+double compute_combed_mm(const HairScene& scene, const HairPlace& place);
+
+// `count` of such distances at most, from the part to the longest tips: closer where hair bends over the crown.
+std::vector<double> spread_ring_stations(const HairScene& scene, int count);
+
 // A shallow groove along the part: how thick hair is there, of what it is elsewhere.
 double compute_part_depth(const HairScene& scene, const HairPlace& place);
 

@@ -19,6 +19,9 @@ struct HairScene {
   // From the centre to the part, at even steps from its front end, unit.
   std::vector<glm::dvec3> part_ways = {};
   glm::dvec3 knot{0}, knot_out{0};  // of gathered hair: see hair_comb.hpp
+  // Where locks that hang have their rings, all at the same places or the straight pieces of one cut through
+  // its neighbours': see compute_combed_mm. Rising; empty for short hair.
+  std::vector<double> ring_stations = {};
 };
 
 HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut);

@@ -76,9 +76,10 @@ void append_lock(HeadPart& part, const HairSeat& seat, const HairStrand& strand,
   Mesh& mesh = part.part.rest;
   const auto first = static_cast<std::uint32_t>(mesh.positions.size());
   const std::size_t rings = strand.points.size();
+  const std::vector<double> ways = compute_ways(strand);
   const double grain = 11.0 * (index % 997);  // mm: no two locks show the same streaks
   for (std::size_t i = 0; i < rings; ++i) {
-    const double s = static_cast<double>(i) / static_cast<double>(rings - 1);
+    const double s = ways[i];
     const glm::dvec3 ahead = strand.points[std::min(i + 1, rings - 1)] - strand.points[i > 0 ? i - 1 : 0];
     const glm::dvec3 along = glm::dot(ahead, ahead) > 1e-12 ? glm::normalize(ahead) : glm::dvec3(0, -1, 0);
     glm::dvec3 out = strand.outs[i] - along * glm::dot(strand.outs[i], along);

@@ -89,39 +89,41 @@ int count_rings(const HairScene& scene, double length_mm) {
   return std::clamp(needed, std::min(kLeast, locks.rings), locks.rings);
 }
 
-// Where rings lie on a way, 0..1: as much of it turns between any two of them, or a lock's straight pieces
-// cut through its neighbours'.
-std::vector<double> spread_rings(const HairScene& scene, const Path& path, int rings) {
-  constexpr double kStraight = 0.2;             // of a radian a step: what is straight has rings too
-  constexpr double kRoot = 0.5, kRoot_mm = 12;  // more at its root, where it comes out of the skin
-  std::vector<glm::dvec3> points;
-  for (const HairPlace& place : path.places)
-    points.push_back(compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)));
-  std::vector<double> gone{0};
-  for (std::size_t i = 1; i < points.size(); ++i) {
-    double turn = 0;
-    if (i + 1 < points.size()) {
-      const glm::dvec3 into = points[i] - points[i - 1], away = points[i + 1] - points[i];
-      turn = std::atan2(glm::length(glm::cross(into, away)), glm::dot(into, away));
+// Where rings lie on a way, 0..1: at its root and its tip, where the scene has its stations between them, and
+// once more before the tip, where a lock narrows.
+std::vector<double> place_rings(const HairScene& scene, const Path& path) {
+  constexpr double kLast = 0.94;
+  constexpr double kApart_mm = 2.5;  // nearer together is a ring for nothing
+  const auto steps = static_cast<double>(path.places.size()) - 1;
+  std::vector<double> shares{0};
+  double before = compute_combed_mm(scene, path.places.front()), last = before;
+  std::size_t station = 0;
+  for (std::size_t i = 1; i < path.places.size(); ++i) {
+    const double now = compute_combed_mm(scene, path.places[i]);
+    while (station < scene.ring_stations.size() && scene.ring_stations[station] < std::max(before, last + kApart_mm))
+      ++station;
+    for (; station < scene.ring_stations.size() && scene.ring_stations[station] < now; ++station) {
+      last = scene.ring_stations[station];
+      shares.push_back((static_cast<double>(i - 1) + (last - before) / (now - before)) / steps);
     }
-    const double gone_mm = static_cast<double>(i) * path.step_mm;
-    gone.push_back(gone.back() + kStraight + kRoot * std::exp(-gone_mm / (kRoot_mm * scene.chart.size)) +
-                   std::sqrt(turn));
+    before = now;
   }
-  std::vector<double> shares;
-  std::size_t i = 1;
-  for (int ring = 0; ring < rings; ++ring) {
-    const double wanted = gone.back() * ring / (rings - 1);
-    while (i + 1 < gone.size() && gone[i] < wanted) ++i;
-    const double within = gone.size() < 2 ? 0 : (wanted - gone[i - 1]) / (gone[i] - gone[i - 1]);
-    shares.push_back(gone.size() < 2
-                         ? static_cast<double>(ring) / (rings - 1)
-                         : (static_cast<double>(i - 1) + within) / static_cast<double>(gone.size() - 1));
-  }
+  while (shares.size() > 1 && shares.back() > kLast - kApart_mm / (steps * path.step_mm)) shares.pop_back();
+  shares.push_back(kLast);
+  shares.push_back(1);
   return shares;
 }
 
 }  // namespace
+
+std::vector<double> compute_ways(const HairStrand& strand) {
+  std::vector<double> ways{0};
+  for (std::size_t i = 1; i < strand.points.size(); ++i)
+    ways.push_back(ways.back() + glm::distance(strand.points[i], strand.points[i - 1]));
+  const double whole = std::max(1e-9, ways.back());
+  for (double& way : ways) way /= whole;
+  return ways;
+}
 
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index,
                        std::uint32_t family) {
@@ -152,12 +154,10 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   // Over the mass, which hides what is deeper.
   const double spread = cut.is_drawn ? 1 : 0.5;  // more, and those on top stand off by themselves, as wires
   const double deepest = locks.deepest * cut.mass,
-               lift = deepest + spread * (1 - deepest) * strand.layer * strand.layer;
-  const int rings = count_rings(scene, strand.length_mm);
-  // What hangs bends over the crown, and then falls straight: rings lie closer there.
-  const std::vector<double> shares = cut.covers_ears && !cut.is_drawn && locks.wave_mm == 0
-                                         ? spread_rings(scene, path, rings)
-                                         : std::vector<double>();
+               lift = deepest + spread * (1 - deepest) * strand.layer;
+  std::vector<double> shares;
+  if (!scene.ring_stations.empty() && steps > 0) shares = place_rings(scene, path);
+  const int rings = shares.empty() ? count_rings(scene, strand.length_mm) : static_cast<int>(shares.size());
   for (int ring = 0; ring < rings; ++ring) {
     const double even = static_cast<double>(ring) / (rings - 1);
     const double s = shares.empty() ? even : shares[static_cast<std::size_t>(ring)], at = s * steps;
@@ -260,8 +260,9 @@ void fall_in(const HairScene& scene, const HairStrand& middle, HairStrand& stran
   constexpr double kBegins = 0.12, kWhole = 0.95;  // of its way
   constexpr double kNear_mm = 12, kFar_mm = 28;    // from the middle: what is farther falls by itself
   const double pull = scene.cut.locks.gathered;
+  const std::vector<double> ways = compute_ways(strand);
   for (std::size_t i = 0; i < strand.points.size(); ++i) {
-    const double s = static_cast<double>(i) / static_cast<double>(strand.points.size() - 1);
+    const double s = ways[i];
     glm::dvec3& at = strand.points[i];
     glm::dvec3 arm(0);
     double best = 1e18;

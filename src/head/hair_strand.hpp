@@ -15,6 +15,9 @@ struct HairStrand {
   std::uint32_t index = 0;  // of a family: its number
 };
 
+// How far along the strand each of its points is, 0 at its root .. 1 at its tip.
+std::vector<double> compute_ways(const HairStrand& strand);
+
 // Lock `index` of its series from `root`: combed over the ground until its length or the border is reached.
 // Empty points: nothing grows here. Those of one `family` wave together and end near each other.
 HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint32_t index,
