@@ -33,10 +33,13 @@ std::uint16_t compute_tone(double shade) {
 // Where it comes up through others it does so likewise, or it has a whole edge there.
 double compute_grain(double way, double length_mm, double comes_up) {
   constexpr double kThins = 0.5, kThinning_mm = 34, kRoot = 4;
+  // Short hair is not dark at its root and light at its tip in so little room: it would be quills.
+  constexpr double kShort_mm = 15, kLong_mm = 60, kShortRoot = 0.35;
   const double last = length_mm > 0 ? std::min(1 - kThins, kThinning_mm / length_mm) : 1 - kThins;
   const double first = 1 - last;
   if (way < comes_up) return kRoot * way / comes_up;
-  return 100 * (way < first ? kThins * way / first : kThins + (1 - kThins) * (way - first) / last);
+  const double along = way < first ? kThins * way / first : kThins + (1 - kThins) * (way - first) / last;
+  return 100 * std::lerp(kShortRoot * (1 - smooth_step(kShort_mm, kLong_mm, length_mm)), 1.0, along);
 }
 
 // What lies deep is dark, and no two locks are the same.
@@ -126,8 +129,9 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   // And beside their part, where few of the others begin: it would be a bare strip too. Short hair lies down
   // at once there.
-  constexpr double kAtPart = 0.3, kAtShortPart = 0.07;
-  const double share_at_part = is_open ? kAtPart : cut.comb.scalp_mm > 0 ? kAtShortPart : 0;
+  constexpr double kAtPart = 0.3, kAtShortPart = 0.12, kLongPart_deg = 20;
+  const bool has_long_part = !cut.covers_ears && !cut.comb.is_gathered && cut.comb.to_deg - cut.comb.from_deg > kLongPart_deg;
+  const double share_at_part = is_open ? kAtPart : has_long_part ? kAtShortPart : 0;
   const int at_part = static_cast<int>(share_at_part * cut.locks.count);
   std::vector<HairPlace> roots = spread_roots(scene, cut.locks.count - at_face - at_front - at_part,
                                               cut.locks.root_band, cut.is_mirrored);
@@ -142,8 +146,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.comb.away *= kFaceAway;
   HairScene at_short_part = scene;
-  at_short_part.cut.locks.risen = 0.08;
-  at_short_part.cut.locks.rise_mm = 4;
+  at_short_part.cut.locks.risen = 0;
+  at_short_part.cut.locks.rise_mm = 0;
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   constexpr double kComesUp_mm = 30;       // that begin between others
