@@ -227,9 +227,9 @@ std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count) {
 }
 
 double compute_wave(const HairScene& scene, const HairPlace& place) {
-  constexpr double kSlant_deg = 65;  // around the head to be a wave behind: level rings look ironed
-  return place.way * scene.chart.drop_mm / (scene.cut.locks.wave_length_mm * scene.chart.size) +
-         std::abs(place.azimuth_deg) / kSlant_deg;
+  constexpr double kSlant_mm = 120;  // to the back to be a wave behind: level rings look ironed
+  const double back_mm = -compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)).z;
+  return compute_combed_mm(scene, place) / scene.cut.locks.wave_length_mm + back_mm / (kSlant_mm * scene.chart.size);
 }
 
 }  // namespace mien

@@ -191,7 +191,11 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
       const double wave = compute_wave(scene, compute_hair_place(scene.chart, point)),
                    turn = 2 * std::numbers::pi * (wave + kOwn * phase), common = 2 * std::numbers::pi * wave;
       const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size;
-      point += side * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(common)));
+      // Across its own way: where the comb's ways part far from the part, a lock would have an elbow.
+      const glm::dvec3 gone = point_at(path.places[std::min(i + 2, path.places.size() - 1)]) -
+                              point_at(path.places[i > 0 ? i - 1 : 0]);
+      const glm::dvec3 across = glm::cross(flatten(gone, out), out);
+      point += across * (0.8 * amount_mm * std::sin(turn)) + out * (0.5 * amount_mm * (1 + std::cos(common)));
     }
     if (locks.curl_mm > 0) {
       const double turn = 2 * std::numbers::pi * (gone_mm / (locks.curl_length_mm * size) + phase);
