@@ -137,7 +137,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
     // A fringe's mass ends among the tips of its locks: lower, it would stand over the brows as a roof.
-    constexpr double kFringe_mm = 8, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
+    constexpr double kFringe_mm = 3, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
     const double inset_mm =
         std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below)) +
         (cut.locks.from_part > 0 ? kFringe_mm : 0) * smooth_step(kHigh, 2 * kHigh, below) *
