@@ -87,14 +87,16 @@ double compute_combed_mm(const HairScene& scene, const HairPlace& place) {
 }
 
 std::vector<double> spread_ring_stations(const HairScene& scene, int count) {
-  constexpr double kPart_mm = 20, kCrown_mm = 120;           // from the part: so far it rises, so far it bends
-  constexpr double kAtPart = 1.6, kStraight = 0.45, kWaves = 0.9;  // rings a millimetre, of those on the crown
+  constexpr double kPart_mm = 20, kCrown_mm = 120;  // from the part: so far it rises, so far it bends
+  constexpr double kAtPart = 1.6, kStraight = 0.45,
+                   kWaves = 0.9;  // rings a millimetre, of those on the crown
   constexpr double kStep_mm = 1;
   const double below = scene.cut.locks.wave_mm > 0 ? kWaves : kStraight;
   double longest_mm = 0;
   for (int degree = 0; degree <= 180; ++degree)
-    longest_mm = std::max(
-        longest_mm, compute_combed_mm(scene, {static_cast<double>(degree), sample_border(scene.ends, degree)}));
+    longest_mm =
+        std::max(longest_mm,
+                 compute_combed_mm(scene, {static_cast<double>(degree), sample_border(scene.ends, degree)}));
   const auto density = [&](double at_mm) {
     return at_mm < kPart_mm ? kAtPart : at_mm < kCrown_mm ? 1 : below;
   };

@@ -33,7 +33,8 @@ double compute_part_distance_mm(const HairScene& scene, const HairPlace& place);
 // How far combed hair has come from the part at a place, mm of the adult: over the skull, and then down.
 double compute_combed_mm(const HairScene& scene, const HairPlace& place);
 
-// `count` of such distances at most, from the part to the longest tips: closer where hair bends over the crown.
+// `count` of such distances at most, from the part to the longest tips: closer where hair bends over the
+// crown.
 std::vector<double> spread_ring_stations(const HairScene& scene, int count);
 
 // A shallow groove along the part: how thick hair is there, of what it is elsewhere.

@@ -226,10 +226,17 @@ std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count) {
   return roots;
 }
 
+double compute_wave_room(const HairScene& scene, const HairPlace& place) {
+  constexpr double kNone_mm = 2, kWhole_mm = 24;  // inside the hairline
+  const double open = 1 - sample_border(scene.hangs, place.azimuth_deg);
+  return 1 - open * (1 - smooth_step(kNone_mm, kWhole_mm, compute_inside_mm(scene, place)));
+}
+
 double compute_wave(const HairScene& scene, const HairPlace& place) {
   constexpr double kSlant_mm = 120;  // to the back to be a wave behind: level rings look ironed
   const double back_mm = -compute_hair_point(scene.chart, place, compute_ground_mm(scene, place)).z;
-  return compute_combed_mm(scene, place) / scene.cut.locks.wave_length_mm + back_mm / (kSlant_mm * scene.chart.size);
+  return compute_combed_mm(scene, place) / scene.cut.locks.wave_length_mm +
+         back_mm / (kSlant_mm * scene.chart.size);
 }
 
 }  // namespace mien

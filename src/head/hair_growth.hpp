@@ -63,6 +63,9 @@ std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count);
 // before the hairline are left out.
 std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count);
 
+// How much of a wave's height there is room for at a place, 0..1: none at the border of an open forehead.
+double compute_wave_room(const HairScene& scene, const HairPlace& place);
+
 // How many waves a place is behind the whorl: neighbours wave together.
 double compute_wave(const HairScene& scene, const HairPlace& place);
 

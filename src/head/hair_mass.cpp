@@ -295,7 +295,7 @@ double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
                            : cut.mass;
   double height = share * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
   if (cut.locks.wave_mm > 0)
-    height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
+    height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) * compute_wave_room(scene, place) *
               (1 + std::cos(2 * kPi * compute_wave(scene, place)));
   return compute_hair_size(scene) * height;
 }

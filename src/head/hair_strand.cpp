@@ -100,7 +100,8 @@ std::vector<double> place_rings(const HairScene& scene, const Path& path) {
   std::size_t station = 0;
   for (std::size_t i = 1; i < path.places.size(); ++i) {
     const double now = compute_combed_mm(scene, path.places[i]);
-    while (station < scene.ring_stations.size() && scene.ring_stations[station] < std::max(before, last + kApart_mm))
+    while (station < scene.ring_stations.size() &&
+           scene.ring_stations[station] < std::max(before, last + kApart_mm))
       ++station;
     for (; station < scene.ring_stations.size() && scene.ring_stations[station] < now; ++station) {
       last = scene.ring_stations[station];
@@ -153,8 +154,7 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
   const double risen = std::max(locks.risen, std::min(1.0, locks.rise_mm * size / strand.length_mm));
   // Over the mass, which hides what is deeper.
   const double spread = cut.is_drawn ? 1 : 0.5;  // more, and those on top stand off by themselves, as wires
-  const double deepest = locks.deepest * cut.mass,
-               lift = deepest + spread * (1 - deepest) * strand.layer;
+  const double deepest = locks.deepest * cut.mass, lift = deepest + spread * (1 - deepest) * strand.layer;
   std::vector<double> shares;
   if (!scene.ring_stations.empty() && steps > 0) shares = place_rings(scene, path);
   const int rings = shares.empty() ? count_rings(scene, strand.length_mm) : static_cast<int>(shares.size());
@@ -188,9 +188,10 @@ HairStrand grow_strand(const HairScene& scene, const HairPlace& root, std::uint3
       constexpr double kOwn = 0.16;  // of a wave: more and neighbours part
       // Outward as the mass below waves, one and all: locks that rise where their neighbours sink cut through
       // them.
-      const double wave = compute_wave(scene, compute_hair_place(scene.chart, point)),
-                   turn = 2 * std::numbers::pi * (wave + kOwn * phase), common = 2 * std::numbers::pi * wave;
-      const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size;
+      const HairPlace here = compute_hair_place(scene.chart, point);
+      const double wave = compute_wave(scene, here), turn = 2 * std::numbers::pi * (wave + kOwn * phase),
+                   common = 2 * std::numbers::pi * wave;
+      const double amount_mm = smooth_step(0, 0.3, s) * locks.wave_mm * size * compute_wave_room(scene, here);
       // Across its own way: where the comb's ways part far from the part, a lock would have an elbow.
       const glm::dvec3 gone = point_at(path.places[std::min(i + 2, path.places.size() - 1)]) -
                               point_at(path.places[i > 0 ? i - 1 : 0]);
