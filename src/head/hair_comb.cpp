@@ -88,7 +88,7 @@ double compute_combed_mm(const HairScene& scene, const HairPlace& place) {
 
 std::vector<double> spread_ring_stations(const HairScene& scene, int count) {
   constexpr double kPart_mm = 20, kCrown_mm = 120;  // from the part: so far it rises, so far it bends
-  constexpr double kAtPart = 1.6, kStraight = 0.45,
+  constexpr double kAtPart = 1.6, kStraight = 0.6,
                    kWaves = 0.9;  // rings a millimetre, of those on the crown
   constexpr double kStep_mm = 1;
   const double below = scene.cut.locks.wave_mm > 0 ? kWaves : kStraight;

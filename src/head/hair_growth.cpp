@@ -106,8 +106,9 @@ HairScene build_hair_scene(const NeutralHead& head, const HairCut& cut) {
     scene.hangs.push_back(scene.ends.empty() ? 0 : smooth_step(0, kHangs, scene.ends[i] - scene.hairline[i]));
   constexpr double kInfant_mm = 66, kGrown_mm = 84;  // eye to chin
   scene.youth = 1 - smooth_step(kInfant_mm, kGrown_mm, compute_eye_to_chin_mm(head));
+  constexpr int kOwnRings = 3;  // of each lock: at its root, at its tip and before it
   if (cut.covers_ears && !cut.is_drawn && !scene.ends.empty() && !cut.comb.is_gathered)
-    scene.ring_stations = spread_ring_stations(scene, cut.locks.rings);
+    scene.ring_stations = spread_ring_stations(scene, cut.locks.rings - kOwnRings);
   if (cut.comb.is_gathered) compute_knot(scene, scene.knot, scene.knot_out);
   return scene;
 }

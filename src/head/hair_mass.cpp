@@ -294,9 +294,10 @@ double compute_mass_height_mm(const HairScene& scene, const HairPlace& place) {
                            ? std::lerp(std::max(cut.mass, kAtPart), cut.mass, from_part)
                            : cut.mass;
   double height = share * compute_part_depth(scene, place) * compute_thickness_mm(scene, place);
+  constexpr double kDrawn = 1.6;  // of a wave: an outline has nothing else to tell it by
   if (cut.locks.wave_mm > 0)
-    height += 0.5 * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) * compute_wave_room(scene, place) *
-              (1 + std::cos(2 * kPi * compute_wave(scene, place)));
+    height += 0.5 * (cut.is_drawn ? kDrawn : 1) * cut.locks.wave_mm * smooth_step(0.1, 0.5, place.way) *
+              compute_wave_room(scene, place) * (1 + std::cos(2 * kPi * compute_wave(scene, place)));
   return compute_hair_size(scene) * height;
 }
 

@@ -10,6 +10,7 @@
 #include "head/hair.hpp"
 #include "head/hair_comb.hpp"
 #include "head/hair_locks.hpp"
+#include "head/hair_mass.hpp"
 #include "shipped.hpp"
 
 namespace mien {
@@ -67,6 +68,46 @@ TEST(hair_strand, turns_little_between_two_of_its_rings) {
   EXPECT_LT(worst_mm, 1.1);
 }
 
+// Else one straight piece dips under its neighbour's corner and out again: a row of chips.
+TEST(hair_strand, has_its_rings_where_its_neighbours_have_theirs) {
+  for (const char* name : {"bob", "long", "wavy"}) {
+    HairScene scene = build_scene(name);
+    scene.cut.locks.wave_mm = 0;  // which moves them aside
+    ASSERT_GT(scene.ring_stations.size(), 10u) << name;
+    ASSERT_TRUE(std::ranges::is_sorted(scene.ring_stations)) << name;
+    int inner = 0;
+    for (std::uint32_t i = 0; i < 90; ++i) {
+      const HairStrand strand = grow_strand(scene, {-175 + 3.9 * i, 0.2 + 0.006 * i}, i, i);
+      for (std::size_t k = 1; k + 2 < strand.points.size(); ++k, ++inner) {
+        const double gone_mm = compute_combed_mm(scene, compute_hair_place(scene.chart, strand.points[k]));
+        double off_mm = 1e9;
+        for (const double station : scene.ring_stations)
+          off_mm = std::min(off_mm, std::abs(station - gone_mm));
+        ASSERT_LT(off_mm, 0.4) << name << " " << i << " " << k;
+      }
+    }
+    EXPECT_GT(inner, 400) << name;
+  }
+}
+
+// Else the mass beside it is bare, a board between two rows of tufts.
+TEST(hair_locks, of_short_hair_begin_at_its_part) {
+  constexpr double kBeside_mm = 6;
+  for (const char* name : {"crop", "side_part", "pixie"}) {
+    const HairScene scene = build_scene(name);
+    HeadPart part;
+    append_locks(part, scene);
+    int beside = 0;
+    for (const Binding& lock : part.bindings) {
+      const glm::dvec3 root(part.part.rest.positions[lock.first]);
+      const HairPlace place = compute_hair_place(scene.chart, root);
+      if (compute_part_distance_mm(scene, place) > kBeside_mm) continue;
+      beside += measure_high_mm(scene, root) > compute_mass_height_mm(scene, place) ? 1 : 0;
+    }
+    EXPECT_GT(beside, 100) << name;
+  }
+}
+
 // As the mass below them waves, else some rise through others.
 TEST(hair_strand, waves_outward_as_all_do) {
   HairScene scene = build_scene("wavy"), straight = scene;
@@ -91,9 +132,9 @@ TEST(hair_locks, come_up_strand_by_strand) {
   HeadPart at_once, slowly;
   append_lock(at_once, find_seat(scene, strand.root), strand, 3, 0.5, 7, {});
   append_lock(slowly, find_seat(scene, strand.root), strand, 3, 0.5, 7, {.comes_up = 0.3});
-  const auto rings = static_cast<double>(strand.points.size() - 1);
+  const std::vector<double> ways = compute_ways(strand);
   for (std::size_t v = 0; v < slowly.part.grain.size(); ++v) {
-    const double way = static_cast<double>(v / 2) / rings;
+    const double way = ways[v / 2];
     if (way > 0 && way < 0.3) {
       EXPECT_LE(slowly.part.grain[v].y, kRoot);
       EXPECT_LT(slowly.part.grain[v].y, at_once.part.grain[v].y);
