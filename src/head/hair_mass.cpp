@@ -136,12 +136,8 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
     const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
-    // A fringe's mass ends among the tips of its locks: lower, it would stand over the brows as a roof.
-    constexpr double kFringe_mm = 3, kFringe = 0.28, kLong = 0.6;  // the latter two: ways below the hairline
     const double inset_mm =
-        std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below)) +
-        (cut.locks.from_part > 0 ? kFringe_mm : 0) * smooth_step(kHigh, 2 * kHigh, below) *
-            (1 - smooth_step(kFringe, kLong, below));
+        std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
