@@ -136,8 +136,12 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     const HairBorder& border = is_free ? scene.ends : scene.hairline;
     const double azimuth = std::abs(compute_azimuth(column));
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
+    // Behind the ears nothing falls over the bare strip that an inset leaves.
+    constexpr double kEar_deg = 78, kBehind_deg = 105;
+    const double own_mm =
+        is_free ? cut.inset_mm : cut.inset_mm * (1 - smooth_step(kEar_deg, kBehind_deg, azimuth));
     const double inset_mm =
-        std::lerp(cut.inset_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below));
+        std::lerp(own_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below));
     shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
