@@ -32,7 +32,7 @@ TEST(sketch_stage, has_the_studio_of_povray) {
     cloths += glm::length(lamp.side) > 0 ? 1 : 0;
     EXPECT_NEAR(glm::length(lamp.at), 1100, 0.01);
   }
-  EXPECT_EQ(with_shadow, 3u);
+  EXPECT_EQ(with_shadow, 1u);
   EXPECT_EQ(cloths, 1u);
   EXPECT_NEAR(glm::length(stage.lamps[0].side), 300, 0.01);
   EXPECT_LT(stage.lamps[0].at.x, 0) << "on the picture's left";
