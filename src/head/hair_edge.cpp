@@ -263,6 +263,29 @@ void ease_edge(std::vector<DrawnEdge>& edge, const std::vector<std::size_t>& tip
   }
 }
 
+// From the last tip of the fringe down to the point before an ear in one line: neither up again between the
+// two nor along the border with its corners.
+void sweep_temples(std::vector<DrawnEdge>& edge, const std::vector<DrawnLock>& locks,
+                   const std::vector<std::size_t>& tips) {
+  constexpr double kHollow = 1.7, kBent = 0.5;  // a power, 1: straight; of the way: till there it is bent
+  const std::size_t count = locks.size();
+  for (std::size_t l = 0; l < count; ++l) {
+    if (locks[l].lean != 0) continue;  // between the temples
+    const bool is_left = locks[l].tip_deg < 180;
+    const std::size_t beside = (is_left ? l + count - 1 : l + 1) % count;
+    const DrawnEdge from = edge[tips[beside]], tip = edge[tips[l]];
+    const double whole_deg = wrap_azimuth(tip.turn_deg - from.turn_deg);
+    for (DrawnEdge& at : edge) {
+      const double toward = is_left ? at.across : -at.across;
+      if (!(at.lock == l && toward < 0) && !(at.lock == beside && toward > 0)) continue;
+      const double share = std::clamp(wrap_azimuth(at.turn_deg - from.turn_deg) / whole_deg, 0.0, 1.0);
+      at.way = std::lerp(from.way, tip.way, std::pow(share, kHollow));
+      at.bent_deg = from.bent_deg * (1 - smooth_step(0, kBent, share));
+      at.deep_mm = 0;
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
@@ -316,6 +339,7 @@ std::vector<DrawnEdge> trace_drawn_edge(const HairScene& scene) {
     walk(lock.tip_deg, lock.to_deg, lock.to_mm, false);
   }
   ease_edge(edge, tips);
+  if (!locks.empty() && !find_fall(scene).is_there) sweep_temples(edge, locks, tips);
   return edge;
 }
 

@@ -70,5 +70,40 @@ TEST(hair_edge, is_shorter_at_the_nape_than_beside_the_face) {
   }
 }
 
+// A step or a tooth at the temple looks torn.
+TEST(hair_edge, comes_down_in_one_line_from_the_fringe_to_before_an_ear) {
+  constexpr double kLeastFall_mm = 0.01;
+  for (const char* age : {"infant", "child", "adult", "old"}) {
+    const NeutralHead head = make_drawn(age);
+    for (const char* name : {"crop", "side_part", "pixie", "curls"}) {
+      HairCut cut = shipped().stock.head->hair.cuts.at(name);
+      cut.is_drawn = true;
+      const HairScene scene = build_hair_scene(head, cut);
+      std::vector<std::pair<double, double>> left, right;  // azimuth and way, from the temple to the tip
+      double tip_deg = 0;
+      for (const DrawnLock& lock : list_drawn_locks(scene))
+        if (lock.lean == 0 && lock.tip_deg < 180) tip_deg = lock.tip_deg;
+      ASSERT_GT(tip_deg, 50) << name;
+      for (const DrawnEdge& at : trace_drawn_edge(scene)) {
+        const double azimuth = wrap_azimuth(at.turn_deg);
+        if (std::abs(azimuth) < 48 || std::abs(azimuth) > tip_deg) continue;
+        (azimuth > 0 ? left : right).emplace_back(std::abs(azimuth), at.way * scene.chart.drop_mm);
+      }
+      for (auto* side : {&left, &right}) {
+        std::ranges::sort(*side);
+        ASSERT_GT(side->size(), 6u) << age << ' ' << name;
+        double steepness = 0;
+        for (std::size_t i = 1; i < side->size(); ++i) {
+          const double down_mm = (*side)[i].second - (*side)[i - 1].second,
+                       aside_deg = (*side)[i].first - (*side)[i - 1].first;
+          EXPECT_GT(down_mm, kLeastFall_mm) << age << ' ' << name << ' ' << (*side)[i].first;
+          EXPECT_GT(down_mm / aside_deg, 0.9 * steepness) << "and ever steeper " << age << ' ' << name;
+          steepness = down_mm / aside_deg;
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace mien
