@@ -171,13 +171,17 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   clear_shape(lines);
   clear_shape(brows);
   constexpr float kNear = 0.3f, kFar = 0.5f;  // sines: so far round the head a nose hides the fold behind it
+  constexpr float kSlant = 0.5f, kRound = 0.72f;
   constexpr double kThinner = 0.5;
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;
     const double shown = stroke.rule.is_of_front ? 1.0 - beside : 1.0;
     const bool is_lifted = stroke.rule.is_of_level && ink.redraw.lens.is_on();
     const double level = is_lifted ? 1.0 - below : 1.0;
-    const double near = is_lifted ? 1.0 - smooth_step(kNear, kFar, -stroke.side * sight.aside) : 1.0;
+    const float behind = -stroke.side * sight.aside;
+    const double near = is_lifted                ? 1.0 - smooth_step(kNear, kFar, behind)
+                        : stroke.rule.is_of_near ? 1.0 - smooth_step(kSlant, kRound, behind)
+                                                 : 1.0;
     if (stroke.rule.is_of_lid) return 1.0 - kThinner * beside * slits[stroke.side < 0 ? 1 : 0];
     if (stroke.fold) return level * near * shown * compute_fold_amount(ink.folds[*stroke.fold], pose, side);
     return stroke.rule.is_seam ? static_cast<double>(parted) : shown;

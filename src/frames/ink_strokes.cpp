@@ -122,6 +122,7 @@ StrokeRule make_crease(const FoldSet& set, const FoldLine& line, double strength
                   .points = {},
                   // In profile the others would be scratches, and beside an outline a second one.
                   .is_of_front = set.name != "forehead",
+                  .is_of_near = set.name == "forehead",
                   .is_of_level = set.name == "cheek",
                   .widths = {},
                   .lift_mm = 0.35,

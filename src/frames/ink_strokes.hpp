@@ -22,6 +22,7 @@ struct StrokeRule {
   float in_profile = 1;      // how much thicker it is where the head is seen from the side
   float faced = 0.22f;       // there it is drawn whole: the cosine of its normal's angle to the view
   bool is_of_front = false;  // seen from the side it would fork off another
+  bool is_of_near = false;   // on the far half of a head seen aslant it would be a knot at the outline
   bool is_of_level = false;  // from below it would be a stub above a corner that is lifted
   bool is_of_lid = false;    // seen from the side it would fill an eye that is nearly shut
   bool is_smooth = false;    // no waves: drawn along the mean of its points
