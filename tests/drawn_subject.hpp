@@ -105,4 +105,12 @@ inline double measure_outline_mm(const Subject& subject, const char* name, float
   return off_mm;
 }
 
+// How wide a stroke is at its widest, mm.
+inline double measure_width(const std::vector<glm::vec3>& stroke) {
+  double most = 0;
+  for (std::size_t ring = 0; ring < stroke.size(); ring += kStrokeSpokes)
+    most = std::max(most, static_cast<double>(glm::distance(stroke[ring], stroke[ring + kStrokeSpokes / 2])));
+  return most;
+}
+
 }  // namespace mien

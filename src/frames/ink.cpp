@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/smooth.hpp"
+#include "frames/ink_cornea.hpp"
 #include "frames/ink_hair.hpp"
 #include "frames/ink_mouth.hpp"
 #include "frames/ink_profile.hpp"
@@ -192,6 +193,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   for (const InkStroke& stroke : ink.strokes)
     if (!stroke.rule.is_on_hair)
       append_stroke(stroke, measure_amount(stroke), ground, (stroke.rule.is_brow ? brows : lines).positions);
+  append_cornea(ink, sight, view.line_mm, drawing, lines.positions);
 
   skin.normals = buffers.tones;
   for (const auto& [from, to, share] : ink.cuts) {

@@ -98,10 +98,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
   // Seen from below, the shade under a chin is one band along the jaw: what a lamp casts there is a lobe.
-  constexpr float kUnder_mm = 10, kBesideUnder_mm = 31;
+  constexpr float kUnder_mm = 12, kBesideUnder_mm = 20;
   std::vector<glm::vec3> under;
   for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
-    add(fmt::format("{}_N0", column).c_str(), under);
+    for (const char* row : {"N0", "N1"}) add(fmt::format("{}_{}", column, row).c_str(), under);
   // Seen from below a button of a nose would have a caret on it.
   constexpr float kButton_mm = 10, kBesideButton_mm = 16;
   const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
@@ -269,6 +269,10 @@ void add_strokes(const Figure& figure, const HeadSpec& spec, const InkColours& c
       mesh.triangles.push_back(t);
     mesh.positions.resize(mesh.positions.size() + kStrokeVertices);
   }
+  // The last of the lines is the cornea's.
+  for (const Triangle& t : list_stroke_triangles(static_cast<std::uint32_t>(lines.rest.positions.size())))
+    lines.rest.triangles.push_back(t);
+  lines.rest.positions.resize(lines.rest.positions.size() + kStrokeVertices);
   ink.model.parts.push_back(std::move(lines));
   ink.model.parts.push_back(std::move(brows));
 }

@@ -23,13 +23,6 @@ const Subject& infant() {
   return subject;
 }
 
-double measure_width(const std::vector<glm::vec3>& stroke) {
-  double most = 0;
-  for (std::size_t ring = 0; ring < stroke.size(); ring += kStrokeSpokes)
-    most = std::max(most, static_cast<double>(glm::distance(stroke[ring], stroke[ring + kStrokeSpokes / 2])));
-  return most;
-}
-
 TEST(ink_profile, lips_and_the_bridge_of_the_nose_have_an_outline) {
   const auto measure = [](const Subject& subject, const char* name, const glm::dvec3& camera_mm) {
     return measure_outline_mm(subject, name, 3, {camera_mm, {0, 0.6, 0.8}, 1});
