@@ -147,7 +147,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   HairScene about_face = scene;
   about_face.cut.comb.away *= kFaceAway;
   HairScene at_short_part = scene;
-  at_short_part.cut.locks.risen = 0;
+  at_short_part.cut.locks.risen = 1e-3;  // at once
   at_short_part.cut.locks.rise_mm = 0;
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
