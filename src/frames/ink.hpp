@@ -30,9 +30,10 @@ struct Ink {
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before
   std::vector<float> button;                 // 1: there it has none where the head is seen from below
-  std::vector<float> throat;                 // 1: there it is dark where the head is seen from below
-  std::array<std::uint32_t, 2> sides{};      // vertices of the skin at the head's left and right
-  std::vector<Triangle> hull_triangles;      // of the cut skin, those that have one
+  std::vector<float> chin;               // 1: there it is lit unless the head is seen from the side or below
+  std::vector<float> throat;             // 1: there it is dark where the head is seen from below
+  std::array<std::uint32_t, 2> sides{};  // vertices of the skin at the head's left and right
+  std::vector<Triangle> hull_triangles;  // of the cut skin, those that have one
   InkTonePointer tone;
   std::size_t caster = 0;              // in `model`: what the skin's shadow is cast by
   std::vector<float> below_mm;         // of each of its vertices: how deep it lies in the skin

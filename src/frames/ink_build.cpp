@@ -102,6 +102,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> under;
   for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
     for (const char* row : {"N0", "N1"}) add(fmt::format("{}_{}", column, row).c_str(), under);
+  // A chin that is pushed up would be swallowed by its shade.
+  constexpr float kChin_mm = 6, kBesideChin_mm = 16;
+  std::vector<glm::vec3> chin;
+  for (const char* point : {"M6_12", "M6_11", "M6_10"}) add(point, chin);
   // Seen from below a button of a nose would have a caret on it.
   constexpr float kButton_mm = 10, kBesideButton_mm = 16;
   const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
@@ -123,6 +127,8 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
     const float from_under = measure(under, positions[v], 2 * kBesideUnder_mm) / ink.eye_size;
+    ink.chin.push_back(1 - smooth_step(kChin_mm, kBesideChin_mm,
+                                       measure(chin, positions[v], 2 * kBesideChin_mm) / ink.eye_size));
     ink.throat.push_back(1 - smooth_step(kUnder_mm, kBesideUnder_mm, from_under));
     const float from_tip = glm::distance(tip, positions[v]) / ink.eye_size;
     ink.button.push_back(is_button ? 1 - smooth_step(kButton_mm, kBesideButton_mm, from_tip) : 0);

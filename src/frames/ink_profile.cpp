@@ -247,6 +247,11 @@ void lift_tones(const Ink& ink, const InkSight& sight, const glm::vec3& to_light
     for (glm::vec3& tone : tones)
       if (glm::dot(tone, to_light) < kClear)
         tone = glm::normalize(glm::mix(tone, to_light, lit * smooth_step(kUnder, kLevel, tone.y)));
+  constexpr float kChin = 0.6f;
+  if (ink.redraw.lens.is_on())
+    for (std::size_t v = 0; v < tones.size(); ++v)
+      tones[v] =
+          glm::normalize(glm::mix(tones[v], to_light, kChin * (1 - below) * (1 - beside) * ink.chin[v]));
   if (below > 0 && ink.redraw.lens.is_on())
     for (std::size_t v = 0; v < tones.size(); ++v)
       tones[v] =

@@ -57,6 +57,24 @@ TEST(ink_below, what_is_turned_into_the_shade_looks_where_the_skin_does) {
   EXPECT_GT(count, 100);
 }
 
+// Its shade would swallow a chin that is pushed up.
+TEST(ink_below, a_chin_is_lit_unless_it_is_seen_from_there) {
+  constexpr float kTerminator = 0.12f;  // as materials_drawn.inc has it: cosine
+  const glm::dvec3 to_light = glm::normalize(glm::dvec3(-0.46, 0.6, 0.66));
+  const Pose pushed = make_pose({{"chin.up", 0.8}, {"corner.up", -0.5}});
+  for (const char* age : {"infant", "child", "adult"}) {
+    const Subject subject = build_of_age(age);
+    const std::uint32_t chin = find_point(subject.figure.head.cage, "M6_12");
+    const auto measure = [&](const glm::dvec3& camera_mm) {
+      const Drawing drawing = draw(subject, pushed, TurnKey{}, {camera_mm, to_light, 1});
+      return glm::dot(drawing.parts.front().normals[chin], glm::vec3(to_light));
+    };
+    EXPECT_GT(measure(kBefore_mm), kTerminator) << age;
+    EXPECT_GT(measure({500, 0, 750}), kTerminator) << age;
+    EXPECT_LT(measure(kBelow_mm), measure(kBefore_mm)) << age;
+  }
+}
+
 TEST(ink_below, brows_are_as_thick_as_those_of_the_head) {
   const auto measure = [](const Subject& subject) {
     double most = 0;
