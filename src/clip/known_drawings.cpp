@@ -58,6 +58,12 @@ std::string describe_clip(const SceneRun& run) {
   return all;
 }
 
+// A line of the file: both, and what the two of them are told by.
+std::string write_known_drawing(const std::string& origin, const std::string& key) {
+  const std::string both = origin + " " + key;
+  return both + " " + hash_hex(both) + "\n";
+}
+
 }  // namespace
 
 std::vector<std::string> list_origins(const SceneRun& run) {
@@ -93,10 +99,14 @@ KnownDrawings read_known_drawings(const PictureStore& store) {
   } catch (const RunError&) {
     return known;
   }
+  // A line that is not word for word what would be written is damaged: it might name another's picture.
   for (std::string line; std::getline(lines, line);) {
-    const std::size_t blank = std::min(line.find(' '), line.size());
-    const std::string origin = line.substr(0, blank), key = line.substr(std::min(blank + 1, line.size()));
-    if (is_stored_file(origin + ".png") && is_stored_file(key + ".png")) known[origin] = key;
+    std::istringstream words(line);
+    std::string origin, key;
+    words >> origin >> key;
+    if (is_stored_file(origin + ".png") && is_stored_file(key + ".png") &&
+        line + "\n" == write_known_drawing(origin, key))
+      known[origin] = key;
   }
   return known;
 }
@@ -108,7 +118,8 @@ void write_known_drawings(const PictureStore& store, const KnownDrawings& known,
   std::string text;
   std::error_code ignored;
   for (const auto& [origin, key] : known)
-    if (used.contains(key) || fs::exists(store.picture(key), ignored)) text += origin + " " + key + "\n";
+    if (used.contains(key) || fs::exists(store.picture(key), ignored))
+      text += write_known_drawing(origin, key);
   const fs::path file = store.folder / kKnownDrawings;
   if (fs::is_regular_file(file, ignored) && read_file(file) == text) return;
   try {

@@ -99,8 +99,17 @@ TEST(known_drawings, are_read_back_and_forgotten_with_their_pictures) {
   write_file(store.picture(c), "a picture");
   write_known_drawings(store, {{a, b}, {b, c}}, {});
   EXPECT_EQ(read_known_drawings(store), (KnownDrawings{{b, c}}));
-  write_file(store.folder / kKnownDrawings, "damaged\n" + a + " ../../etc/passwd\n" + b + " " + c + "\n" + a);
+  const std::string whole = read_file(store.folder / kKnownDrawings);
+  write_file(store.folder / kKnownDrawings,
+             "damaged\n" + a + " ../../etc/passwd\n" + whole + b + " " + a + "\n" + a);
   EXPECT_EQ(read_known_drawings(store), (KnownDrawings{{b, c}})) << "of a damaged one what is whole";
+  // One byte that is another hexadecimal digit would name another's picture.
+  for (std::size_t at = 0; at < whole.size(); ++at) {
+    std::string damaged = whole;
+    damaged[at] = static_cast<char>(damaged[at] ^ 0x55);
+    write_file(store.folder / kKnownDrawings, damaged);
+    EXPECT_TRUE(read_known_drawings(store).empty()) << at;
+  }
   Cleaned cleaned;
   clean_store(store, cleaned);
   EXPECT_FALSE(std::filesystem::exists(store.folder));
