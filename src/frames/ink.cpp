@@ -115,6 +115,8 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   std::size_t next = ink.first_outline;
   constexpr float kWithin = 0.6f, kOutline = 0.75f;  // sines: there lips and nose are the head's edge
   const float turned_out = smooth_step(kWithin, kOutline, std::abs(sight.aside));
+  constexpr float kFarCheek = 0.38f, kFarEdge = 0.52f;  // there the far corner of a mouth is
+  const float far_out = smooth_step(kFarCheek, kFarEdge, std::abs(sight.aside)) * (1 - beside);
   {  // before the skin gets the vertices of its borders
     PartShape& outline = drawing.parts[next++];
     clear_shape(outline);
@@ -122,7 +124,9 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
     buffers.thick.clear();
     for (std::size_t v = 0; v < skin.positions.size(); ++v) {
       const float faced_or_turned = std::lerp(ink.hull_faced[v], ink.hull_turned[v], turned_out);
-      const float share = std::lerp(faced_or_turned, ink.hull_beside[v], beside) *
+      const float far =
+          ink.model.parts.front().rest.positions[v].x * sight.aside < 0 ? far_out * ink.beside_mouth[v] : 0;
+      const float share = std::max(far, std::lerp(faced_or_turned, ink.hull_beside[v], beside)) *
                           (1 - sight.faced * ink.folded[v]) * (1 - below * ink.button[v]);
       buffers.thick.push_back(share);
       buffers.turn[v] = skin.positions[v] + share * find_thickness(view, buffers.tones[v]) * buffers.soft[v];

@@ -30,6 +30,7 @@ struct Ink {
   std::vector<float> hull_beside;            // and where the head is seen from the side
   std::vector<float> folded;                 // 1: there it has none where the head is seen from before
   std::vector<float> button;                 // 1: there it has none where the head is seen from below
+  std::vector<float> beside_mouth;       // 1: about its corners, which on the far side are the head's edge
   std::vector<float> chin;               // 1: there it is lit unless the head is seen from the side or below
   std::vector<float> throat;             // 1: there it is dark where the head is seen from below
   std::array<std::uint32_t, 2> sides{};  // vertices of the skin at the head's left and right

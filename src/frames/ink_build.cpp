@@ -102,6 +102,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> under;
   for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
     for (const char* row : {"N0", "N1"}) add(fmt::format("{}_{}", column, row).c_str(), under);
+  // About the corner of a mouth the outline of a far cheek would have a gap.
+  constexpr float kEnd_mm = 5, kBesideEnd_mm = 10;
+  std::vector<glm::vec3> ends;
+  for (const char* point : {"M2_6", "M3_6", "M4_6", "M5_6", "M6_5", "M6_6"}) add(point, ends);
   // A chin that is pushed up would be swallowed by its shade.
   constexpr float kChin_mm = 6, kBesideChin_mm = 16;
   std::vector<glm::vec3> chin;
@@ -127,13 +131,17 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
     const float from_under = measure(under, positions[v], 2 * kBesideUnder_mm) / ink.eye_size;
+    const float mouth = measure(slit, positions[v], 2 * kSeamAll_mm) / ink.eye_size;
+    ink.beside_mouth.push_back(
+        smooth_step(kSeamNone_mm, kSeamAll_mm, mouth) *
+        (1 -
+         smooth_step(kEnd_mm, kBesideEnd_mm, measure(ends, positions[v], 2 * kBesideEnd_mm) / ink.eye_size)));
     ink.chin.push_back(1 - smooth_step(kChin_mm, kBesideChin_mm,
                                        measure(chin, positions[v], 2 * kBesideChin_mm) / ink.eye_size));
     ink.throat.push_back(1 - smooth_step(kUnder_mm, kBesideUnder_mm, from_under));
     const float from_tip = glm::distance(tip, positions[v]) / ink.eye_size;
     ink.button.push_back(is_button ? 1 - smooth_step(kButton_mm, kBesideButton_mm, from_tip) : 0);
     const float lip = measure(lips, positions[v], 2 * kAll_mm) / ink.eye_size;
-    const float mouth = measure(slit, positions[v], 2 * kSeamAll_mm) / ink.eye_size;
     const float beside_mouth = smooth_step(kNone_mm, kAll_mm, margin) *
                                smooth_step(kCheekNone_mm, kCheekAll_mm, cheek) *
                                smooth_step(kEarNone_mm, kEarAll_mm, ear);

@@ -70,5 +70,24 @@ TEST(ink_cornea, waves_of_the_forehead_are_of_the_nearer_half_of_a_head_that_is_
   EXPECT_LT(measure_mm(-50), 0.05);
 }
 
+// Else the outline of a far cheek has a gap there.
+TEST(ink_cornea, the_outline_goes_on_beside_the_far_corner_of_a_mouth) {
+  const Pose angry = make_pose({{"corner.up", -0.5}, {"lips.press", 0.6}});
+  for (const char* age : {"infant", "child"}) {
+    const Subject subject = build_of_age(age);
+    const auto measure = [&](const char* side, double turn_deg) {
+      double most = 0;
+      for (const char* name : {"M3_6", "M4_6", "M5_6", "M6_6"})
+        most = std::max(most, measure_outline_mm(subject, (std::string(side) + name).c_str(), 3,
+                                                 {find_camera(turn_deg), {0, 0.6, 0.8}, 1}, angry));
+      return most;
+    };
+    EXPECT_GT(measure("R:", 35), 0.3) << age;
+    EXPECT_GT(measure("", -35), 0.3) << age;
+    EXPECT_LT(measure("", 35), 0.1) << "the nearer one " << age;
+    EXPECT_LT(measure("R:", 0), 0.1) << age;
+  }
+}
+
 }  // namespace
 }  // namespace mien
