@@ -59,7 +59,7 @@ std::string describe_clip(const SceneRun& run) {
 }
 
 // A line of the file: both, and what the two of them are told by.
-std::string write_known_drawing(const std::string& origin, const std::string& key) {
+std::string describe_known_drawing(const std::string& origin, const std::string& key) {
   const std::string both = origin + " " + key;
   return both + " " + hash_hex(both) + "\n";
 }
@@ -105,7 +105,7 @@ KnownDrawings read_known_drawings(const PictureStore& store) {
     std::string origin, key;
     words >> origin >> key;
     if (is_stored_file(origin + ".png") && is_stored_file(key + ".png") &&
-        line + "\n" == write_known_drawing(origin, key))
+        line + "\n" == describe_known_drawing(origin, key))
       known[origin] = key;
   }
   return known;
@@ -119,7 +119,7 @@ void write_known_drawings(const PictureStore& store, const KnownDrawings& known,
   std::error_code ignored;
   for (const auto& [origin, key] : known)
     if (used.contains(key) || fs::exists(store.picture(key), ignored))
-      text += write_known_drawing(origin, key);
+      text += describe_known_drawing(origin, key);
   const fs::path file = store.folder / kKnownDrawings;
   if (fs::is_regular_file(file, ignored) && read_file(file) == text) return;
   try {

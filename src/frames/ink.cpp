@@ -176,7 +176,7 @@ void draw_ink(const Ink& ink, const Pose& asked, const InkView& view, InkBuffers
   clear_shape(lines);
   clear_shape(brows);
   constexpr float kNear = 0.3f, kFar = 0.5f;  // sines: so far round the head a nose hides the fold behind it
-  constexpr float kSlant = 0.5f, kRound = 0.72f;
+  constexpr float kSlant = 0.5f, kRound = 0.72f;  // and so far a forehead goes round its far side
   constexpr double kThinner = 0.5;
   const auto measure_amount = [&](const InkStroke& stroke) {
     const Side side = stroke.side < 0 ? Side::right : Side::left;

@@ -33,6 +33,32 @@ void list_neighbours(const FineSkin& fine, Ink& ink) {
   }
 }
 
+// Where a chin is lit and where a throat is dark.
+void measure_shades(const Cage& cage, const std::vector<glm::vec3>& positions, Ink& ink) {
+  // A chin that is pushed up would be swallowed by its shade.
+  constexpr float kChin_mm = 6, kBesideChin_mm = 16;
+  // Seen from below, the shade under a chin is one band along the jaw: what a lamp casts there is a lobe.
+  constexpr float kUnder_mm = 12, kBesideUnder_mm = 20;
+  std::vector<glm::vec3> chin, under;
+  const auto add = [&](const std::string& point, std::vector<glm::vec3>& places) {
+    const std::uint32_t left = find_point(cage, point);
+    for (const std::uint32_t v : {left, cage.mirror[left]}) places.push_back(positions[v]);
+  };
+  for (const char* point : {"M6_12", "M6_11", "M6_10"}) add(point, chin);
+  for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
+    for (const char* row : {"N0", "N1"}) add(fmt::format("{}_{}", column, row), under);
+  const auto measure = [&](const std::vector<glm::vec3>& places, const glm::vec3& at, float whole_mm,
+                           float none_mm) {
+    float least_mm = 2 * none_mm;
+    for (const glm::vec3& place : places) least_mm = std::min(least_mm, glm::distance(place, at));
+    return 1 - smooth_step(whole_mm, none_mm, least_mm / ink.eye_size);
+  };
+  for (const glm::vec3& p : positions) {
+    ink.chin.push_back(measure(chin, p, kChin_mm, kBesideChin_mm));
+    ink.throat.push_back(measure(under, p, kUnder_mm, kBesideUnder_mm));
+  }
+}
+
 // None in mouth and nostrils, none at the margins of lids and lips, which have strokes, and none on the lids,
 // the bags beneath them and where the cheek meets the nose: in profile they would leave ticks above and below
 // the eye, and a line from there to the mouth.
@@ -97,19 +123,10 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
   std::vector<glm::vec3> nostrils;
   for (std::size_t i = 0; i < figure.head.cage.names.size(); ++i)
     if (has_prefix(figure.head.cage.names[i], "nr_")) nostrils.push_back(positions[i]);
-  // Seen from below, the shade under a chin is one band along the jaw: what a lamp casts there is a lobe.
-  constexpr float kUnder_mm = 12, kBesideUnder_mm = 20;
-  std::vector<glm::vec3> under;
-  for (const char* column : {"m12", "m11", "m10", "m9", "m8", "q12", "q11", "q10", "s1", "s2", "s3", "s4"})
-    for (const char* row : {"N0", "N1"}) add(fmt::format("{}_{}", column, row).c_str(), under);
   // About the corner of a mouth the outline of a far cheek would have a gap.
   constexpr float kEnd_mm = 5, kBesideEnd_mm = 10;
   std::vector<glm::vec3> ends;
   for (const char* point : {"M2_6", "M3_6", "M4_6", "M5_6", "M6_5", "M6_6"}) add(point, ends);
-  // A chin that is pushed up would be swallowed by its shade.
-  constexpr float kChin_mm = 6, kBesideChin_mm = 16;
-  std::vector<glm::vec3> chin;
-  for (const char* point : {"M6_12", "M6_11", "M6_10"}) add(point, chin);
   // Seen from below a button of a nose would have a caret on it.
   constexpr float kButton_mm = 10, kBesideButton_mm = 16;
   const bool is_button = measure_nose_mm(figure) < kButtonNose_mm;
@@ -130,15 +147,11 @@ void measure_hull(const Figure& figure, const std::vector<bool>& is_opening,
     const float bone = measure(bones, positions[v], 2 * kBesideBone_mm) / ink.eye_size;
     ink.folded.push_back(1 - smooth_step(kThroat_mm, kBelowThroat_mm, neck) *
                                  smooth_step(kBone_mm, kBesideBone_mm, bone));
-    const float from_under = measure(under, positions[v], 2 * kBesideUnder_mm) / ink.eye_size;
     const float mouth = measure(slit, positions[v], 2 * kSeamAll_mm) / ink.eye_size;
     ink.beside_mouth.push_back(
         smooth_step(kSeamNone_mm, kSeamAll_mm, mouth) *
         (1 -
          smooth_step(kEnd_mm, kBesideEnd_mm, measure(ends, positions[v], 2 * kBesideEnd_mm) / ink.eye_size)));
-    ink.chin.push_back(1 - smooth_step(kChin_mm, kBesideChin_mm,
-                                       measure(chin, positions[v], 2 * kBesideChin_mm) / ink.eye_size));
-    ink.throat.push_back(1 - smooth_step(kUnder_mm, kBesideUnder_mm, from_under));
     const float from_tip = glm::distance(tip, positions[v]) / ink.eye_size;
     ink.button.push_back(is_button ? 1 - smooth_step(kButton_mm, kBesideButton_mm, from_tip) : 0);
     const float lip = measure(lips, positions[v], 2 * kAll_mm) / ink.eye_size;
@@ -340,6 +353,7 @@ Ink build_ink(const Figure& figure, const HeadSpec& spec, const InkColours& colo
   find_eyes(figure, ink);
   find_mouth(figure, ink);
   measure_hull(figure, regions.is_opening, positions, ink);
+  measure_shades(figure.head.cage, positions, ink);
   ink.cheek = std::move(regions.cheek);
   ink.lower_cheek = std::move(regions.lower_cheek);
   ink.flush_places = std::move(regions.flush_places);

@@ -191,10 +191,15 @@ void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out) {
   at.x = 0;  // the sine of 180 degrees is not quite 0
 }
 
-bool has_part(const HairScene& scene) {
-  constexpr double kOrderly_deg = 9.5, kWide_deg = 20;  // of disorder; of its length
+bool has_long_part(const HairScene& scene) {
+  constexpr double kWide_deg = 20;
   const HairComb& comb = scene.cut.comb;
-  return !comb.is_gathered && comb.jitter_deg <= kOrderly_deg && comb.to_deg - comb.from_deg >= kWide_deg;
+  return !comb.is_gathered && comb.to_deg - comb.from_deg >= kWide_deg;
+}
+
+bool has_part(const HairScene& scene) {
+  constexpr double kOrderly_deg = 9.5;  // of disorder
+  return has_long_part(scene) && scene.cut.comb.jitter_deg <= kOrderly_deg;
 }
 
 }  // namespace mien

@@ -58,7 +58,8 @@ glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm:
 // Where gathered hair meets: on the skin, and the way out from it.
 void compute_knot(const HairScene& scene, glm::dvec3& at, glm::dvec3& out);
 
-// Whether hair is combed in order to both sides of a line that one can see.
+// Whether hair is combed to both sides of a line; and in such order that one can see it.
+bool has_long_part(const HairScene& scene);
 bool has_part(const HairScene& scene);
 
 }  // namespace mien

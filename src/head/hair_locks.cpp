@@ -129,10 +129,9 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const int at_front = is_open ? static_cast<int>(kAtFront * cut.locks.count) : 0;
   // And beside their part, where few of the others begin: it would be a bare strip too. Short hair lies down
   // at once there.
-  constexpr double kAtPart = 0.3, kAtShortPart = 0.12, kLongPart_deg = 20;
-  const bool has_long_part =
-      !cut.covers_ears && !cut.comb.is_gathered && cut.comb.to_deg - cut.comb.from_deg > kLongPart_deg;
-  const double share_at_part = is_open ? kAtPart : has_long_part ? kAtShortPart : 0;
+  constexpr double kAtPart = 0.3, kAtShortPart = 0.12;
+  const bool is_short = !cut.covers_ears && has_long_part(scene);
+  const double share_at_part = is_open ? kAtPart : is_short ? kAtShortPart : 0;
   const int at_part = static_cast<int>(share_at_part * cut.locks.count);
   std::vector<HairPlace> roots = spread_roots(scene, cut.locks.count - at_face - at_front - at_part,
                                               cut.locks.root_band, cut.is_mirrored);

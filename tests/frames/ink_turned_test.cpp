@@ -24,7 +24,7 @@ std::vector<glm::vec3> find_cornea(const Subject& subject, const Drawing& drawin
 }
 
 // An iris that nothing closes before it looks cut off.
-TEST(ink_cornea, closes_an_eye_that_is_seen_from_the_side) {
+TEST(ink_turned, closes_an_eye_that_is_seen_from_the_side) {
   for (const char* age : {"infant", "child", "adult"}) {
     const Subject subject = build_of_age(age);
     for (const double turn_deg : {-90, 90}) {
@@ -58,7 +58,7 @@ TEST(ink_cornea, closes_an_eye_that_is_seen_from_the_side) {
 }
 
 // Where they run up the far half they meet in a knot at the outline.
-TEST(ink_cornea, waves_of_the_forehead_are_of_the_nearer_half_of_a_head_that_is_turned) {
+TEST(ink_turned, waves_of_the_forehead_are_of_the_nearer_half_of_a_head_that_is_turned) {
   const Pose raised = make_pose({{"brow.up", 1}});
   const auto measure_mm = [&](double turn_deg) {  // of the left half
     return measure_width(find_stroke(
@@ -71,7 +71,7 @@ TEST(ink_cornea, waves_of_the_forehead_are_of_the_nearer_half_of_a_head_that_is_
 }
 
 // Else the outline of a far cheek has a gap there.
-TEST(ink_cornea, the_outline_goes_on_beside_the_far_corner_of_a_mouth) {
+TEST(ink_turned, the_outline_goes_on_beside_the_far_corner_of_a_mouth) {
   const Pose angry = make_pose({{"corner.up", -0.5}, {"lips.press", 0.6}});
   for (const char* age : {"infant", "child"}) {
     const Subject subject = build_of_age(age);
