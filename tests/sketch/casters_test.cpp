@@ -51,14 +51,30 @@ Model build_two_balls(const char* material) {
   return {{part}};
 }
 
+// Millimetres above the balls' skin; less than none inside either.
+float compute_height_above(const glm::vec3& p) {
+  return std::min(glm::length(p) - 80, glm::distance(p, glm::vec3(0, 0, 84)) - 20);
+}
+
 Drawing draw_at_rest(const Model& model) {
   return {{{model.parts[0].rest.positions, model.parts[0].rest.normals, {}, glm::mat4(1)}}};
 }
 
-SketchStage build_stage() {
+SketchStage build_stage(const std::string& lights = "studio") {
   std::string start;
-  append_povray_start(start, {{}, {}, {}, {}});
-  return build_sketch_stage(build_povray_stage("", {}, shipped_stock().templates), start, 480, 600);
+  append_povray_start(start, {{}, {{lights, 1, 0}}, {}, {}});
+  const StageSets sets{{lights}, {}};
+  return build_sketch_stage(build_povray_stage("", {}, shipped_stock().templates, sets), start, 480, 600);
+}
+
+// The light sets of the shipped templates, but the lamp of a style.
+std::vector<std::string> list_light_sets() {
+  const std::string prefix = "povray/light_";
+  std::vector<std::string> names;
+  for (const auto& [path, text] : shipped_stock().templates)
+    if (path.starts_with(prefix) && path != prefix + "ink.inc")
+      names.push_back(path.substr(prefix.size(), path.size() - prefix.size() - 4));
+  return names;
 }
 
 bool is_met(const glm::vec3& from, const glm::vec3& way, const Mesh& mesh) {
@@ -76,44 +92,44 @@ bool is_met(const glm::vec3& from, const glm::vec3& way, const Mesh& mesh) {
   return false;
 }
 
-// Places a little above the balls, and any place of any lamp that throws a shadow.
+// Places a little above the balls and inside neither, and any place of any lamp that throws a shadow.
 TEST(casters, hide_from_each_lamp_what_the_whole_part_hides) {
   const Model model = build_two_balls("skin");
-  const SketchStage stage = build_stage();
-  const std::vector<Mesh> casters = build_casters(stage, model, draw_at_rest(model), list_castable(model));
-  ASSERT_EQ(casters.size(), 1u);
   const Mesh& whole = model.parts[0].rest;
-  ASSERT_FALSE(casters[0].triangles.empty());
-  EXPECT_LT(casters[0].triangles.size(), whole.triangles.size() * 9 / 10);
-
   std::mt19937 random(7);
   const auto draw = [&] { return static_cast<float>(random() % 10000) / 10000.0f; };
   int asked = 0, hidden = 0, wrong = 0;
-  for (const SketchLamp& lamp : stage.lamps) {
-    if (!lamp.has_shadow) continue;
-    for (int i = 0; i < 1000; ++i) {
-      const std::size_t v = random() % whole.positions.size();
-      const glm::vec3 from = whole.positions[v] + 0.03f * whole.normals[v];
-      const glm::vec3 place = lamp.at + (draw() - 0.5f) * lamp.side + (draw() - 0.5f) * lamp.other_side;
-      const glm::vec3 way = glm::vec3(place.x, place.y, -place.z) - from;
-      if (glm::dot(way, whole.normals[v]) <= 0) continue;  // no light falls there anyway
-      const bool is_hidden = is_met(from, way, whole);
-      ++asked;
-      hidden += is_hidden ? 1 : 0;
-      wrong += is_hidden != is_met(from, way, casters[0]) ? 1 : 0;
+  for (const std::string& lights : list_light_sets()) {
+    const SketchStage stage = build_stage(lights);
+    const std::vector<Mesh> casters = build_casters(stage, model, draw_at_rest(model), list_castable(model));
+    ASSERT_EQ(casters.size(), 1u) << lights;
+    ASSERT_FALSE(casters[0].triangles.empty()) << lights;
+    EXPECT_LT(casters[0].triangles.size(), whole.triangles.size() * 9 / 10) << lights;
+    for (const SketchLamp& lamp : stage.lamps) {
+      if (!lamp.has_shadow) continue;
+      for (int i = 0; i < 1000; ++i) {
+        const std::size_t v = random() % whole.positions.size();
+        const glm::vec3 from = whole.positions[v] + 0.03f * whole.normals[v];
+        const glm::vec3 place = lamp.at + (draw() - 0.5f) * lamp.side + (draw() - 0.5f) * lamp.other_side;
+        const glm::vec3 way = glm::vec3(place.x, place.y, -place.z) - from;
+        if (compute_height_above(from) < 0 || glm::dot(way, whole.normals[v]) <= 0) continue;  // no light
+        const bool is_hidden = is_met(from, way, whole);
+        ++asked;
+        hidden += is_hidden ? 1 : 0;
+        wrong += is_hidden != is_met(from, way, casters[0]) ? 1 : 0;
+      }
     }
   }
-  EXPECT_GT(asked, 1000);
-  EXPECT_GT(hidden, 30);
-  EXPECT_LE(wrong, asked / 50);  // those that graze an edge
+  EXPECT_GT(asked, 4000);
+  EXPECT_GT(hidden, 500);
+  EXPECT_LE(wrong, asked / 1000);  // those that graze an edge
 }
 
 TEST(casters, lie_nowhere_above_the_part) {
   const Model model = build_two_balls("skin");
   const std::vector<Mesh> casters =
       build_casters(build_stage(), model, draw_at_rest(model), list_castable(model));
-  for (const glm::vec3& p : casters[0].positions)
-    EXPECT_LT(std::min(glm::length(p) - 80, glm::distance(p, glm::vec3(0, 0, 84)) - 20), -0.04f);
+  for (const glm::vec3& p : casters[0].positions) EXPECT_LT(compute_height_above(p), -0.04f);
 }
 
 TEST(casters, stand_for_no_part_that_is_open_or_throws_no_shadow) {
