@@ -53,6 +53,16 @@ glm::dvec3 compute_way_from_part(const HairScene& scene, const glm::dvec3& direc
   return way;
 }
 
+// Along the ground, unit: out over the border of where hair ends, at a right angle to it.
+glm::dvec3 compute_across_border(const HairScene& scene, double azimuth_deg, const glm::dvec3& normal) {
+  constexpr double kStep_deg = 3;
+  const auto place_at = [&](double degree) {
+    const HairPlace place{degree, sample_border(scene.ends, degree)};
+    return compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
+  };
+  return flatten(glm::cross(place_at(azimuth_deg + kStep_deg) - place_at(azimuth_deg - kStep_deg), normal), normal);
+}
+
 }  // namespace
 
 glm::dvec3 flatten(const glm::dvec3& way, const glm::dvec3& normal) {
@@ -151,7 +161,7 @@ glm::dvec3 compute_comb(const HairScene& scene, const glm::dvec3& at, const glm:
 }
 
 double compute_open(const HairScene& scene, const HairPlace& place) {
-  constexpr double kFalls_deg = 14, kFallsWhole_deg = 40;  // to the sides: there hair hangs past the face
+  constexpr double kFalls_deg = 46, kFallsWhole_deg = 56;  // to the sides: there hair hangs past the face
   if (scene.cut.locks.from_part <= 0 || scene.ends.empty()) return 0;
   return (1 - sample_border(scene.hangs, 0)) *
          (1 - smooth_step(kFalls_deg, kFallsWhole_deg, std::abs(place.azimuth_deg)));
@@ -160,18 +170,19 @@ double compute_open(const HairScene& scene, const HairPlace& place) {
 glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
                       const glm::dvec3& normal, const glm::dvec3& way) {
   constexpr double kNear_mm = 34, kInside_mm = 3;  // from the border: there it turns, and there it has
-  constexpr double kAlong = 0.9;
+  constexpr double kAlong = 0.9, kLeastDown = 0.1;
   const double open = compute_open(scene, place);
   if (open <= 0) return way;
-  const double border = sample_border(scene.hairline, place.azimuth_deg);
-  const double left_mm = (border - place.way) * scene.chart.drop_mm / scene.chart.size;
+  const double border = sample_border(scene.ends, place.azimuth_deg);
+  const glm::dvec3 across = compute_across_border(scene, place.azimuth_deg, normal);
+  const double down = std::max(kLeastDown, glm::dot(across, flatten({0, -1, 0}, normal)));
+  const double left_mm = down * (border - place.way) * scene.chart.drop_mm / scene.chart.size;
   const double share = open * (1 - smooth_step(kInside_mm, kNear_mm, left_mm));
-  const glm::dvec3 down = flatten({0, -1, 0}, normal);
-  const double falls = glm::dot(way, down);
+  const double falls = glm::dot(way, across);
   if (share <= 0 || falls <= 0) return way;
   const double hand = std::copysign(1.0, at.x - scene.cut.comb.side_mm * scene.chart.size);
   const double beyond = left_mm < kInside_mm ? std::min(0.5, 0.1 * (kInside_mm - left_mm)) : 0;
-  return flatten(way - share * (falls + beyond) * down + share * kAlong * hand * glm::cross(normal, down),
+  return flatten(way - share * (falls + beyond) * across + share * kAlong * hand * glm::cross(normal, across),
                  normal);
 }
 
