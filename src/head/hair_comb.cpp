@@ -60,7 +60,8 @@ glm::dvec3 compute_across_border(const HairScene& scene, double azimuth_deg, con
     const HairPlace place{degree, sample_border(scene.ends, degree)};
     return compute_hair_point(scene.chart, place, compute_ground_mm(scene, place));
   };
-  return flatten(glm::cross(place_at(azimuth_deg + kStep_deg) - place_at(azimuth_deg - kStep_deg), normal), normal);
+  return flatten(glm::cross(place_at(azimuth_deg + kStep_deg) - place_at(azimuth_deg - kStep_deg), normal),
+                 normal);
 }
 
 }  // namespace

@@ -191,11 +191,11 @@ std::vector<HairPlace> spread_along(const HairScene& scene, int count, const Bor
 
 constexpr double kBeforeEar_deg = 84;
 
-// Where hair begins to fall from the hairline, degrees from the front.
+// Where hair begins to fall past the face, degrees from the front.
 double find_first_fall(const HairScene& scene) {
-  constexpr double kHangs = 0.5;  // less of it, and hair is combed out of the face
+  constexpr double kOpen = 0.5;  // less of it, and hair falls
   double first_deg = 0;
-  while (first_deg < kBeforeEar_deg && sample_border(scene.hangs, first_deg) < kHangs) ++first_deg;
+  while (first_deg < kBeforeEar_deg && compute_open(scene, {first_deg, 1}) > kOpen) ++first_deg;
   return first_deg;
 }
 

@@ -142,7 +142,11 @@ void append_shell(HeadPart& part, const HairScene& scene) {
         is_free ? cut.inset_mm : cut.inset_mm * (1 - smooth_step(kEar_deg, kBehind_deg, azimuth));
     const double inset_mm =
         std::lerp(own_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below));
-    shell.hangs.push_back(is_free ? sample_border(scene.hangs, azimuth) : 0);
+    // Over the forehead it ends where hair grows; only locks reach farther.
+    constexpr double kForehead_deg = 32, kTemple_deg = 46;
+    const double open =
+        compute_open(scene, {azimuth, 1}) * (1 - smooth_step(kForehead_deg, kTemple_deg, azimuth));
+    shell.hangs.push_back(is_free ? (1 - open) * sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
     constexpr double kCombed_deg = 20,
@@ -155,7 +159,10 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       if (near > 180) near = 360 - near;
       least = std::min(least, sample_border(border, near));
     }
-    shell.border.push_back(least - inset_mm * chart.size / chart.drop_mm);
+    constexpr double kInside_mm = 4;
+    const double way_mm = chart.size / chart.drop_mm;  // in ways
+    shell.border.push_back(std::lerp(least - inset_mm * way_mm,
+                                     sample_border(scene.hairline, azimuth) - kInside_mm * way_mm, open));
   }
   // Where it turns from the forehead down beside the face, it has no corner.
   constexpr int kRounds = 6;
