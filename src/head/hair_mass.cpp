@@ -142,10 +142,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
         is_free ? cut.inset_mm : cut.inset_mm * (1 - smooth_step(kEar_deg, kBehind_deg, azimuth));
     const double inset_mm =
         std::lerp(own_mm, kInset_mm + kTips * cut.locks.tips_mm, smooth_step(kHigh, kLow, below));
-    // Over the forehead it ends where hair grows; only locks reach farther.
-    constexpr double kForehead_deg = 32, kTemple_deg = 46;
-    const double open =
-        compute_open(scene, {azimuth, 1}) * (1 - smooth_step(kForehead_deg, kTemple_deg, azimuth));
+    const double open = compute_open(scene, {azimuth, 1});
     shell.hangs.push_back(is_free ? (1 - open) * sample_border(scene.hangs, azimuth) : 0);
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
@@ -159,10 +156,14 @@ void append_shell(HeadPart& part, const HairScene& scene) {
       if (near > 180) near = 360 - near;
       least = std::min(least, sample_border(border, near));
     }
-    constexpr double kInside_mm = 4;
+    // Over an open forehead it ends where hair grows, and steps back where hair begins to fall: only locks
+    // reach farther.
+    constexpr double kInside_mm = 1, kBack_mm = 18, kForehead_deg = 30, kTemple_deg = 46;
     const double way_mm = chart.size / chart.drop_mm;  // in ways
+    const double inside_mm =
+        std::lerp(kInside_mm, kBack_mm, smooth_step(kForehead_deg, kTemple_deg, azimuth));
     shell.border.push_back(std::lerp(least - inset_mm * way_mm,
-                                     sample_border(scene.hairline, azimuth) - kInside_mm * way_mm, open));
+                                     sample_border(scene.hairline, azimuth) - inside_mm * way_mm, open));
   }
   // Where it turns from the forehead down beside the face, it has no corner.
   constexpr int kRounds = 6;

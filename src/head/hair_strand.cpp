@@ -89,6 +89,23 @@ int count_rings(const HairScene& scene, double length_mm) {
   return std::clamp(needed, std::min(kLeast, locks.rings), locks.rings);
 }
 
+// A step of a way: its ends, and how far hair has come from the part there, the first end's less than the
+// last's.
+struct Step {
+  HairPlace first, last;
+  double from_mm = 0, to_mm = 0;
+};
+
+// The share of a step at which hair has come so far from the part: as if evenly, and then once better.
+double find_on_step(const HairScene& scene, const Step& step, double wanted_mm) {
+  const double even = (wanted_mm - step.from_mm) / (step.to_mm - step.from_mm);
+  const double turn = std::remainder(step.last.azimuth_deg - step.first.azimuth_deg, 360);
+  const HairPlace place{step.first.azimuth_deg + even * turn, std::lerp(step.first.way, step.last.way, even)};
+  const double come_mm = std::clamp(compute_combed_mm(scene, place), step.from_mm, step.to_mm);
+  if (come_mm > wanted_mm) return even * (wanted_mm - step.from_mm) / (come_mm - step.from_mm);
+  return come_mm < wanted_mm ? even + (1 - even) * (wanted_mm - come_mm) / (step.to_mm - come_mm) : even;
+}
+
 // Where rings lie on a way, 0..1: at its root and its tip, where the scene has its stations between them, and
 // once more before the tip, where a lock narrows.
 std::vector<double> place_rings(const HairScene& scene, const Path& path) {
@@ -105,7 +122,8 @@ std::vector<double> place_rings(const HairScene& scene, const Path& path) {
       ++station;
     for (; station < scene.ring_stations.size() && scene.ring_stations[station] < now; ++station) {
       last = scene.ring_stations[station];
-      shares.push_back((static_cast<double>(i - 1) + (last - before) / (now - before)) / steps);
+      const Step step{path.places[i - 1], path.places[i], before, now};
+      shares.push_back((static_cast<double>(i - 1) + find_on_step(scene, step, last)) / steps);
     }
     before = now;
   }
