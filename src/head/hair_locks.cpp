@@ -151,6 +151,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   constexpr double kComesUp_mm = 30;       // that begin between others
+  constexpr double kAtBorder = 0.45, kBorder_mm = 16;  // of short hair: toward its border locks are single hairs
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
@@ -171,6 +172,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (middle != nullptr) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
+    if (scene.ends.empty())
+      width *= std::lerp(kAtBorder, 1.0, smooth_step(0, kBorder_mm, compute_inside_mm(scene, strand.root)));
     LockForm form = is_about_face       ? kAboutFace
                     : is_over_forehead  ? kOverForehead
                     : is_at_part        ? kAtPartLine
