@@ -169,6 +169,7 @@ namespace {
 // A stretch of the hairline, degrees from the front, and how far inside it roots lie.
 struct BorderBand {
   double first_deg, last_deg, least_mm, most_mm;
+  double crowding = 1;  // more: closer at its first end
 };
 
 // Roots on both sides alike, evenly along the stretch.
@@ -180,7 +181,7 @@ std::vector<HairPlace> spread_along(const HairScene& scene, int count, const Bor
   for (int i = 0; i < count; ++i) {
     const auto index = static_cast<std::uint32_t>(i);
     const int pair = i / 2;  // one root a side
-    const double turn = std::fmod((pair + 1) * kStep, 1.0);
+    const double turn = std::pow(std::fmod((pair + 1) * kStep, 1.0), band.crowding);
     const double azimuth = (i % 2 == 0 ? 1 : -1) * std::lerp(band.first_deg, band.last_deg, turn);
     const double inside_mm = std::lerp(band.least_mm, band.most_mm, scatter(series, index, 0));
     const double up_mm = inside_mm * std::min(kSteepest, compute_steepness(scene, azimuth));
@@ -202,7 +203,11 @@ double find_first_fall(const HairScene& scene) {
 }  // namespace
 
 std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
-  return spread_along(scene, count, {find_first_fall(scene), kBeforeEar_deg, 1, 9}, kRootSeries + 2);
+  constexpr double kFringe = 1.7;
+  return spread_along(
+      scene, count,
+      {find_first_fall(scene), kBeforeEar_deg, 1, 9, std::lerp(1.0, kFringe, sample_border(scene.hangs, 0))},
+      kRootSeries + 2);
 }
 
 std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {

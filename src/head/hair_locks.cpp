@@ -119,7 +119,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   // Some frame the face, where the mass would show as a bare strip; more and the crown has gaps.
   constexpr double kAtFace = 0.24;
   constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
-  constexpr double kFaceAway = 0.35;   // more, and all of it is swept behind the ears
+  constexpr double kFringeRise_mm = 38, kFringe_deg = 40, kBeside_deg = 56;
+  constexpr double kFaceAway = 0.35;  // more, and all of it is swept behind the ears
   constexpr LockForm kAboutFace{0.55, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
       kAtPartLine{0.5, 18, 0.04};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
@@ -151,7 +152,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   constexpr double kComesUp_mm = 30;       // that begin between others
-  constexpr double kAtBorder = 0.45, kBorder_mm = 16;  // of short hair: toward its border locks are single hairs
+  constexpr double kAtBorder = 0.45,
+                   kBorder_mm = 16;  // of short hair: toward its border locks are single hairs
   const std::vector<HairStrand> families = grow_families(scene);
   for (std::uint32_t index = 0; index < roots.size(); ++index) {
     const HairStrand* middle = find_family(scene, families, roots[index]);
@@ -161,7 +163,10 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     const bool is_at_part = index >= first_at_part && index < first_at_face;
     const bool is_long = index < first_at_part && scatter(kSeries, index, kBegin) < cut.locks.from_part;
     // They come through those that lie over them here and there: all at once, and there is a row of ends.
-    about_face.cut.locks.rise_mm = kFaceRise_mm * (0.5 + 1.2 * scatter(kSeries, index, kReach));
+    const double in_fringe = sample_border(scene.hangs, 0) *
+                             (1 - smooth_step(kFringe_deg, kBeside_deg, std::abs(roots[index].azimuth_deg)));
+    about_face.cut.locks.rise_mm =
+        std::lerp(kFaceRise_mm, kFringeRise_mm, in_fringe) * (0.5 + 1.2 * scatter(kSeries, index, kReach));
     HairStrand strand =
         grow_strand(is_about_face            ? about_face
                     : is_over_forehead       ? over_forehead
@@ -169,7 +174,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
                                              : scene,
                     is_long ? trace_to_part(scene, roots[index], index) : roots[index], index, family);
     if (strand.points.empty()) continue;
-    if (middle != nullptr) fall_in(scene, *middle, strand);
+    const bool is_fringe = is_about_face && in_fringe > 0;
+    if (middle != nullptr && !is_fringe) fall_in(scene, *middle, strand);
     double width = size * cut.locks.width_mm * (0.7 + 0.6 * scatter(kSeries, index, kWidth));
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
     if (scene.ends.empty())
