@@ -94,6 +94,7 @@ void fray(Shell& shell, const HairBorder& border) {
     const double below = sample_border(border, azimuth) - sample_border(scene.hairline, azimuth);
     const int left = std::max(column, kColumns - 1 - column);
     const double deep_mm = kDeep * scene.cut.locks.tips_mm * smooth_step(kHigh, kLow, below) *
+                           (1 - compute_open(scene, {azimuth, 1})) *
                            sample_noise(kSeries, 1.3 * left, 2 * kColumns);
     shell.border[static_cast<std::size_t>(column)] -= deep_mm * scene.chart.size / scene.chart.drop_mm;
   }
