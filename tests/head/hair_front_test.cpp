@@ -64,7 +64,7 @@ TEST(hair_front, runs_along_its_border_over_an_open_forehead) {
 // Teeth of the mass would stand in the forehead beside the locks.
 TEST(hair_front, has_a_mass_that_ends_evenly_where_hair_grows) {
   constexpr std::size_t kColumns = 120, kRows = 30;
-  constexpr double kForehead_deg = 30, kStep_mm = 3.5;
+  constexpr double kForehead_deg = 44, kStep_mm = 6;
   for (const char* name : {"long", "wavy"})
     for (const char* age : {"infant", "child", "adult", "old"}) {
       const NeutralHead head = build(age);
@@ -86,7 +86,7 @@ TEST(hair_front, has_a_mass_that_ends_evenly_where_hair_grows) {
         }
         before_mm = beyond_mm;
       }
-      EXPECT_EQ(asked, 20) << name;
+      EXPECT_EQ(asked, 28) << name;
     }
 }
 
