@@ -86,7 +86,7 @@ TEST(hair_front, has_a_mass_that_ends_evenly_where_hair_grows) {
         }
         before_mm = beyond_mm;
       }
-      EXPECT_EQ(asked, 28) << name;
+      EXPECT_EQ(asked, 30) << name;
     }
 }
 
