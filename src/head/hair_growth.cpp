@@ -203,11 +203,13 @@ double find_first_fall(const HairScene& scene) {
 }  // namespace
 
 std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count) {
+  constexpr double kMost_mm = 9, kMostOfFringe_mm = 30;  // nearer together, and a fringe has two tiers
   constexpr double kFringe = 1.7;
-  return spread_along(
-      scene, count,
-      {find_first_fall(scene), kBeforeEar_deg, 1, 9, std::lerp(1.0, kFringe, sample_border(scene.hangs, 0))},
-      kRootSeries + 2);
+  const double fringe = sample_border(scene.hangs, 0);
+  return spread_along(scene, count,
+                      {find_first_fall(scene), kBeforeEar_deg, 1,
+                       std::lerp(kMost_mm, kMostOfFringe_mm, fringe), std::lerp(1.0, kFringe, fringe)},
+                      kRootSeries + 2);
 }
 
 std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count) {

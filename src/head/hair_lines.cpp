@@ -243,17 +243,19 @@ MeshPlace find_on_mass(const HairScene& scene, const Mesh& mass, const SkinPatch
   return {mass.triangles[nearest.triangle], nearest.barycentric};
 }
 
+glm::dvec3 find_point(const Mesh& mass, const MeshPlace& place) {
+  glm::dvec3 at(0);
+  for (int i = 0; i < 3; ++i)
+    at += static_cast<double>(place.shares[i]) * glm::dvec3(mass.positions[place.vertices[i]]);
+  return at;
+}
+
 // The line begins in the corner itself and goes along the groove above it, which is as narrow as a line: near
 // it, what is nearest lies on one side.
 void begin_at_edge(const HairScene& scene, const Mesh& mass, std::size_t column,
                    std::vector<MeshPlace>& places) {
   constexpr double kGroove_mm = 12, kGap_mm = 6;
-  const auto find = [&](const MeshPlace& place) {
-    glm::dvec3 at(0);
-    for (int i = 0; i < 3; ++i)
-      at += static_cast<double>(place.shares[i]) * glm::dvec3(mass.positions[place.vertices[i]]);
-    return at;
-  };
+  const auto find = [&](const MeshPlace& place) { return find_point(mass, place); };
   std::vector<MeshPlace> groove;
   for (const std::uint32_t v : list_drawn_column(column)) {
     const MeshPlace place{{v, v, v}, {1, 0, 0}};
@@ -274,6 +276,19 @@ void begin_at_edge(const HairScene& scene, const Mesh& mass, std::size_t column,
     groove.push_back(place);
   }
   places = std::move(groove);
+}
+
+// Waves and grooves move lines toward each other: one ends where it comes near another before it.
+void end_where_near(const Mesh& mass, const std::vector<HairLine>& lines, std::vector<MeshPlace>& places) {
+  constexpr double kClose_mm = 2.5;
+  const auto is_near = [&](const MeshPlace& place) {
+    const glm::dvec3 at = find_point(mass, place);
+    for (const HairLine& line : lines)
+      for (const MeshPlace& other : line.places)
+        if (glm::distance(at, find_point(mass, other)) < kClose_mm) return true;
+    return false;
+  };
+  places.erase(std::ranges::find_if(places, is_near), places.end());
 }
 
 // Where the wall below the mass's edge goes into the skin.
@@ -333,7 +348,8 @@ std::vector<HairLine> list_hair_lines(const NeutralHead& head, const std::string
     HairLine line{{}, path.begins, path.width, path.ends};
     for (const HairPlace& place : path.places) line.places.push_back(find_on_mass(scene, mass, patch, place));
     if (path.column && scene.cut.covers_ears) begin_at_edge(scene, mass, *path.column, line.places);
-    lines.push_back(std::move(line));
+    end_where_near(mass, lines, line.places);
+    if (line.places.size() > 1) lines.push_back(std::move(line));
   }
   append_edge_lines(scene, mass, lines);
   return lines;

@@ -180,12 +180,14 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     if (cut.locks.widest > 0) width = std::min(width, cut.locks.widest * strand.length_mm);
     if (scene.ends.empty())
       width *= std::lerp(kAtBorder, 1.0, smooth_step(0, kBorder_mm, compute_inside_mm(scene, strand.root)));
-    LockForm form = is_about_face       ? kAboutFace
+    LockForm form = is_fringe           ? kOverForehead
+                    : is_about_face     ? kAboutFace
                     : is_over_forehead  ? kOverForehead
                     : is_at_part        ? kAtPartLine
                     : middle != nullptr ? (is_long ? kTogether : kBetween)
                                         : kAlone;
-    if (is_about_face) form.comes_up = std::min(0.4, about_face.cut.locks.rise_mm * size / strand.length_mm);
+    if (is_about_face && !is_fringe)
+      form.comes_up = std::min(0.4, about_face.cut.locks.rise_mm * size / strand.length_mm);
     if (middle != nullptr && !is_long && index < first_at_part)
       form.comes_up = std::min(0.4, kComesUp_mm * size / strand.length_mm);
     append_lock(part, find_seat(scene, strand.root), strand, width,
@@ -196,14 +198,15 @@ void append_locks(HeadPart& part, const HairScene& scene) {
 void append_part_line(HeadPart& part, const HairScene& scene) {
   constexpr int kRings = 22;
   constexpr double kAbove_mm = 0.3;  // the mass, in its groove
-  constexpr double kWander_mm = 0.8;
+  constexpr double kWander_mm = 0.8,
+                   kInside_mm = 5;  // before the hairline it would be a needle on the forehead
   const HairComb& comb = scene.cut.comb;
   const double size = scene.chart.size;
   HairStrand strand;
   for (int ring = 0; ring < kRings; ++ring) {
     const double s = static_cast<double>(ring) / (kRings - 1);
     HairPlace place = compute_part_place(scene, s);
-    if (place.way > sample_border(scene.hairline, place.azimuth_deg)) continue;
+    if (compute_inside_mm(scene, place) < kInside_mm) continue;
     const double high_mm = compute_mass_height_mm(scene, place) + kAbove_mm * size;
     glm::dvec3 point = compute_hair_point(scene.chart, place, compute_ground_mm(scene, place) + high_mm);
     if (comb.side_mm != 0) point.x += kWander_mm * size * sample_noise(kSeries, 0.45 * ring, kRings);

@@ -423,7 +423,9 @@ TEST(hair, that_falls_beside_a_face_grows_along_its_hairline) {
         across_deg += root.azimuth_deg;
         EXPECT_LT(std::abs(root.azimuth_deg), 90) << name;
         EXPECT_GT(compute_inside_mm(scene, root), 0) << name << " " << root.azimuth_deg;
-        EXPECT_LT(compute_inside_mm(scene, root), 14) << name << " " << root.azimuth_deg;
+        // A fringe's begin one behind the other, or it has two tiers.
+        EXPECT_LT(compute_inside_mm(scene, root), std::string_view(name) == "bob" ? 36 : 14)
+            << name << " " << root.azimuth_deg;
       }
       EXPECT_NEAR(across_deg, 0, 1e-9) << name << ": as many on both sides";
     }
