@@ -148,7 +148,7 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     double least = 1e9;
     // Hair that is combed from a part is combed out of the face.
     constexpr double kCombed_deg = 20,
-                     kCombedFringe_deg = 16;  // less, and it stands beside the face as a board
+                     kCombedFringe_deg = 11;  // less, and it stands beside the face as a board
     const double combed_deg = std::lerp(kCombed_deg, kCombedFringe_deg, sample_border(scene.hangs, 0));
     const double beside_deg =
         (cut.locks.from_part > 0 ? combed_deg : kBeside_deg) * (1 + 0.5 * smooth_step(kLow, 2 * kLow, below));
