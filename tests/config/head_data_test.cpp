@@ -94,7 +94,7 @@ TEST(head_data, names_of_points_areas_and_anchors_are_those_that_there_are) {
             build_place("areas.yaml", "  brow.up:\n", 3) +
                 ": error: unknown move 'brow.upp'; did you mean 'brow.up'?");
   EXPECT_EQ(find_mistake("hair.yaml", "areas: {moustache: 0.9", "areas: {mustache: 0.9"),
-            "hair.yaml:261:45: error: unknown area of a beard 'mustache'; did you mean 'moustache'?");
+            "hair.yaml:262:45: error: unknown area of a beard 'mustache'; did you mean 'moustache'?");
   EXPECT_EQ(find_mistake("landmarks.yaml", "  g: p_g ", "  g: p_q "),
             "landmarks.yaml:7:6: error: unknown point 'p_q'; did you mean 'p_g'?");
   EXPECT_EQ(find_mistake("landmarks.yaml", "needed: [n,", "needed: [nn,"),
