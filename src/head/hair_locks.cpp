@@ -152,6 +152,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   constexpr LockForm kAlone{0.16, 5};      // its strands end one by one, and its outline late
   constexpr LockForm kTogether{0.04, 18};  // no skin shows at a part, and tips are no threads
   constexpr double kComesUp_mm = 30;       // that begin between others
+  constexpr double kMostComesUp = 0.4, kFringeComesUp = 0.75;  // of the length; a fringe's are short
   constexpr double kAtBorder = 0.45,
                    kBorder_mm = 16;  // of short hair: toward its border locks are single hairs
   const std::vector<HairStrand> families = grow_families(scene);
@@ -186,10 +187,11 @@ void append_locks(HeadPart& part, const HairScene& scene) {
                     : is_at_part        ? kAtPartLine
                     : middle != nullptr ? (is_long ? kTogether : kBetween)
                                         : kAlone;
-    if (is_about_face && !is_fringe)
-      form.comes_up = std::min(0.4, about_face.cut.locks.rise_mm * size / strand.length_mm);
+    if (is_about_face)
+      form.comes_up = std::min(is_fringe ? kFringeComesUp : kMostComesUp,
+                               about_face.cut.locks.rise_mm * size / strand.length_mm);
     if (middle != nullptr && !is_long && index < first_at_part)
-      form.comes_up = std::min(0.4, kComesUp_mm * size / strand.length_mm);
+      form.comes_up = std::min(kMostComesUp, kComesUp_mm * size / strand.length_mm);
     append_lock(part, find_seat(scene, strand.root), strand, width,
                 compute_lock_shade(strand.layer, index, family), index, form);
   }

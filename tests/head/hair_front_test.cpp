@@ -46,7 +46,7 @@ TEST(hair_front, runs_along_its_border_over_an_open_forehead) {
       scene.cut.locks.wave_mm = 0;
       std::vector<HairPlace> roots = spread_front_roots(scene, 80);
       for (const HairPlace& root : spread_part_roots(scene, 120)) roots.push_back(root);
-      std::vector<int> near(2 * kBins, 0);
+      std::vector<int> near(static_cast<std::size_t>(2) * kBins, 0);
       for (std::uint32_t i = 0; i < roots.size(); ++i)
         for (const glm::dvec3& point : grow_strand(scene, roots[i], i, i).points) {
           const HairPlace place = compute_hair_place(scene.chart, point);
