@@ -171,7 +171,9 @@ double compute_open(const HairScene& scene, const HairPlace& place) {
 glm::dvec3 turn_aside(const HairScene& scene, const HairPlace& place, const glm::dvec3& at,
                       const glm::dvec3& normal, const glm::dvec3& way) {
   constexpr double kNear_mm = 34, kInside_mm = 3;  // from the border: there it turns, and there it has
-  constexpr double kAlong = 0.9, kLeastDown = 0.1;
+  constexpr double kAlong = 0.9;
+  constexpr double kLeastDown =
+      0.1;  // of a border that runs down: where it is steep, little is left before it
   const double open = compute_open(scene, place);
   if (open <= 0) return way;
   const double border = sample_border(scene.ends, place.azimuth_deg);

@@ -118,8 +118,9 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   const double size = scene.chart.size * (1 - 0.3 * scene.youth);  // a child's hair is finer
   // Some frame the face, where the mass would show as a bare strip; more and the crown has gaps.
   constexpr double kAtFace = 0.24;
-  constexpr double kFaceRise_mm = 60;  // sooner, and a row of roots stands like a comb's teeth
-  constexpr double kFringeRise_mm = 38, kFringe_deg = 40, kBeside_deg = 56;
+  constexpr double kFaceRise_mm = 60;    // sooner, and a row of roots stands like a comb's teeth
+  constexpr double kFringeRise_mm = 38;  // it is no longer than that; degrees where it ends:
+  constexpr double kFringe_deg = 40, kBeside_deg = 56;
   constexpr double kFaceAway = 0.35;  // more, and all of it is swept behind the ears
   constexpr LockForm kAboutFace{0.55, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
       kAtPartLine{0.5, 18, 0.04};
