@@ -536,10 +536,13 @@ TEST(hair, long_and_straight_has_a_mass_that_ends_in_tips) {
 }
 
 TEST(hair, bends_in_arcs_and_has_no_elbows) {
-  for (const char* name : {"crop", "side_part", "pixie", "long"}) {
+  for (const char* name : {"crop", "side_part", "pixie", "long", "wavy"}) {
     const HairCut& cut = shipped().stock.head->hair.cuts.at(name);
     const HairScene scene = build_hair_scene(adult(), cut);
-    const std::vector<HairPlace> roots = spread_roots(scene, 5000, 0, false);
+    std::vector<HairPlace> roots = spread_roots(scene, 5000, 0, false);
+    for (const HairPlace& root : spread_part_roots(scene, 400)) roots.push_back(root);
+    if (!scene.ends.empty())
+      for (const HairPlace& root : spread_front_roots(scene, 400)) roots.push_back(root);
     double worst_deg = 0;
     for (std::uint32_t i = 0; i < roots.size(); ++i) {
       const HairStrand strand = grow_strand(scene, roots[i], i, i);
