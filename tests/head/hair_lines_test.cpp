@@ -71,18 +71,21 @@ TEST(hair_lines, mark_the_edge_where_it_meets_the_skin) {
   const HairSubject hair = build_hair_subject("side_part");
   const std::vector<glm::vec3>& skin = hair.subject.figure.model.parts.front().rest.positions;
   std::size_t edges = 0, places = 0, on_skin = 0;
+  double away_mm = 0;
   for (const HairLine& line : hair.lines) {
     if (line.begins != line.width || line.width != line.ends) continue;
     for (const glm::vec3& place : find_places(line, *hair.mass)) {
       float nearest = 1e9f;
       for (const glm::vec3& v : skin) nearest = std::min(nearest, glm::distance(v, place));
       ++places;
+      away_mm += nearest;
       on_skin += nearest < 3.5f ? 1 : 0;  // over an ear there is none below it
     }
     ++edges;
   }
   EXPECT_GT(edges, 6U);
   EXPECT_GT(static_cast<double>(on_skin), 0.9 * static_cast<double>(places));
+  EXPECT_LT(away_mm, 1.65 * static_cast<double>(places));  // of vertices that are 3 mm apart
 }
 
 // A tuft would stand off it as two stubs.

@@ -251,7 +251,7 @@ TEST(hair, that_is_drawn_has_a_ring_of_light_that_is_no_smooth_band) {
 
 // A few lines that lie on the mass, none of them on another.
 TEST(hair, that_is_drawn_has_a_few_lines_that_do_not_cross) {
-  constexpr float kOff_mm = 2;
+  constexpr float kOff_mm = 3.5;
   for (const char* age : {"infant", "adult"}) {
     const NeutralHead head = build_comic(age);
     for (const auto& [name, cut] : shipped().stock.head->hair.cuts) {
