@@ -52,7 +52,8 @@ double compute_room(const HairChart& chart, const HairPlace& place);
 // nearer to the whorl than this share of the way to the hairline.
 std::vector<HairPlace> spread_roots(const HairScene& scene, int count, double band, bool is_left);
 
-// Roots along the hairline about the face where hair falls from it, `count` of them on both sides.
+// Roots along the hairline about the face where hair falls from it, `count` of them on both sides; those of a
+// fringe closer, and one behind the other.
 std::vector<HairPlace> spread_border_roots(const HairScene& scene, int count);
 
 // Roots along the hairline over an open forehead, from where hair is combed aside; `count` of them on both
@@ -63,7 +64,8 @@ std::vector<HairPlace> spread_front_roots(const HairScene& scene, int count);
 // before the hairline are left out.
 std::vector<HairPlace> spread_part_roots(const HairScene& scene, int count);
 
-// How much of a wave's height there is room for at a place, 0..1: none at the border of an open forehead.
+// How much of a wave's height there is room for at a place, 0..1: none at the hairline of an open forehead,
+// where nothing falls over it.
 double compute_wave_room(const HairScene& scene, const HairPlace& place);
 
 // How many waves a place is behind the whorl: neighbours wave together.

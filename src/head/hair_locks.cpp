@@ -54,6 +54,13 @@ double compute_tail_radius(double s) {
   return (0.4 + 0.6 * smooth_step(0, 0.3, s)) * (1 - 0.7 * smooth_step(0.6, 1.0, s));
 }
 
+// Whether hair at a place falls over the forehead, 1, or hangs beside the face, 0.
+double compute_in_fringe(const HairScene& scene, const HairPlace& place) {
+  constexpr double kFringe_deg = 40, kBeside_deg = 56;
+  return sample_border(scene.hangs, 0) *
+         (1 - smooth_step(kFringe_deg, kBeside_deg, std::abs(place.azimuth_deg)));
+}
+
 }  // namespace
 
 glm::dvec3 TailLine::at(double s) const {
@@ -119,9 +126,8 @@ void append_locks(HeadPart& part, const HairScene& scene) {
   // Some frame the face, where the mass would show as a bare strip; more and the crown has gaps.
   constexpr double kAtFace = 0.24;
   constexpr double kFaceRise_mm = 60;    // sooner, and a row of roots stands like a comb's teeth
-  constexpr double kFringeRise_mm = 38;  // it is no longer than that; degrees where it ends:
-  constexpr double kFringe_deg = 40, kBeside_deg = 56;
-  constexpr double kFaceAway = 0.35;  // more, and all of it is swept behind the ears
+  constexpr double kFringeRise_mm = 38;  // a fringe is hardly longer
+  constexpr double kFaceAway = 0.35;     // more, and all of it is swept behind the ears
   constexpr LockForm kAboutFace{0.55, 10, 0.02}, kOverForehead{0.12, 18, 0.05}, kBetween{0.15, 18, 0.02},
       kAtPartLine{0.5, 18, 0.04};
   const int at_face = cut.locks.from_part > 0 ? static_cast<int>(kAtFace * cut.locks.count) : 0;
@@ -165,8 +171,7 @@ void append_locks(HeadPart& part, const HairScene& scene) {
     const bool is_at_part = index >= first_at_part && index < first_at_face;
     const bool is_long = index < first_at_part && scatter(kSeries, index, kBegin) < cut.locks.from_part;
     // They come through those that lie over them here and there: all at once, and there is a row of ends.
-    const double in_fringe = sample_border(scene.hangs, 0) *
-                             (1 - smooth_step(kFringe_deg, kBeside_deg, std::abs(roots[index].azimuth_deg)));
+    const double in_fringe = compute_in_fringe(scene, roots[index]);
     about_face.cut.locks.rise_mm =
         std::lerp(kFaceRise_mm, kFringeRise_mm, in_fringe) * (0.5 + 1.2 * scatter(kSeries, index, kReach));
     HairStrand strand =

@@ -122,12 +122,12 @@ std::vector<double> find_rim_grain(const Shell& shell) {
   return rims;
 }
 
-void append_shell(HeadPart& part, const HairScene& scene) {
+// Where the mass ends, column by column, and where it hangs there; `is_free`: it may hang at all. Its edge
+// lies so far inside the border of hair, above and beside, that locks hide it.
+void find_borders(Shell& shell, bool is_free) {
+  const HairScene& scene = shell.scene;
   const HairCut& cut = scene.cut;
-  const HairChart& chart = scene.chart;
-  Shell shell{scene, {}, {}, {}, {}};
-  const bool is_free = !scene.ends.empty() && cut.covers_ears;
-  // Its edge lies so far inside the border, above and beside, that locks hide it.
+  const double way_mm = scene.chart.size / scene.chart.drop_mm;  // in ways
   constexpr double kInset_mm = 7, kBeside_deg = 9;
   for (int column = 0; column < kColumns; ++column) {
     // Where it hangs, tips of locks make the edge; where it grows, it runs out in the skin.
@@ -160,7 +160,6 @@ void append_shell(HeadPart& part, const HairScene& scene) {
     // Over an open forehead it ends where hair grows, and steps back where hair begins to fall: only locks
     // reach farther.
     constexpr double kInside_mm = 1, kBack_mm = 18, kForehead_deg = 30, kTemple_deg = 46;
-    const double way_mm = chart.size / chart.drop_mm;  // in ways
     const double inside_mm =
         std::lerp(kInside_mm, kBack_mm, smooth_step(kForehead_deg, kTemple_deg, azimuth));
     shell.border.push_back(std::lerp(least - inset_mm * way_mm,
@@ -175,6 +174,14 @@ void append_shell(HeadPart& part, const HairScene& scene) {
           std::min(before[i], 0.5 * before[i] + 0.25 * (before[(i + 1) % before.size()] +
                                                         before[(i + before.size() - 1) % before.size()]));
   }
+}
+
+void append_shell(HeadPart& part, const HairScene& scene) {
+  const HairCut& cut = scene.cut;
+  const HairChart& chart = scene.chart;
+  Shell shell{scene, {}, {}, {}, {}};
+  const bool is_free = !scene.ends.empty() && cut.covers_ears;
+  find_borders(shell, is_free);
   shell.even = shell.border;
   fray(shell, is_free ? scene.ends : scene.hairline);
   for (int column = 0; column < kColumns; ++column) {

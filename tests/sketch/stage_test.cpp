@@ -106,9 +106,7 @@ TEST(sketch_stage, lights_strands_by_points_where_the_face_has_cloths) {
             << name;
         ++bloods;
       }
-      // The studio's rims, from behind, throw none among strands.
-      const bool is_rim = name == "studio" && glm::dot(face.lamps[i].at, face.camera.forward) > 0;
-      EXPECT_EQ(both.lamps[count + i].has_shadow, face.lamps[i].has_shadow && !is_rim) << name;
+      EXPECT_EQ(both.lamps[count + i].has_shadow, face.lamps[i].has_shadow) << name;
       EXPECT_EQ(both.lamps[count + i].side, glm::vec3(0)) << name;
       cloths += face.lamps[i].side != glm::vec3(0) ? 1 : 0;
     }
