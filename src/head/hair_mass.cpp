@@ -159,7 +159,7 @@ void find_borders(Shell& shell, bool is_free) {
     }
     // Over an open forehead it ends where hair grows, and steps back where hair begins to fall: only locks
     // reach farther.
-    constexpr double kInside_mm = 1, kBack_mm = 18, kForehead_deg = 30, kTemple_deg = 46;
+    constexpr double kInside_mm = 1, kBack_mm = 18, kForehead_deg = 37, kTemple_deg = 50;
     const double inside_mm =
         std::lerp(kInside_mm, kBack_mm, smooth_step(kForehead_deg, kTemple_deg, azimuth));
     shell.border.push_back(std::lerp(least - inset_mm * way_mm,
